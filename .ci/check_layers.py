@@ -27,8 +27,8 @@ ROOMS = {  # module: {room: rooms of the module it may include (its own is impli
     "membrane": {"forces": "", "sheet": "forces"},
     # The module's own folder has both the frame, which all know, and the renderer, which knows all.
     "render": {"upload": ".", "kept": ". upload", "passes": ". upload", "section": ". kept upload"},
-    "session": {"command": ". cut document extrusion growth look membrane model picture section structure", "document": "growth model", "model": "cut", "growth": ".", "section": "", "structure": "", "cut": ".", "look": "document",
-                "extrusion": ". cut growth look structure", "membrane": ". cut look model structure",
+    "session": {"bar": "", "command": ". cut document extrusion growth look membrane model picture section structure", "document": "growth model", "model": "bar cut", "growth": ".", "section": "", "structure": "", "cut": ".", "look": "document",
+                "extrusion": ". bar cut growth look structure", "membrane": ". cut look model structure",
                 "picture": ". document extrusion growth membrane"},
     # A membrane is a cut: the panel of cuts holds its form.
     "gui": {"kit": "", "rows": "kit", "service": "kit rows", "tool": "kit", "view": "kit rows service tool",

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "app/CountAreas.h"
+#include "app/CountTable.h"
 #include "app/Targets.h"
 #include "app/Verbs.h"
 #include "core/Clock.h"
@@ -29,10 +30,6 @@ struct CountOptions {
   double timeout = 0;
 };
 
-Json countJson(const render::TypeCount& count) {
-  return {{"visible", count.visible}, {"hidden", count.hidden}, {"clipped", count.clipped}, {"total", count.total()}};
-}
-
 Json rowJson(const session::CountRow& row) {
   Json json = {{"name", row.name}, {"path", row.path}};
   json.update(countJson(row.count));
@@ -48,16 +45,6 @@ Json hidingJson(const session::Hiding& hiding) {
           {"seen", hiding.seen},
           {"hiders", hiders},
           {"words", hiding.words}};
-}
-
-/// Columns are as wide as what they hold.
-void printTable(const std::vector<session::CountRow>& rows) {
-  std::size_t width = 4;
-  for (const auto& row : rows) width = std::max(width, std::size_t(2 * row.depth) + row.name.size());
-  fmt::print("{:<{}} {:>10} {:>10} {:>10} {:>10}\n", "", width, "visible", "hidden", "clipped", "total");
-  for (const auto& row : rows)
-    fmt::print("{:<{}} {:>10} {:>10} {:>10} {:>10}\n", std::string(std::size_t(2 * row.depth), ' ') + row.name, width,
-               row.count.visible, row.count.hidden, row.count.clipped, row.count.total());
 }
 
 void printHiding(const session::Hiding& hiding) {
@@ -118,7 +105,7 @@ int countInstances(session::Session& session, const CountOptions& options, sessi
     printJson(json);
     return 0;
   }
-  printTable(rows);
+  printCounts(rows);
   if (settled) fmt::print("\n");
   if (settled)
     for (const auto& target : settled->targets) fmt::print("{}\n", target.words);

@@ -2,14 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-
+#include "app/CountTable.h"
+#include "app/Targets.h"
 #include "core/Clock.h"
 #include "core/Error.h"
 #include "core/Log.h"
 #include "core/ReplaceFile.h"
-#include "core/Text.h"
 #include "session/document/Open.h"
 #include "session/extrusion/AreaSolver.h"
 #include "session/model/CountFiles.h"
@@ -21,29 +19,19 @@ namespace velum::app {
 
 namespace {
 
-/// A target as it was asked for.
+/// A target as it was asked for; its number is of pixels, or of all whose rays meet the structure.
 struct WantedArea {
   int structure = 0;
-  double number = 0.0;
-  bool isPercent = false;  ///< of all pixels whose rays meet the structure; else pixels
+  WantedNumber number;
 };
 
 WantedArea wantedOf(const scene::Scene& scene, const std::string& text) {
-  std::size_t equals = text.rfind('=');
-  std::string_view number = equals == std::string::npos ? "" : std::string_view(text).substr(equals + 1);
-  WantedArea wanted;
-  wanted.isPercent = number.ends_with('%');
-  if (wanted.isPercent) number.remove_suffix(1);
-  auto value = numberIn(number);
-  if (!value || !std::isfinite(*value) || *value < 0.0 || (wanted.isPercent && *value > 100.0))
-    throw ArgumentError(fmt::format("--set-area {}: expected STRUCTURE=PIXELS, or STRUCTURE=PERCENT%", text));
-  wanted.number = *value;
+  WantedNumber number = wantedNumber("--set-area", text, "STRUCTURE=PIXELS, or STRUCTURE=PERCENT%", true);
   try {
-    wanted.structure = session::findStructures(session::labelsOf(scene).table, {text.substr(0, equals)}).front();
+    return {session::findStructures(session::labelsOf(scene).table, {number.name}).front(), number};
   } catch (const ArgumentError& error) {
     throw ArgumentError(fmt::format("--set-area {}: {}", text, error.what()));
   }
-  return wanted;
 }
 
 std::vector<session::SolvedArea> settleAreas(scene::Scene& scene, const std::vector<WantedArea>& wanted,
@@ -52,8 +40,7 @@ std::vector<session::SolvedArea> settleAreas(scene::Scene& scene, const std::vec
   std::vector<session::SolvedArea> solved;
   for (const WantedArea& want : wanted) {
     session::AreaSolver solver(scene, cuts, want.structure, hits);
-    double pixels = want.isPercent ? want.number / 100.0 * double(solver.range().total) : want.number;
-    solved.push_back(solver.solve(pixels));
+    solved.push_back(solver.solve(want.number.of(solver.range().total)));
     scene = solved.back().scene;
     if (solved.back().reached != solved.back().wanted) log::warning(solved.back().words);
   }
@@ -62,30 +49,16 @@ std::vector<session::SolvedArea> settleAreas(scene::Scene& scene, const std::vec
 
 std::vector<session::CountRow> rowsOf(const std::vector<session::StructureArea>& areas) {
   std::vector<session::CountRow> rows;
-  for (const session::StructureArea& area : areas)
-    rows.push_back({area.name, area.name, false, 0, {area.visible, area.hidden, area.clipped}});
+  for (const session::StructureArea& area : areas) rows.push_back({area.name, area.name, false, 0, area.count});
   return rows;
 }
 
-/// Columns are as wide as what they hold; the last is how much of the picture shows it.
-void printTable(const std::vector<session::StructureArea>& areas, double pixels) {
-  std::size_t width = 4;
-  for (const auto& area : areas) width = std::max(width, area.name.size());
-  fmt::print("{:<{}} {:>10} {:>10} {:>10} {:>10} {:>10}\n", "", width, "visible", "hidden", "clipped", "total", "%");
-  for (const auto& area : areas)
-    fmt::print("{:<{}} {:>10} {:>10} {:>10} {:>10} {:>10.2f}\n", area.name, width, area.visible, area.hidden,
-               area.clipped, area.total(), 100.0 * double(area.visible) / pixels);
-}
-
 Json areaJson(const session::StructureArea& area, double pixels) {
-  return {{"id", area.structure},
-          {"name", area.name},
-          {"visible", area.visible},
-          {"hidden", area.hidden},
-          {"clipped", area.clipped},
-          {"total", area.total()},
-          {"visibleShare", double(area.visible) / pixels},
-          {"totalShare", double(area.total()) / pixels}};
+  Json json = {{"id", area.structure}, {"name", area.name}};
+  json.update(countJson(area.count));
+  json["visibleShare"] = double(area.count.visible()) / pixels;
+  json["totalShare"] = double(area.count.total()) / pixels;
+  return json;
 }
 
 Json targetJson(const WantedArea& wanted, const session::SolvedArea& solved) {
@@ -131,7 +104,7 @@ int countAreas(session::Session& session, const AreaOptions& options, session::P
     printJson(json);
     return 0;
   }
-  printTable(areas, pixels);
+  printCounts(rows, pixels);
   if (!solved.empty()) fmt::print("\n");
   for (const session::SolvedArea& area : solved) fmt::print("{}\n", area.words);
   return 0;

@@ -17,19 +17,29 @@ namespace {
 
 /// The scene's target of what "TYPE=N" names; a new one where it has none.
 scene::TypeTarget& targetOf(scene::Scene& scene, const char* option, const std::string& text, double& number) {
-  std::size_t equals = text.rfind('=');
-  auto wanted = equals == std::string::npos ? std::nullopt : numberIn(std::string_view(text).substr(equals + 1));
-  if (!wanted || !std::isfinite(*wanted) || *wanted < 0.0)
-    throw ArgumentError(fmt::format("{} {}: expected TYPE=N, how many instances", option, text));
+  WantedNumber wanted = wantedNumber(option, text, "TYPE=N, how many instances", false);
   if (!scene.model.data) throw InputError(fmt::format("{} {}: there is no model", option, text));
-  number = std::round(*wanted);
-  std::string path = session::typesAt(*scene.model.data, text.substr(0, equals)).path;
+  number = std::round(wanted.number);
+  std::string path = session::typesAt(*scene.model.data, wanted.name).path;
   std::vector<scene::TypeTarget>& targets = scene.model.targets;
   auto found = std::find_if(targets.begin(), targets.end(), [&](const auto& target) { return target.type == path; });
   return found != targets.end() ? *found : targets.emplace_back(scene::TypeTarget{path, std::nullopt, std::nullopt});
 }
 
 }  // namespace
+
+WantedNumber wantedNumber(const char* option, const std::string& text, const char* form, bool mayBePercent) {
+  std::size_t equals = text.rfind('=');
+  std::string_view number = equals == std::string::npos ? "" : std::string_view(text).substr(equals + 1);
+  WantedNumber wanted{text.substr(0, equals)};
+  wanted.isPercent = mayBePercent && number.ends_with('%');
+  if (wanted.isPercent) number.remove_suffix(1);
+  auto value = numberIn(number);
+  if (!value || !std::isfinite(*value) || *value < 0.0 || (wanted.isPercent && *value > 100.0))
+    throw ArgumentError(fmt::format("{} {}: expected {}", option, text, form));
+  wanted.number = *value;
+  return wanted;
+}
 
 void addTargets(CLI::App& verb, TargetOptions& options) {
   verb.add_option(

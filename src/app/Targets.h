@@ -14,6 +14,16 @@ struct TargetOptions {
   std::vector<std::string> counts, visibles;  ///< TYPE=N
 };
 
+/// What "NAME=N" or, where it may be so, "NAME=P%" asks for.
+struct WantedNumber {
+  std::string name;
+  double number = 0.0;
+  bool isPercent = false;
+  double of(std::uint64_t total) const { return isPercent ? number / 100.0 * double(total) : number; }
+};
+/// @param form  how it is to be written, for errors  @throw ArgumentError
+WantedNumber wantedNumber(const char* option, const std::string& text, const char* form, bool mayBePercent);
+
 void addTargets(CLI::App& verb, TargetOptions& options);
 
 /// Puts the options into the scene's targets, and sets the shares of its cuts so that all are met as far as they can

@@ -32,7 +32,7 @@ class EqualizerWindow : public ModelWindow {
   }
   int rowOfType(int type) { return int(list().tree().indexOfType(type, 0).internalId()); }
   const TypeTree::Row& row(int number) { return list().tree().rows()[std::size_t(number)]; }
-  render::TypeCount count(int number) { return list().tree().countOf(row(number)); }
+  Counts count(int number) { return list().tree().countOf(row(number)); }
   std::uint64_t drawn(const session::TypeNumbers& types) {
     std::vector<std::uint8_t> kept = render::keptInstances(scene());
     const Model& model = *scene().model.data;
@@ -50,63 +50,63 @@ class EqualizerWindow : public ModelWindow {
   void dragBar(int number, double from, double to) {
     drag(*list().viewport(), placeOf(number, from), placeOf(number, to));
   }
-  double shareOf(std::uint64_t part, const render::TypeCount& of) { return double(part) / double(of.total()); }
+  double shareOf(std::uint64_t part, const Counts& of) { return double(part) / double(of.total()); }
 };
 
 TEST_F(EqualizerWindow, BarsSayWhatIsSeenHiddenAndRemoved) {
   openCut();
-  render::TypeCount all = count(0);
+  Counts all = count(0);
   EXPECT_EQ(all.total(), 400u);
   EXPECT_TRUE(equalizer().counts().isExact());
-  EXPECT_EQ(all.rendered(), drawn({0, 1, 2, 3, 4}));
-  EXPECT_GT(all.clipped, 0u);
-  EXPECT_GT(all.visible, 0u);
-  render::TypeCount sum;
+  EXPECT_EQ(all.left(), drawn({0, 1, 2, 3, 4}));
+  EXPECT_GT(all.clipped(), 0u);
+  EXPECT_GT(all.visible(), 0u);
+  Counts sum;
   for (int type = 0; type < 5; ++type) sum += count(rowOfType(type));
   EXPECT_EQ(sum, all) << "a compartment has what its types have";
   QModelIndex number = list().tree().indexOfRow(0, ModelTree::Count);
-  EXPECT_EQ(number.data().toString(), QString("%1 %").arg(std::lround(100.0 * double(all.rendered()) / 400.0)));
+  EXPECT_EQ(number.data().toString(), QString("%1 %").arg(std::lround(100.0 * double(all.left()) / 400.0)));
   takeShot(*mWindow, "equalizer");
   child<QToolButton>("equalizerPercent")->click();
-  EXPECT_EQ(number.data().toString(), QString::number(all.rendered()));
+  EXPECT_EQ(number.data().toString(), QString::number(all.left()));
   takeShot(*mWindow, "equalizer-numbers");
 }
 
 TEST_F(EqualizerWindow, BarsFollowTheSceneAndTheEye) {
   openCut();
-  render::TypeCount before = count(0);
+  Counts before = count(0);
   mWindow->document().edit("Larger", [](scene::Scene& scene) { scene.cuts[0].size = glm::dvec3(500.0); });
   ASSERT_TRUE(settle());
-  EXPECT_LT(count(0).rendered(), before.rendered());
-  EXPECT_EQ(count(0).rendered(), drawn({0, 1, 2, 3, 4}));
+  EXPECT_LT(count(0).left(), before.left());
+  EXPECT_EQ(count(0).left(), drawn({0, 1, 2, 3, 4}));
   clickEye(2);
   ASSERT_TRUE(settle());
-  EXPECT_EQ(count(rowOfType(2)).clipped, 80u) << "what is not shown is not drawn";
+  EXPECT_EQ(count(rowOfType(2)).clipped(), 80u) << "what is not shown is not drawn";
 }
 
 TEST_F(EqualizerWindow, AHandleDragsHowManyAreDrawnInOneStep) {
   openCut();
   int number = rowOfType(1);
-  render::TypeCount before = count(number);
-  double from = shareOf(before.rendered(), before);
+  Counts before = count(number);
+  double from = shareOf(before.left(), before);
   ASSERT_LT(from, 0.9);
   dragBar(number, from, 0.95);
   auto wanted = drawn({1});
   EXPECT_NEAR(double(wanted), 0.95 * 80.0, 1.5) << "a pixel of the bar";
   EXPECT_EQ(mWindow->document().undoLabel(), "Set number of type1");
   ASSERT_TRUE(settle());
-  EXPECT_EQ(count(number).rendered(), wanted);
+  EXPECT_EQ(count(number).left(), wanted);
   EXPECT_EQ(session::clipState(scene()), session::ClipState::Thinned);
   takeShot(*mWindow, "equalizer-thinned");
   mWindow->document().undo();
-  EXPECT_EQ(drawn({1}), before.rendered()) << "one step";
+  EXPECT_EQ(drawn({1}), before.left()) << "one step";
 }
 
 TEST_F(EqualizerWindow, AHandleOfACompartmentGivesEachOfItsTypesItsPart) {
   openCut();
   int above = int(list().tree().indexOfType(0, 0).parent().internalId());
-  render::TypeCount before = count(above);
-  dragBar(above, shareOf(before.rendered(), before), 1.0);
+  Counts before = count(above);
+  dragBar(above, shareOf(before.left(), before), 1.0);
   EXPECT_EQ(drawn(row(above).types), before.total());
   EXPECT_LT(drawn({1}), 80u) << "those of other compartments stay as they are";
 }
@@ -145,19 +145,19 @@ TEST_F(EqualizerWindow, KeysSetMoreAndFewer) {
 TEST_F(EqualizerWindow, EscapeLetsAHandleGoWithoutChange) {
   openCut();
   int number = rowOfType(1);
-  render::TypeCount before = count(number);
+  Counts before = count(number);
   auto* area = list().viewport();
-  QTest::mousePress(area, Qt::LeftButton, {}, placeOf(number, shareOf(before.rendered(), before)));
+  QTest::mousePress(area, Qt::LeftButton, {}, placeOf(number, shareOf(before.left(), before)));
   QMouseEvent move(QEvent::MouseMove, placeOf(number, 0.99), area->mapToGlobal(placeOf(number, 0.99)), Qt::NoButton,
                    Qt::LeftButton, {});
   QApplication::sendEvent(area, &move);
-  ASSERT_NE(drawn({1}), before.rendered());
+  ASSERT_NE(drawn({1}), before.left());
   QTest::keyClick(&list(), Qt::Key_Escape);
   EXPECT_FALSE(equalizer().isHeld());
-  EXPECT_EQ(drawn({1}), before.rendered());
+  EXPECT_EQ(drawn({1}), before.left());
   EXPECT_EQ(mWindow->document().undoLabel(), "Cut") << "no step is left";
   QTest::mouseRelease(area, Qt::LeftButton, {}, placeOf(number, 0.99));
-  EXPECT_EQ(drawn({1}), before.rendered());
+  EXPECT_EQ(drawn({1}), before.left());
 }
 
 TEST_F(EqualizerWindow, EscapeHidesAgainWhatAHandleHasShown) {
@@ -204,8 +204,8 @@ TEST_F(EqualizerWindow, OnlyTheCutsThatAreChosenAreSet) {
   std::vector<scene::TypeSpare> before = scene().cuts[0].model.spares;
   equalizer().setCuts({second});
   int number = rowOfType(1);
-  render::TypeCount now = count(number);
-  dragBar(number, shareOf(now.rendered(), now), 0.2);
+  Counts now = count(number);
+  dragBar(number, shareOf(now.left(), now), 0.2);
   EXPECT_EQ(scene().cuts[0].model.spares, before);
   EXPECT_NEAR(double(drawn({1})), 16.0, 1.0);
 }
@@ -214,15 +214,15 @@ TEST_F(EqualizerWindow, AHandleSetsHowManyAreSeen) {
   openDenseModel();
   ASSERT_TRUE(settle());
   int number = rowOfType(1);
-  render::TypeCount before = count(number);
-  ASSERT_GT(before.visible, 60u);
-  ASSERT_GT(before.hidden, 60u) << "both knobs can be told apart";
-  double to = 0.5 * shareOf(before.visible, before);
-  dragBar(number, shareOf(before.visible, before), to);
-  EXPECT_NEAR(double(drawn({1})), 0.5 * double(before.rendered()), 12.0) << "what the last picture lets expect";
+  Counts before = count(number);
+  ASSERT_GT(before.visible(), 60u);
+  ASSERT_GT(before.hidden(), 60u) << "both knobs can be told apart";
+  double to = 0.5 * shareOf(before.visible(), before);
+  dragBar(number, shareOf(before.visible(), before), to);
+  EXPECT_NEAR(double(drawn({1})), 0.5 * double(before.left()), 12.0) << "what the last picture lets expect";
   ASSERT_TRUE(waitForJob());
   ASSERT_TRUE(settle());
-  EXPECT_NEAR(double(count(number).visible), to * 600.0, 6.0) << "pictures were drawn until it was so many";
+  EXPECT_NEAR(double(count(number).visible()), to * 600.0, 6.0) << "pictures were drawn until it was so many";
   mWindow->document().undo();
   ASSERT_TRUE(settle());
   EXPECT_EQ(count(number), before) << "one step";
@@ -233,8 +233,8 @@ TEST_F(EqualizerWindow, StatesAreToldApartAndGoneTo) {
   auto isOn = [&](const char* name) { return child<QPushButton>(name)->isChecked(); };
   EXPECT_TRUE(isOn("stateCut"));
   int number = rowOfType(1);
-  render::TypeCount now = count(number);
-  dragBar(number, shareOf(now.rendered(), now), 0.9);
+  Counts now = count(number);
+  dragBar(number, shareOf(now.left(), now), 0.9);
   std::vector<scene::Cut> thinned = scene().cuts;
   EXPECT_TRUE(isOn("stateThinned"));
   child<QPushButton>("stateWhole")->click();
@@ -244,7 +244,7 @@ TEST_F(EqualizerWindow, StatesAreToldApartAndGoneTo) {
   EXPECT_EQ(scene().cuts, thinned);
   child<QPushButton>("stateCut")->click();
   EXPECT_TRUE(isOn("stateCut"));
-  EXPECT_EQ(drawn({1}), now.rendered());
+  EXPECT_EQ(drawn({1}), now.left());
 }
 
 TEST_F(EqualizerWindow, TheRowUnderThePointerIsSeenInThePicture) {
@@ -270,7 +270,7 @@ TEST_F(EqualizerWindow, RowsAreSortedAndListedByWhatIsSeen) {
   list().order().setOnly(TypeOrder::Only::Seen);
   EXPECT_EQ(list().listedTypes(), (session::TypeNumbers{0, 1, 2, 4}));
   list().order().setOnly(TypeOrder::Only::All);
-  list().order().setKey(TypeOrder::Key::Removed);
+  list().order().setKey(TypeOrder::keyOf(CountOf::Clipped));
   QModelIndex above = list().order().mapFromSource(list().tree().indexOfType(1, 0)).parent();
   EXPECT_EQ(list().order().index(0, ModelTree::Name, above).data().toString(), "type3") << "all of it is removed";
 }
@@ -279,7 +279,7 @@ TEST_F(EqualizerWindow, WhatHidesATypeIsSaidAndClearedInOneClick) {
   openDenseModel();
   ASSERT_TRUE(settle());
   std::string path = row(rowOfType(4)).path;
-  render::TypeCount before = count(rowOfType(4));
+  Counts before = count(rowOfType(4));
   emit mWindow->models().commands().hidingAsked(QString::fromStdString(path));
   ASSERT_TRUE(waitForJob());
   auto* box = child<QFrame>("hiders");
@@ -290,7 +290,7 @@ TEST_F(EqualizerWindow, WhatHidesATypeIsSaidAndClearedInOneClick) {
   ASSERT_TRUE(settle());
   EXPECT_FALSE(box->isVisible());
   EXPECT_TRUE(session::isKeptInView(scene(), path));
-  EXPECT_GT(count(rowOfType(4)).visible, before.visible);
+  EXPECT_GT(count(rowOfType(4)).visible(), before.visible());
   takeShot(*mWindow, "equalizer-cleared");
   mWindow->models().commands().setInView(path, false);
   EXPECT_TRUE(scene().cuts.empty());
@@ -299,16 +299,16 @@ TEST_F(EqualizerWindow, WhatHidesATypeIsSaidAndClearedInOneClick) {
 TEST_F(EqualizerWindow, NumbersToBeSeenAreMetTogether) {
   openDenseModel();
   ASSERT_TRUE(settle());
-  render::TypeCount one = count(rowOfType(1)), two = count(rowOfType(2));
+  Counts one = count(rowOfType(1)), two = count(rowOfType(2));
   ModelCommands& commands = mWindow->models().commands();
-  commands.setTarget(row(rowOfType(1)).path, double(one.visible / 2));
-  commands.setTarget(row(rowOfType(2)).path, double(two.visible / 4));
+  commands.setTarget(row(rowOfType(1)).path, double(one.visible() / 2));
+  commands.setTarget(row(rowOfType(2)).path, double(two.visible() / 4));
   ASSERT_EQ(scene().model.targets.size(), 2u);
   emit commands.targetsAsked();
   ASSERT_TRUE(waitForJob());
   ASSERT_TRUE(settle());
-  EXPECT_NEAR(double(count(rowOfType(1)).visible), double(one.visible / 2), 4.0);
-  EXPECT_NEAR(double(count(rowOfType(2)).visible), double(two.visible / 4), 4.0);
+  EXPECT_NEAR(double(count(rowOfType(1)).visible()), double(one.visible() / 2), 4.0);
+  EXPECT_NEAR(double(count(rowOfType(2)).visible()), double(two.visible() / 4), 4.0);
   mWindow->document().undo();
   EXPECT_TRUE(scene().cuts.empty()) << "one step";
   commands.setTarget(row(rowOfType(1)).path, std::nullopt);
@@ -317,7 +317,7 @@ TEST_F(EqualizerWindow, NumbersToBeSeenAreMetTogether) {
 
 TEST_F(EqualizerWindow, BarsAndWhatIsLeftAreWritten) {
   openCut();
-  render::TypeCount all = count(0);  // of the view as it is without the strip of a job
+  Counts all = count(0);  // of the view as it is without the strip of a job
   auto* commands = mWindow->findChild<ExportCommands*>();
   ASSERT_TRUE(commands);
   for (const char* name : {"bars.csv", "bars.svg"}) {
@@ -325,12 +325,12 @@ TEST_F(EqualizerWindow, BarsAndWhatIsLeftAreWritten) {
     ASSERT_TRUE(waitForJob());
   }
   QByteArray line =
-      QString("compartment,root,root,%1,%2,%3,400").arg(all.visible).arg(all.hidden).arg(all.clipped).toUtf8();
+      QString("compartment,root,root,%1,%2,%3,400").arg(all.visible()).arg(all.hidden()).arg(all.clipped()).toUtf8();
   EXPECT_TRUE(bytesOf(path("bars.csv")).contains(line)) << bytesOf(path("bars.csv")).toStdString();
   EXPECT_TRUE(bytesOf(path("bars.svg")).startsWith("<svg"));
   commands->exportModelTo(path("left.csv"));
   ASSERT_TRUE(waitForJob());
-  EXPECT_EQ(bytesOf(path("left.csv")).count('\n'), int(all.rendered()) + 1) << "a line an instance, and their heads";
+  EXPECT_EQ(bytesOf(path("left.csv")).count('\n'), int(all.left()) + 1) << "a line an instance, and their heads";
 }
 
 TEST_F(EqualizerWindow, FourStepsLeadToAPicture) {
@@ -345,7 +345,7 @@ TEST_F(EqualizerWindow, FourStepsLeadToAPicture) {
   EXPECT_TRUE(step("equalizeBalance")->isChecked());
   press("equalizeBalance");
   EXPECT_TRUE(list().hasFocus());
-  equalizer().set(row(rowOfType(1)).path, Equalizer::Handle::Drawn, 70.0);
+  equalizer().set(row(rowOfType(1)).path, Equalizer::Handle::Left, 70.0);
   EXPECT_TRUE(step("equalizeClear")->isChecked());
   press("equalizeClear");
   EXPECT_FALSE(session::isKeptInView(scene(), row(rowOfType(2)).path)) << "nothing is selected";

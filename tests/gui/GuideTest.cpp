@@ -73,8 +73,8 @@ TEST_F(Guide, Bars) {
   mWindow->tabs().showPage("Model");
   Equalizer& equalizer = mWindow->models().equalizer();
   ASSERT_TRUE(QTest::qWaitFor([&] { return mWindow->isSettled(); }, kPatience));
-  equalizer.set("root.virus.surface.spike", Equalizer::Handle::Drawn, 60.0);
-  equalizer.set("root.plasma", Equalizer::Handle::Drawn, 1500.0);
+  equalizer.set("root.virus.surface.spike", Equalizer::Handle::Left, 60.0);
+  equalizer.set("root.plasma", Equalizer::Handle::Left, 1500.0);
   mWindow->selection().setCut(0);
   mWindow->document().view([](scene::Scene& shown) { shown.camera = scene::zoom(shown.camera, 0.6); });
   keep("bars");

@@ -207,9 +207,10 @@ TEST_F(StructureWindow, ABarPullsAStructureOutOfACutUntilSoMuchOfItIsLeft) {
   ASSERT_TRUE(wait([&] { return !areas.isMeasuring() && areas.find(structures()[0].id); }));
   int id = 0;
   for (const scene::Structure& structure : structures())
-    if (const auto* area = areas.find(structure.id); area && area->clipped > 50 && area->left() > 50) id = structure.id;
+    if (const auto* area = areas.find(structure.id); area && area->clipped() > 50 && area->left() > 50)
+      id = structure.id;
   ASSERT_NE(id, 0) << "the plane goes through one of them";
-  session::StructureArea before = *areas.find(id);
+  Counts before = *areas.find(id);
   CountBar bar = list().barOf(id);
   auto place = [&](double share) {
     return QPointF(bar.box.left() + share * bar.box.width(), bar.box.center().y()).toPoint();

@@ -222,23 +222,26 @@ TEST_F(FocusGL, CountsAreThoseOfTheIdLayer) {
     for (int x = 0; x < image.width; ++x)
       if (float number = sampleOf(image, {x, y}, "instance"); number >= 1.0f) shown.insert(std::size_t(number) - 1);
   ASSERT_EQ(bits.count, 1800u);
-  std::vector<render::TypeCount> plain(3);
+  std::vector<Counts> plain(3);
   for (std::size_t i = 0; i < bits.count; ++i) {
     EXPECT_EQ(bits.isShown(i), shown.contains(i)) << i;
-    render::TypeCount& count = plain[typeOf(scene, i % 600)];
-    ++(bits.isRemoved(i) ? count.clipped : shown.contains(i) ? count.visible : count.hidden);
+    Counts& count = plain[typeOf(scene, i % 600)];
+    ++count[bits.isRemoved(i) ? CountOf::Clipped : shown.contains(i) ? CountOf::Visible : CountOf::Hidden];
+    EXPECT_EQ(bits.kindOf(i), bits.isRemoved(i) ? CountOf::Clipped
+                              : bits.isShown(i) ? CountOf::Visible
+                                                : CountOf::Hidden);
   }
   auto types = render::countTypes(*scene.model.data, bits);
   EXPECT_EQ(types, plain);
   for (const auto& count : types) EXPECT_EQ(count.total(), 600u);
-  EXPECT_EQ(types[2].clipped, 600u) << "what is not shown is not rendered";
-  EXPECT_GT(types[1].visible, 20u);
-  EXPECT_GT(types[1].hidden, 3u);
-  EXPECT_GT(types[1].clipped, 20u);
+  EXPECT_EQ(types[2].clipped(), 600u) << "what is not shown is not rendered";
+  EXPECT_GT(types[1].visible(), 20u);
+  EXPECT_GT(types[1].hidden(), 3u);
+  EXPECT_GT(types[1].clipped(), 20u);
   auto compartments = render::countCompartments(*scene.model.data, types);
   ASSERT_EQ(compartments.size(), 3u);
   EXPECT_EQ(compartments[0].total(), 1800u);
-  render::TypeCount below;
+  Counts below;
   for (std::size_t c = 1; c < 3; ++c) below += compartments[c];
   EXPECT_EQ(below, compartments[0]);
 }

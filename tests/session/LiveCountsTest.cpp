@@ -37,21 +37,21 @@ TEST(LiveCounts, AreThoseOfACompletePicture) {
   LiveCounts counts;
   counts.take(model, bitsOf(*model, 30, 20), true);
   EXPECT_TRUE(counts.isExact());
-  EXPECT_EQ(counts.types()[0], (render::TypeCount{30, 50, 20}));
-  EXPECT_EQ(counts.compartments()[0], (render::TypeCount{30, 50, 20}));
+  EXPECT_EQ(counts.types()[0], (Counts{30, 50, 20}));
+  EXPECT_EQ(counts.compartments()[0], (Counts{30, 50, 20}));
 }
 
 TEST(LiveCounts, OfCoarsePicturesAreAsManyMoreAsTheCompleteOneHad) {
   Shared<Model> model(ModelMaker{.types = 1, .instances = 100}.make());
   LiveCounts counts;
   counts.take(model, bitsOf(*model, 15, 20), false);
-  EXPECT_EQ(counts.types()[0].visible, 15u) << "nothing better is known";
+  EXPECT_EQ(counts.types()[0].visible(), 15u) << "nothing better is known";
   counts.take(model, bitsOf(*model, 30, 20), true);
   counts.take(model, bitsOf(*model, 10, 40), false);
   EXPECT_FALSE(counts.isExact());
-  EXPECT_EQ(counts.types()[0], (render::TypeCount{20, 40, 40})) << "what is removed is exact at any size";
+  EXPECT_EQ(counts.types()[0], (Counts{20, 40, 40})) << "what is removed is exact at any size";
   counts.take(model, bitsOf(*model, 40, 50), false);
-  EXPECT_EQ(counts.types()[0], (render::TypeCount{50, 0, 50})) << "not more than are drawn";
+  EXPECT_EQ(counts.types()[0], (Counts{50, 0, 50})) << "not more than are drawn";
 }
 
 TEST(LiveCounts, ForgetAnotherModel) {
@@ -61,7 +61,7 @@ TEST(LiveCounts, ForgetAnotherModel) {
   counts.take(model, bitsOf(*model, 100, 0), true);
   counts.take(other, bitsOf(*other, 30, 0), false);
   EXPECT_EQ(counts.model(), other);
-  EXPECT_EQ(counts.compartments()[0].visible, 30u);
+  EXPECT_EQ(counts.compartments()[0].visible(), 30u);
 }
 
 TEST(ClipState, IsWholeWhereNothingIsTakenAway) {

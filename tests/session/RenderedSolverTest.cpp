@@ -9,7 +9,6 @@
 #include "render/kept/KeptInstances.h"
 #include "session/cut/CutEdit.h"
 #include "session/cut/ShapeTraits.h"
-#include "session/model/Dial.h"
 #include "session/model/TypesAt.h"
 
 namespace velum::session {
@@ -225,9 +224,9 @@ TEST(RenderedSolver, TypesThatACutLeavesOutByTheirNumberFollowNoShare) {
 }
 
 /// Dials with so many candidates each, which begin to stay at random numbers; some at the same.
-std::vector<Dial> randomDials(Random& random) {
-  std::vector<Dial> dials(1 + random() % 5);
-  for (Dial& dial : dials) {
+std::vector<TypeDial> randomDials(Random& random) {
+  std::vector<TypeDial> dials(1 + random() % 5);
+  for (TypeDial& dial : dials) {
     std::size_t count = random() % 60;
     for (std::size_t i = 0; i < count; ++i) {
       bool isTwin = i > 0 && oneOf(random, 4);
@@ -240,7 +239,7 @@ std::vector<Dial> randomDials(Random& random) {
 TEST(Dials, ShareANumberInProportionByLargestRemainders) {
   for (unsigned seed = 1; seed <= 200; ++seed) {
     Random random(seed);
-    std::vector<Dial> dials = randomDials(random);
+    std::vector<TypeDial> dials = randomDials(random);
     std::uint64_t all = 0;
     for (const Dial& dial : dials) all += dial.candidates.size();
     std::uint64_t count = random() % (all + 10), given = 0;

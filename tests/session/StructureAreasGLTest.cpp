@@ -77,20 +77,20 @@ TEST_F(StructureAreasGL, RaysAndPicturesTellTheSame) {
       std::size_t(std::find(picture.channels.begin(), picture.channels.end(), "id") - picture.channels.begin());
   for (std::size_t i = column; i < picture.pixels.size(); i += picture.channels.size()) ++seen[int(picture.pixels[i])];
   for (int id : {3, 7}) {
-    EXPECT_EQ(areas[id].visible, seen[id]);
+    EXPECT_EQ(areas[id].count.visible(), seen[id]);
     // The picture's rays take steps of half a voxel: at an outline they may meet what a walk from voxel to voxel does
     // not.
-    EXPECT_NEAR(double(areas[id].total()), double(met[id]), 3.0) << id;
-    EXPECT_GT(areas[id].clipped, 50u) << id;
+    EXPECT_NEAR(double(areas[id].count.total()), double(met[id]), 3.0) << id;
+    EXPECT_GT(areas[id].count.clipped(), 50u) << id;
   }
-  EXPECT_LT(areas[3].hidden, areas[3].visible / 20) << "nothing stands before the first";
-  EXPECT_GT(areas[7].hidden, areas[7].visible);
+  EXPECT_LT(areas[3].count.hidden(), areas[3].count.visible() / 20) << "nothing stands before the first";
+  EXPECT_GT(areas[7].count.hidden(), areas[7].count.visible());
   // Without cuts nothing is clipped, and what shows or is hidden is all.
   scene.cuts.clear();
   auto whole = areasOf(scene, draw(scene));
   for (int id : {3, 7}) {
-    EXPECT_EQ(whole[id].clipped, 0u);
-    EXPECT_NEAR(double(whole[id].total()), double(areas[id].total()), 3.0);
+    EXPECT_EQ(whole[id].count.clipped(), 0u);
+    EXPECT_NEAR(double(whole[id].count.total()), double(areas[id].count.total()), 3.0);
   }
 }
 
@@ -103,10 +103,10 @@ TEST_F(StructureAreasGL, APictureOfWhatWasSolvedShowsAsMuch) {
         solver.solve(double(solver.range().least) + share * double(solver.range().most - solver.range().least));
     StructureArea area = areasOf(solved.scene, draw(solved.scene))[3];
     // Along an end face a sample of the picture may lie just beyond it, and a walk's middle of a voxel before it.
-    EXPECT_NEAR(double(area.left()), double(solved.reached), 0.02 * double(solver.range().total));
-    EXPECT_NEAR(double(area.visible), double(solved.reached), 0.05 * double(solver.range().total));
-    EXPECT_GE(area.visible, before);
-    before = area.visible;
+    EXPECT_NEAR(double(area.count.left()), double(solved.reached), 0.02 * double(solver.range().total));
+    EXPECT_NEAR(double(area.count.visible()), double(solved.reached), 0.05 * double(solver.range().total));
+    EXPECT_GE(area.count.visible(), before);
+    before = area.count.visible();
   }
 }
 

@@ -60,8 +60,7 @@ scene::Cut randomCut(Random& random, int id) {
   cut.enabled = !oneOf(random, 6);
   for (int structure : {0, 2, 5, 8})
     if (oneOf(random, 3))
-      cut.spares.push_back(
-          {structure, oneOf(random, 2) ? scene::Spare::kEndless : in(random, 0.5, 10), oneOf(random, 5) ? 0.0 : 1.0});
+      cut.spares.push_back({structure, oneOf(random, 2) ? scene::Spare::kEndless : in(random, 0.5, 10)});
   return cut;
 }
 
@@ -235,8 +234,8 @@ TEST(StructureAreas, EachPixelOfAStructureIsOneOfThree) {
   for (const scene::Structure& structure : scene.labels.structures)
     expected[structure.id] = {structure.id, structure.name};
   for (const render::StructureHit& hit : hits) {
-    StructureArea& area = expected[hit.structure];
-    ++(shown[hit.pixel] == hit.structure ? area.visible : hit.isLeft ? area.hidden : area.clipped);
+    CountOf left = hit.isLeft ? CountOf::Hidden : CountOf::Clipped;
+    ++expected[hit.structure].count[shown[hit.pixel] == hit.structure ? CountOf::Visible : left];
   }
   std::vector<StructureArea> areas = structureAreas(scene, hits, picture);
   ASSERT_EQ(areas.size(), expected.size());
@@ -244,12 +243,12 @@ TEST(StructureAreas, EachPixelOfAStructureIsOneOfThree) {
   // What is not shown counts as clipped, as do types that are not.
   scene::Structure& first = scene.labels.structures.front();
   first.visible = false;
-  std::uint64_t total = expected.at(first.id).total();
+  std::uint64_t total = expected.at(first.id).count.total();
   for (std::size_t i = 1; i < picture.pixels.size(); i += 3)
     if (picture.pixels[i] == float(first.id)) picture.pixels[i] = 0.0f;
   areas = structureAreas(scene, hits, picture);
-  EXPECT_EQ(areas.front().clipped, total);
-  EXPECT_EQ(areas.front().total(), total);
+  EXPECT_EQ(areas.front().count.clipped(), total);
+  EXPECT_EQ(areas.front().count.total(), total);
 }
 
 TEST(AreaSolver, TheNthDepthLeavesNPixels) {
@@ -260,7 +259,7 @@ TEST(AreaSolver, TheNthDepthLeavesNPixels) {
     std::vector<render::StructureHit> hits = hitsOf(scene, set);
     for (const scene::Structure& structure : scene.labels.structures) {
       AreaSolver solver(scene, set, structure.id, hits);
-      AreaRange range = solver.range();
+      CountRange range = solver.range();
       EXPECT_EQ(range.least, leftOf(withDistance(scene, set, structure.id, 0.0), structure.id)) << "seed " << seed;
       EXPECT_EQ(range.most, leftOf(withDistance(scene, set, structure.id, 1e6), structure.id)) << "seed " << seed;
       SolvedArea before;
@@ -295,7 +294,7 @@ TEST(AreaSolver, OfPixelsThatComeTogetherTheNearerNumber) {
   cut.centre = {0, 20, 0};
   scene.cuts = {cut};
   AreaSolver solver(scene, {1}, 4, hitsOf(scene, {1}));
-  AreaRange range = solver.range();
+  CountRange range = solver.range();
   ASSERT_EQ(range.least, 0u);
   ASSERT_GT(range.most, 20u);
   EXPECT_EQ(solver.solve(0.4 * double(range.most)).reached, 0u);

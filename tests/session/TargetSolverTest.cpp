@@ -61,16 +61,16 @@ CountPicture cells(double cell) {
   return [cell](const scene::Scene& scene) { return cellPicture(scene, cell); };
 }
 
-render::TypeCount countOf(const scene::Scene& scene, std::string_view path, double cell) {
-  std::vector<render::TypeCount> counts = render::countTypes(*scene.model.data, cellPicture(scene, cell));
-  render::TypeCount sum;
+Counts countOf(const scene::Scene& scene, std::string_view path, double cell) {
+  std::vector<Counts> counts = render::countTypes(*scene.model.data, cellPicture(scene, cell));
+  Counts sum;
   for (std::uint32_t type : typesAt(*scene.model.data, path).types) sum += counts[type];
   return sum;
 }
 
 std::uint64_t mostSeen(scene::Scene scene, std::string_view path, double cell) {
   RenderedSolver solver(scene, {7}, path);
-  return countOf(solver.solve(1e9).scene, path, cell).visible;
+  return countOf(solver.solve(1e9).scene, path, cell).visible();
 }
 
 }  // namespace
@@ -79,12 +79,12 @@ TEST(VisibleSolver, ReachesEveryNumberThatCanBeSeenOfAType) {
   scene::Scene scene = ballScene();
   for (double cell : {14.0, 30.0})
     for (const char* path : {"type0", "type1", "type3"}) {
-      std::uint64_t least = countOf(scene, path, cell).visible, most = mostSeen(scene, path, cell);
+      std::uint64_t least = countOf(scene, path, cell).visible(), most = mostSeen(scene, path, cell);
       ASSERT_GT(most, least + 6);
       for (std::uint64_t wanted = least + 1; wanted <= most; wanted += 7) {
         Solved solved = solveVisible(scene, {7}, path, double(wanted), cells(cell));
         EXPECT_EQ(solved.reached, wanted) << path << ": " << solved.words;
-        EXPECT_EQ(countOf(solved.scene, path, cell).visible, wanted) << path;
+        EXPECT_EQ(countOf(solved.scene, path, cell).visible(), wanted) << path;
       }
     }
 }
@@ -104,9 +104,9 @@ TEST(VisibleSolver, SetsWhatStaysInTheViewWhereACutKeepsAnotherTypeInIt) {
   scene.cuts.clear();
   int cut = clearTheWay(scene, "type0");
   render::InstanceBits bits = cellPicture(scene, 20.0);
-  std::uint64_t cleared = render::countTypes(*scene.model.data, bits)[1].clipped;
+  std::uint64_t cleared = render::countTypes(*scene.model.data, bits)[1].clipped();
   ASSERT_GT(cleared, 20u);
-  std::uint64_t wanted = countOf(scene, "type1", 20.0).visible + 5;
+  std::uint64_t wanted = countOf(scene, "type1", 20.0).visible() + 5;
   Solved solved = solveVisible(scene, {cut}, "type1", double(wanted), cells(20.0));
   const scene::TypeSpare* row = findTypeSpare(solved.scene.cuts[0], "root.b.type1");
   ASSERT_NE(row, nullptr);
@@ -120,7 +120,7 @@ TEST(VisibleSolver, GoesOnWithTheShareOfAllWhereTooManyShowBesideTheView) {
   scene.camera.target = {0, 0, 0};
   scene.cuts.clear();
   int cut = clearTheWay(scene, "type0");
-  std::uint64_t beside = countOf(scene, "type1", 20.0).visible;  // none of these hides it
+  std::uint64_t beside = countOf(scene, "type1", 20.0).visible();  // none of these hides it
   ASSERT_GT(beside, 40u);
   Solved solved = solveVisible(scene, {cut}, "type1", double(beside / 2), cells(20.0));
   EXPECT_EQ(solved.reached, beside / 2) << solved.words;
@@ -137,7 +137,7 @@ TEST(TargetSolver, MeetsSeveralAtOnceAndDrawnOnesExactly) {
   for (const auto& [path, share] :
        {std::pair("root.b.type1", 0.4), std::pair("root.a.type2", 0.7), std::pair("root.b.type3", 0.5)})
     setTypeShare(met.cuts[0], path, share);
-  auto seen = [&](const char* path) { return double(countOf(met, path, 20.0).visible); };
+  auto seen = [&](const char* path) { return double(countOf(met, path, 20.0).visible()); };
   std::vector<scene::TypeTarget> targets{{"type0", 250.0, std::nullopt},
                                          {"type1", std::nullopt, seen("type1")},
                                          {"type2", std::nullopt, seen("type2")},
@@ -145,11 +145,11 @@ TEST(TargetSolver, MeetsSeveralAtOnceAndDrawnOnesExactly) {
   TargetsReport report = solveTargets(scene, {7}, targets, cells(20.0));
   ASSERT_EQ(report.targets.size(), 4u);
   EXPECT_EQ(report.residual, 0u) << report.targets[1].words << "; " << report.targets[2].words;
-  EXPECT_EQ(countOf(report.scene, "type0", 20.0).rendered(), 250u);
+  EXPECT_EQ(countOf(report.scene, "type0", 20.0).left(), 250u);
   for (int i : {1, 2, 3}) {
     const auto& target = report.targets[std::size_t(i)];
     EXPECT_EQ(double(*target.visible), *targets[std::size_t(i)].visible) << target.words;
-    EXPECT_EQ(countOf(report.scene, target.path, 20.0).visible, *target.visible);
+    EXPECT_EQ(countOf(report.scene, target.path, 20.0).visible(), *target.visible);
   }
 }
 
@@ -171,12 +171,12 @@ TEST(TargetSolver, CopiesCountLikeAllOtherInstances) {
   scene.model.copies = 2;
   RenderedSolver drawn(scene, {7}, "type0");
   double wantedDrawn = double(drawn.range().least + 30);
-  double wantedSeen = double(countOf(scene, "type1", 20.0).visible + 9);
+  double wantedSeen = double(countOf(scene, "type1", 20.0).visible() + 9);
   TargetsReport report = solveTargets(
       scene, {7}, {{"type0", wantedDrawn, std::nullopt}, {"type1", std::nullopt, wantedSeen}}, cells(20.0));
   EXPECT_EQ(report.residual, 0u) << report.targets[0].words << "; " << report.targets[1].words;
-  EXPECT_EQ(double(countOf(report.scene, "type0", 20.0).rendered()), wantedDrawn);
-  EXPECT_EQ(double(countOf(report.scene, "type1", 20.0).visible), wantedSeen);
+  EXPECT_EQ(double(countOf(report.scene, "type0", 20.0).left()), wantedDrawn);
+  EXPECT_EQ(double(countOf(report.scene, "type1", 20.0).visible()), wantedSeen);
   for (const TargetReport& target : report.targets) EXPECT_EQ(target.total, 600u) << target.words;
 }
 
@@ -217,15 +217,15 @@ TEST(TargetSolver, ACompartmentLeavesTypesAloneThatHaveTargetsOfTheirOwn) {
   TargetsReport report = solveTargets(scene, {7}, targets, cells(20.0));
   EXPECT_EQ(report.pictures, 0);
   EXPECT_EQ(report.residual, 0u);
-  EXPECT_EQ(double(countOf(report.scene, "root.a.type0", 20.0).rendered()), wantedOne);
-  EXPECT_EQ(double(countOf(report.scene, "root.a", 20.0).rendered()), wantedAll);
+  EXPECT_EQ(double(countOf(report.scene, "root.a.type0", 20.0).left()), wantedOne);
+  EXPECT_EQ(double(countOf(report.scene, "root.a", 20.0).left()), wantedAll);
   EXPECT_EQ(report.targets[0].path, "root.a");
   EXPECT_FALSE(report.targets[0].visible.has_value());
 }
 
 TEST(TargetSolver, AsksForPicturesOneByOne) {
   scene::Scene scene = ballScene();
-  TargetSolver solver(scene, {7}, {{"type1", std::nullopt, double(countOf(scene, "type1", 20.0).visible + 9)}});
+  TargetSolver solver(scene, {7}, {{"type1", std::nullopt, double(countOf(scene, "type1", 20.0).visible() + 9)}});
   int asked = 0;
   while (const scene::Scene* next = solver.next()) solver.take(cellPicture(*next, 20.0)), ++asked;
   EXPECT_TRUE(solver.report().targets.front().isMet);
@@ -238,10 +238,10 @@ TEST(TargetSolver, WithoutACutOneEverywhereTakesWhatIsTooMany) {
   scene.cuts.clear();
   std::vector<int> cuts = cutsToSet(scene);
   ASSERT_EQ(cuts.size(), 1u);
-  EXPECT_EQ(countOf(scene, "root", 20.0).clipped, 0u);
+  EXPECT_EQ(countOf(scene, "root", 20.0).clipped(), 0u);
   TargetsReport report = solveTargets(scene, cuts, {{"type2", 12.0, std::nullopt}}, cells(20.0));
-  EXPECT_EQ(countOf(report.scene, "type2", 20.0).rendered(), 12u);
-  EXPECT_EQ(countOf(report.scene, "root", 20.0).clipped, 288u);
+  EXPECT_EQ(countOf(report.scene, "type2", 20.0).left(), 12u);
+  EXPECT_EQ(countOf(report.scene, "root", 20.0).clipped(), 288u);
   EXPECT_EQ(cutsToSet(scene), cuts);
 }
 

@@ -165,14 +165,14 @@ TEST(ClearTheWay, EndsWithTheCutWhereThatDidNothingElse) {
 TEST(CountFiles, RowsAreTheTreeAndCompartmentsTheSumsOfIt) {
   scene::Scene scene = modelScene();
   const Model& model = *scene.model.data;
-  std::vector<render::TypeCount> types{{1, 2, 7}, {0, 0, 10}, {10, 0, 0}, {3, 3, 4}};
+  std::vector<Counts> types{{1, 2, 7}, {0, 0, 10}, {10, 0, 0}, {3, 3, 4}};
   std::vector<CountRow> rows = countRows(model, types);
   std::vector<std::string> paths;
   for (const CountRow& row : rows) paths.push_back(row.path);
   EXPECT_EQ(paths, (std::vector<std::string>{"root", "root.a", "root.a.type0", "root.a.type2", "root.b", "root.b.type1",
                                              "root.b.type3"}));
-  EXPECT_EQ(rows[0].count, (render::TypeCount{14, 5, 21}));
-  EXPECT_EQ(rows[1].count, (render::TypeCount{11, 2, 7}));
+  EXPECT_EQ(rows[0].count, (Counts{14, 5, 21}));
+  EXPECT_EQ(rows[1].count, (Counts{11, 2, 7}));
   EXPECT_EQ(rows[2].depth, 2);
   std::string csv = countsCsv(rows);
   EXPECT_NE(csv.find("compartment,root,root,14,5,21,40\n"), std::string::npos) << csv;

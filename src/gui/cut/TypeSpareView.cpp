@@ -1,8 +1,6 @@
 #include "gui/cut/TypeSpareView.h"
 
-#include <QHeaderView>
 #include <QMouseEvent>
-#include <QScrollBar>
 #include <algorithm>
 #include <cmath>
 
@@ -14,7 +12,6 @@ namespace velum::gui {
 
 namespace {
 
-constexpr int kRowHeight = 25;
 constexpr int kWidths[TypeSpareTree::kColumns] = {0, 62, 46};
 constexpr std::size_t kMostOpen = 80;  // types of a tree that is opened whole
 
@@ -60,7 +57,7 @@ QVariant TypeSpareTree::data(const QModelIndex& index, int role) const {
 }
 
 TypeSpareView::TypeSpareView(QWidget* parent)
-    : QTreeView(parent), mTree(new TypeSpareTree(this)), mOrder(new TypeOrder(this)) {
+    : BarList(parent), mTree(new TypeSpareTree(this)), mOrder(new TypeOrder(this)) {
   setObjectName("typeSpares");
   setAccessibleName(tr("What the cut leaves of types"));
   setToolTip(tr("How much of each type stays in what the cut removes"));
@@ -68,22 +65,9 @@ TypeSpareView::TypeSpareView(QWidget* parent)
   setModel(mOrder);
   setItemDelegate(new TypeSpareDelegate(kRowHeight, this));
   setIndentation(11);
-  setUniformRowHeights(true);
   setHeaderHidden(true);
-  setMouseTracking(true);
-  setAllColumnsShowFocus(true);
-  setSelectionMode(ExtendedSelection);
   setEditTriggers(NoEditTriggers);
-  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  setVerticalScrollMode(ScrollPerPixel);
-  verticalScrollBar()->setSingleStep(kRowHeight);
-  setMinimumHeight(7 * kRowHeight);
-  header()->setStretchLastSection(false);
-  header()->setMinimumSectionSize(10);
-  for (int i = 0; i < TypeSpareTree::kColumns; ++i) {
-    header()->setSectionResizeMode(i, i == TypeSpareTree::Name ? QHeaderView::Stretch : QHeaderView::Fixed);
-    if (kWidths[i]) header()->resizeSection(i, kWidths[i]);
-  }
+  layColumns(kWidths, 7);
 }
 
 void TypeSpareView::openSome() {
@@ -107,31 +91,25 @@ QRect TypeSpareView::cellOfRow(int row, TypeSpareTree::Column column) const {
   return visualRect(mOrder->mapFromSource(mTree->indexOfRow(row, column)));
 }
 
-void TypeSpareView::dragTo(int x) {
+void TypeSpareView::dragKnob(double x) {
+  if (!mHeld.isValid()) return;
   QRect cell = visualRect(mHeld);
-  double share = (x - cell.left() - kShareBarMargin) / (cell.width() - 2.0 * kShareBarMargin);
+  double share = (std::trunc(x) - cell.left() - kShareBarMargin) / (cell.width() - 2.0 * kShareBarMargin);
   std::vector<std::string> paths = selectedPaths();
   std::string own = mTree->rowAt(mOrder->mapToSource(mHeld)).path;
   if (std::find(paths.begin(), paths.end(), own) == paths.end()) paths = {own};
   emit dragged(paths, std::round(std::clamp(share, 0.0, 1.0) * 100.0) / 100.0);
 }
 
-void TypeSpareView::mousePressEvent(QMouseEvent* event) {
-  QModelIndex index = indexAt(event->position().toPoint());
-  bool isBar = event->button() == Qt::LeftButton && index.isValid() && index.column() == TypeSpareTree::Bar;
-  if (!isBar) return QTreeView::mousePressEvent(event);
-  if (!selectionModel()->isRowSelected(index.row(), index.parent()))
-    setCurrentIndex(index.siblingAtColumn(TypeSpareTree::Name));
+bool TypeSpareView::pressCell(const QModelIndex& index, QMouseEvent* event) {
+  if (index.column() != TypeSpareTree::Bar) return false;
+  selectRowOf(index, TypeSpareTree::Name);
   mHeld = index;
-  dragTo(int(event->position().x()));
+  holdKnob(event->position().x());
+  return true;
 }
 
-void TypeSpareView::mouseMoveEvent(QMouseEvent* event) {
-  mHeld.isValid() ? dragTo(int(event->position().x())) : QTreeView::mouseMoveEvent(event);
-}
-
-void TypeSpareView::mouseReleaseEvent(QMouseEvent* event) {
-  if (!mHeld.isValid()) return QTreeView::mouseReleaseEvent(event);
+void TypeSpareView::letKnobGo() {
   mHeld = QModelIndex();
   emit settled();
 }

@@ -1,7 +1,7 @@
 #pragma once
-#include <QTreeView>
 #include <vector>
 
+#include "gui/rows/BarList.h"
 #include "gui/rows/TypeTree.h"
 #include "scene/Cut.h"
 
@@ -24,7 +24,7 @@ class TypeSpareTree : public TypeTree {
 };
 
 /// Its rows, with bars that are dragged.
-class TypeSpareView : public QTreeView {
+class TypeSpareView : public BarList {
   Q_OBJECT
  public:
   explicit TypeSpareView(QWidget* parent);
@@ -42,12 +42,12 @@ class TypeSpareView : public QTreeView {
   void settled();
 
  protected:
-  void mousePressEvent(QMouseEvent* event) override;
-  void mouseMoveEvent(QMouseEvent* event) override;
-  void mouseReleaseEvent(QMouseEvent* event) override;
+  bool pressCell(const QModelIndex& index, QMouseEvent* event) override;
+  void dragKnob(double x) override;
+  void letKnobGo() override;
+  bool hasKeys() const override { return false; }
 
  private:
-  void dragTo(int x);
   TypeSpareTree* mTree;
   TypeOrder* mOrder;
   QPersistentModelIndex mHeld;  ///< Whose bar is dragged.

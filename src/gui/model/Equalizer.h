@@ -1,14 +1,13 @@
 #pragma once
 #include <QObject>
-#include <memory>
 #include <string>
 #include <vector>
 
 #include "gui/service/JobRunner.h"
 #include "gui/view/Viewport.h"
+#include "session/Bar.h"
 #include "session/Session.h"
 #include "session/model/LiveCounts.h"
-#include "session/model/RenderedSolver.h"
 
 namespace velum::gui {
 
@@ -18,10 +17,9 @@ namespace velum::gui {
 class Equalizer : public QObject {
   Q_OBJECT
  public:
-  enum class Handle { Drawn, Seen };
+  using Handle = session::Bar::Handle;
 
   Equalizer(session::Session& session, Viewport& viewport, JobRunner& jobs, QObject* parent);
-  ~Equalizer() override;
 
   const session::LiveCounts& counts() const { return mCounts; }
   /// The cuts that are set; those that are on where none of these is. @param ids  none: all that are on
@@ -35,10 +33,10 @@ class Equalizer : public QObject {
   void letGo();
   /// As it was before it was taken.
   void giveUp();
-  bool isHeld() const { return bool(mHeld); }
+  bool isHeld() const { return mBar.isHeld(); }
   /// Whose, and what it has come to: until a complete picture tells it, of the last that was; else empty.
-  std::string heldPath() const;
-  render::TypeCount heldCount() const;
+  const std::string& heldPath() const { return mHeldPath; }
+  const Counts& heldCount() const { return mBar.now(); }
 
   /// In one go.
   void set(const std::string& path, Handle handle, double count);
@@ -51,19 +49,17 @@ class Equalizer : public QObject {
   void told(const QString& words);
 
  private:
-  struct Held;
   void hear(const render::InstanceBits& bits, bool isComplete);
-  render::TypeCount countOf(const std::string& path) const;
-  void findSeen(std::unique_ptr<Held> held);
+  Counts countOf(const std::string& path) const;
+  void findSeen(const session::Bar::Wish& wish);
 
   session::Session& mSession;
   Viewport& mViewport;
   JobRunner& mJobs;
   session::LiveCounts mCounts;
   std::vector<int> mChosen;
-  std::unique_ptr<Held> mHeld;
-  std::string mToldPath;  ///< Of the handle that was let go and that no picture knows of yet.
-  render::TypeCount mToldCount;
+  session::Bar mBar;
+  std::string mHeldPath;  ///< of the handle that is held, or was let go and that no picture knows of yet
 };
 
 }  // namespace velum::gui

@@ -37,8 +37,7 @@ QModelIndex sourceOf(const QModelIndex& index) {
 }  // namespace
 
 CountBar ModelDelegate::barOf(const TypeTree::Row& row, QRect cell) const {
-  render::TypeCount count = mTree.countOf(row);
-  return layCountBar(cell, mTree.scale(), double(count.visible), double(count.rendered()), double(count.total()));
+  return layCountBar(cell, mTree.scale(), mTree.countOf(row));
 }
 
 void ModelDelegate::paint(QPainter* painter, const QStyleOptionViewItem& given, const QModelIndex& index) const {

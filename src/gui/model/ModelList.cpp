@@ -3,7 +3,6 @@
 #include <QContextMenuEvent>
 #include <QHeaderView>
 #include <QMouseEvent>
-#include <QScrollBar>
 #include <QToolTip>
 #include <algorithm>
 #include <cmath>
@@ -12,17 +11,14 @@ namespace velum::gui {
 
 namespace {
 
-constexpr int kRowHeight = 25;
 constexpr int kWidths[ModelTree::kColumns] = {26, 20, 0, 100, 46};
 constexpr int kWordsMs = 4000;
-constexpr double kGrip = 5.0;          // pixels about a knob
-constexpr double kStep = 0.05;         // of a row's instances, by the keyboard
 constexpr std::size_t kMostOpen = 80;  // types of a tree that is opened whole
 
 }  // namespace
 
 ModelList::ModelList(ModelCommands& commands, Equalizer& equalizer, QWidget* parent)
-    : QTreeView(parent),
+    : BarList(parent),
       mCommands(commands),
       mEqualizer(equalizer),
       mTree(new ModelTree(equalizer, this)),
@@ -37,22 +33,9 @@ ModelList::ModelList(ModelCommands& commands, Equalizer& equalizer, QWidget* par
   setItemDelegate(mDelegate);
   setTreePosition(ModelTree::Name);
   setIndentation(8);
-  setUniformRowHeights(true);
-  setMouseTracking(true);
-  setAllColumnsShowFocus(true);
   setExpandsOnDoubleClick(false);
-  setSelectionMode(ExtendedSelection);
   setEditTriggers(NoEditTriggers);
-  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  setVerticalScrollMode(ScrollPerPixel);
-  verticalScrollBar()->setSingleStep(kRowHeight);
-  setMinimumHeight(12 * kRowHeight);
-  header()->setStretchLastSection(false);
-  header()->setMinimumSectionSize(10);
-  for (int i = 0; i < ModelTree::kColumns; ++i) {
-    header()->setSectionResizeMode(i, i == ModelTree::Name ? QHeaderView::Stretch : QHeaderView::Fixed);
-    if (kWidths[i]) header()->resizeSection(i, kWidths[i]);
-  }
+  layColumns(kWidths, 12);
   connect(mDelegate, &ModelDelegate::typed, this, &ModelList::setTyped);
   connect(&mEqualizer, &Equalizer::counted, this, &ModelList::showCounts);
   connect(&mEqualizer, &Equalizer::told, this, &ModelList::sayWords);
@@ -85,7 +68,7 @@ void ModelList::setTyped(const QModelIndex& index, const QString& text) {
   const TypeTree::Row& row = rowOf(index);
   auto number = ModelTree::readNumber(text, double(mTree->countOf(row).total()));
   if (!number) return emit refused(tr("\"%1\" is no number of instances and no share, such as 50 or 20 %").arg(text));
-  mEqualizer.set(row.path, Equalizer::Handle::Drawn, *number);
+  mEqualizer.set(row.path, Equalizer::Handle::Left, *number);
 }
 
 /// All of a small tree; of a large one what is left of the search, or its first two floors.
@@ -173,43 +156,50 @@ session::TypeNumbers ModelList::typesFor(const QModelIndex& shown) const {
 /// The handle that is nearest: of two at one place that which lies in the way that the pointer is off.
 Equalizer::Handle ModelList::handleAt(const QModelIndex& index, double x) const {
   CountBar bar = mDelegate->barOf(rowOf(index), visualRect(index.siblingAtColumn(ModelTree::Bar)));
-  double at = x - bar.box.left(), toSeen = std::abs(at - bar.seen), toLeft = std::abs(at - bar.left);
-  if (toSeen == toLeft) return at < bar.seen ? Equalizer::Handle::Seen : Equalizer::Handle::Drawn;
-  return toSeen < toLeft ? Equalizer::Handle::Seen : Equalizer::Handle::Drawn;
+  double at = x - bar.box.left(), toSeen = std::abs(at - bar.seen()), toLeft = std::abs(at - bar.left);
+  if (toSeen == toLeft) return at < bar.seen() ? Equalizer::Handle::Seen : Equalizer::Handle::Left;
+  return toSeen < toLeft ? Equalizer::Handle::Seen : Equalizer::Handle::Left;
 }
 
 bool ModelList::takeHandle(const QModelIndex& index, double x) {
   const TypeTree::Row& row = rowOf(index);
   if (mTree->countOf(row).total() == 0) return false;
-  if (!selectionModel()->isRowSelected(index.row(), index.parent()))
-    setCurrentIndex(index.siblingAtColumn(ModelTree::Name));
+  selectRowOf(index, ModelTree::Name);
   mHeldBar = index;
   Equalizer::Handle handle = handleAt(index, x);
   CountBar bar = mDelegate->barOf(row, visualRect(index));
-  double off = x - bar.box.left() - (handle == Equalizer::Handle::Seen ? bar.seen : bar.left);
   mEqualizer.take(row.path, handle);
-  // Whoever takes the knob moves it by what the pointer moves; whoever presses elsewhere brings it there.
-  mGrip = std::abs(off) <= kGrip ? off : 0.0;
-  if (mGrip == 0.0) dragHandle(x);
+  holdKnob(x, bar.box.left() + (handle == Equalizer::Handle::Seen ? bar.seen() : bar.left));
   return true;
 }
 
-void ModelList::dragHandle(double x) {
+void ModelList::dragKnob(double x) {
+  if (!mHeldBar.isValid()) return;
   const TypeTree::Row& row = rowOf(mHeldBar);
   CountBar bar = mDelegate->barOf(row, visualRect(QModelIndex(mHeldBar).siblingAtColumn(ModelTree::Bar)));
   if (bar.box.isEmpty()) return;
   double total = double(mTree->countOf(row).total());
-  mEqualizer.moveTo(std::round(bar.countAt(x - mGrip, mTree->scale(), total)));
+  mEqualizer.moveTo(std::round(bar.countAt(x, mTree->scale(), total)));
 }
 
-/// So many more or fewer, of the row that the keyboard is in.
-void ModelList::stepHandle(Equalizer::Handle handle, int steps) {
+void ModelList::letKnobGo() {
+  mEqualizer.letGo();
+  mHeldBar = QModelIndex();
+}
+
+void ModelList::giveKnobUp() {
+  mHeldBar = QModelIndex();
+  mEqualizer.giveUp();
+}
+
+void ModelList::stepKnob(int steps, bool isSeen) {
   if (!currentIndex().isValid()) return;
+  Equalizer::Handle handle = isSeen ? Equalizer::Handle::Seen : Equalizer::Handle::Left;
   const TypeTree::Row& row = rowOf(currentIndex());
-  render::TypeCount count = mTree->countOf(row);
+  Counts count = mTree->countOf(row);
   if (count.total() == 0) return;
   double by = std::max(1.0, std::round(kStep * double(count.total()))) * steps;
-  auto now = double(handle == Equalizer::Handle::Drawn ? count.rendered() : count.visible);
+  auto now = double(handle == Equalizer::Handle::Left ? count.left() : count.visible());
   mEqualizer.set(row.path, handle, std::clamp(now + by, 0.0, double(count.total())));
 }
 
@@ -227,27 +217,14 @@ bool ModelList::pressCell(const QModelIndex& index, QMouseEvent* event) {
   return true;
 }
 
-void ModelList::mousePressEvent(QMouseEvent* event) {
-  QModelIndex index = indexAt(event->position().toPoint());
-  mIsHeld = event->button() == Qt::LeftButton && index.isValid() && pressCell(index, event);
-  if (!mIsHeld) QTreeView::mousePressEvent(event);
-}
-
 void ModelList::mouseMoveEvent(QMouseEvent* event) {
-  if (mHeldBar.isValid()) return dragHandle(event->position().x());
-  if (mIsHeld) return;
-  QModelIndex index = indexAt(event->position().toPoint());
-  bool isBar = index.column() == ModelTree::Bar && mTree->countOf(rowOf(index)).total() > 0;
-  viewport()->setCursor(isBar ? Qt::SplitHCursor : Qt::ArrowCursor);
-  tellHover(index);
-  QTreeView::mouseMoveEvent(event);
-}
-
-void ModelList::mouseReleaseEvent(QMouseEvent* event) {
-  if (mHeldBar.isValid()) mEqualizer.letGo();
-  mHeldBar = QModelIndex();
-  if (!mIsHeld) QTreeView::mouseReleaseEvent(event);
-  mIsHeld = false;
+  if (!isHeld()) {
+    QModelIndex index = indexAt(event->position().toPoint());
+    bool isBar = index.column() == ModelTree::Bar && mTree->countOf(rowOf(index)).total() > 0;
+    viewport()->setCursor(isBar ? Qt::SplitHCursor : Qt::ArrowCursor);
+    tellHover(index);
+  }
+  BarList::mouseMoveEvent(event);
 }
 
 void ModelList::tellHover(const QModelIndex& index) {
@@ -271,32 +248,9 @@ void ModelList::mouseDoubleClickEvent(QMouseEvent* event) {
   mousePressEvent(event);  // two quick clicks on an eye are two clicks
 }
 
-bool ModelList::event(QEvent* event) {
-  // The list's own keys go before commands of the window that have the same.
-  if (event->type() == QEvent::ShortcutOverride) {
-    auto* stroke = static_cast<QKeyEvent*>(event);
-    int key = stroke->key();
-    constexpr int kOwn[] = {Qt::Key_Space, Qt::Key_Return, Qt::Key_Enter, Qt::Key_F2,
-                            Qt::Key_Delete};  // Del would remove a cut that nobody thinks of here
-    if (std::find(std::begin(kOwn), std::end(kOwn), key) != std::end(kOwn)) event->accept();
-    bool isStep = (key == Qt::Key_Left || key == Qt::Key_Right) && stroke->modifiers() & Qt::ControlModifier;
-    if (isStep || (key == Qt::Key_Escape && mEqualizer.isHeld())) event->accept();
-  }
-  return QTreeView::event(event);
-}
-
 void ModelList::keyPressEvent(QKeyEvent* event) {
-  if (event->key() == Qt::Key_Escape && mEqualizer.isHeld()) {
-    mHeldBar = QModelIndex();
-    return mEqualizer.giveUp();
-  }
   if (event->key() == Qt::Key_F2 && currentIndex().isValid())
     return edit(currentIndex().siblingAtColumn(ModelTree::Count));
-  if (event->modifiers() & Qt::ControlModifier && (event->key() == Qt::Key_Left || event->key() == Qt::Key_Right)) {
-    bool isSeen = event->modifiers() & Qt::ShiftModifier;
-    return stepHandle(isSeen ? Equalizer::Handle::Seen : Equalizer::Handle::Drawn,
-                      event->key() == Qt::Key_Right ? 1 : -1);
-  }
   session::TypeNumbers types = selectedTypes();
   if (!types.empty() && event->key() == Qt::Key_Space) {
     if (event->modifiers() & Qt::AltModifier) return mCommands.toggleSolo(types);
@@ -304,7 +258,7 @@ void ModelList::keyPressEvent(QKeyEvent* event) {
   }
   bool isEnter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
   if (!types.empty() && isEnter) return mCommands.goTo(types);
-  QTreeView::keyPressEvent(event);
+  BarList::keyPressEvent(event);
 }
 
 void ModelList::contextMenuEvent(QContextMenuEvent* event) {

@@ -1,17 +1,16 @@
 #pragma once
-#include <QTreeView>
-
 #include "gui/model/Equalizer.h"
 #include "gui/model/ModelCommands.h"
 #include "gui/model/ModelDelegate.h"
 #include "gui/model/ModelTree.h"
+#include "gui/rows/BarList.h"
 
 namespace velum::gui {
 
 /// The tree of compartments and types: an eye, a colour, the name, a bar of what is seen, hidden and removed ([VE] 7),
 /// whose handles set how much is, and a number. What is done to a selected row is done to all that are selected; what
 /// is done to a compartment, to all below it. A bar is its row's alone.
-class ModelList : public QTreeView {
+class ModelList : public BarList {
   Q_OBJECT
  public:
   ModelList(ModelCommands& commands, Equalizer& equalizer, QWidget* parent);
@@ -45,10 +44,13 @@ class ModelList : public QTreeView {
   void refused(const QString& why);
 
  protected:
-  bool event(QEvent* event) override;
-  void mousePressEvent(QMouseEvent* event) override;
+  bool pressCell(const QModelIndex& index, QMouseEvent* event) override;
+  void dragKnob(double x) override;
+  void letKnobGo() override;
+  bool isKnobHeld() const override { return mEqualizer.isHeld(); }
+  void giveKnobUp() override;
+  void stepKnob(int steps, bool isSeen) override;
   void mouseMoveEvent(QMouseEvent* event) override;
-  void mouseReleaseEvent(QMouseEvent* event) override;
   void mouseDoubleClickEvent(QMouseEvent* event) override;
   void leaveEvent(QEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
@@ -58,14 +60,11 @@ class ModelList : public QTreeView {
  private:
   const TypeTree::Row& rowOf(const QModelIndex& shown) const;
   session::TypeNumbers typesFor(const QModelIndex& shown) const;
-  bool pressCell(const QModelIndex& index, QMouseEvent* event);
   void openSome();
   void showCounts();
   void sayWords(const QString& words);
   Equalizer::Handle handleAt(const QModelIndex& index, double x) const;
   bool takeHandle(const QModelIndex& index, double x);
-  void dragHandle(double x);
-  void stepHandle(Equalizer::Handle handle, int steps);
   void setTyped(const QModelIndex& index, const QString& text);
   void tellHover(const QModelIndex& index);
 
@@ -75,9 +74,7 @@ class ModelList : public QTreeView {
   TypeOrder* mOrder;
   ModelDelegate* mDelegate;
   QPersistentModelIndex mHeldBar;  ///< Whose handle is dragged.
-  double mGrip = 0.0;              ///< How far the pointer is off the knob that it holds.
   int mHoveredRow = -1;
-  bool mIsHeld = false;  ///< A press was taken by a cell: what follows is not for the selection.
   bool mIsQuiet = false;
 };
 

@@ -1,5 +1,6 @@
 #include "gui/model/ModelLookGrid.h"
 
+#include "gui/kit/Text.h"
 #include "gui/kit/Widgets.h"
 #include "scene/ModelLooks.h"
 #include "session/command/Command.h"

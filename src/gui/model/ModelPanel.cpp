@@ -1,35 +1,19 @@
 #include "gui/model/ModelPanel.h"
 
-#include <QActionGroup>
-#include <QMenu>
-#include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
 
+#include "gui/kit/Text.h"
+#include "session/command/Command.h"
+#include "session/command/ModelCommands.h"
 #include "session/model/TypesAt.h"
 
 namespace velum::gui {
 
 namespace {
 
-constexpr int kFieldHeight = 28;
 constexpr int kMostNotes = 3;  // lines that are read at once; the rest is in the tip
-
-QPushButton* makeQuiet(const QString& text, const char* name, const QString& tip, QWidget* parent) {
-  auto* button = new QPushButton(text, parent);
-  button->setObjectName(name);
-  button->setProperty("role", "quiet");
-  button->setToolTip(tip);
-  return button;
-}
-
-QVBoxLayout* makeColumn(QWidget* widget, int spacing) {
-  auto* layout = new QVBoxLayout(widget);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(spacing);
-  return layout;
-}
 
 }  // namespace
 
@@ -67,89 +51,57 @@ ModelPanel::ModelPanel(ModelCommands& commands, Equalizer& equalizer, QWidget* p
 QWidget* ModelPanel::makeHead() {
   auto* head = new QWidget(this);
   auto* layout = makeColumn(head, 6);
-  auto* row = new QHBoxLayout;
-  row->setSpacing(6);
-  mName = makeTitle({}, head);
-  mName->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-  mShown = new EyeButton(head);
-  mShown->setObjectName("modelShown");
-  mShown->setAccessibleName(tr("Model shown"));
-  mShown->setToolTip(tr("Whether the model is drawn at all"));
+  ListHead title = makeListHead("modelShown", tr("Model shown"), tr("Whether the model is drawn at all"), head);
+  mName = title.name, mShown = title.shown;
   mLegend = new QCheckBox(tr("Legend"), head);
   mLegend->setObjectName("modelLegend");
   mLegend->setToolTip(tr("Colours and names of the types that are seen most, over the picture"));
-  row->addWidget(mShown);
-  row->addWidget(mName, 1);
-  row->addWidget(mLegend);
-  layout->addLayout(row);
+  title.row->addWidget(mLegend);
+  layout->addLayout(title.row);
   mNotes = new QLabel(head);
   mNotes->setObjectName("modelNotes");
   mNotes->setProperty("role", "muted");
   mNotes->setWordWrap(true);
   layout->addWidget(mNotes);
   connect(mLegend, &QCheckBox::clicked, this, &ModelPanel::legendAsked);
-  connect(mShown, &EyeButton::clicked, this, [this](bool on) {
-    mDocument.edit(on ? "Show model" : "Hide model", [on](scene::Scene& scene) { scene.model.visible = on; });
-  });
+  connect(mShown, &EyeButton::clicked, this, [this](bool on) { session::edit(mDocument, session::ShowModel{on}); });
   return head;
 }
 
 QWidget* ModelPanel::makeSearch() {
   auto* bar = new QWidget(this);
-  auto* row = new QHBoxLayout(bar);
-  row->setContentsMargins(0, 0, 0, 0);
-  row->setSpacing(6);
-  mSearch = new QLineEdit(bar);
-  mSearch->setObjectName("modelSearch");
+  ListSearch search = makeListSearch("model", bar);
+  mSearch = search.field;
   mSearch->setPlaceholderText(tr("Search types"));
-  mSearch->setClearButtonEnabled(true);
   mSearch->setToolTip(tr("Lists the types and compartments whose name holds these words"));
   mSearch->setAccessibleName(tr("Search types"));
-  auto* sort = new QToolButton(bar);
-  sort->setObjectName("modelSort");
-  sort->setText(tr("Sort"));
-  sort->setToolTip(tr("The order of the types in their compartments, and which of them are listed"));
-  sort->setPopupMode(QToolButton::InstantPopup);
-  sort->setMenu(makeOrderMenu(sort));
-  for (QWidget* part : {static_cast<QWidget*>(mSearch), static_cast<QWidget*>(sort)})
-    part->setFixedHeight(kFieldHeight);
-  row->addWidget(mSearch, 1);
-  row->addWidget(sort);
+  search.sort->setToolTip(tr("The order of the types in their compartments, and which of them are listed"));
+  fillOrders(search);
   connect(mSearch, &QLineEdit::textChanged, this, &ModelPanel::setSearch);
   connect(mSearch, &QLineEdit::returnPressed, this, [this] { mList->setFocus(); });
   return bar;
 }
 
-QMenu* ModelPanel::makeOrderMenu(QWidget* parent) {
-  auto* menu = new QMenu(parent);
-  auto add = [menu](QActionGroup* group, const QString& name, bool isFirst) {
-    QAction* action = menu->addAction(name);
-    action->setCheckable(true);
-    action->setChecked(isFirst);
-    group->addAction(action);
-    return action;
-  };
+void ModelPanel::fillOrders(const ListSearch& search) {
   using Key = TypeOrder::Key;
-  menu->addSection(tr("Sort"));
-  auto* keys = new QActionGroup(menu);
-  for (auto [name, key] : {std::pair(tr("By number of instances"), Key::Count),
-                           {tr("By name"), Key::Name},
-                           {tr("By mass"), Key::Mass},
-                           {tr("By share that is seen"), Key::Seen},
-                           {tr("By share that is hidden"), Key::Hidden},
-                           {tr("By share that is removed"), Key::Removed}})
-    connect(add(keys, name, key == Key::Count), &QAction::triggered, this,
+  search.menu->addSection(tr("Sort"));
+  auto* keys = new QActionGroup(search.menu);
+  std::vector<std::pair<QString, Key>> orders = {
+      {tr("By number of instances"), Key::Count}, {tr("By name"), Key::Name}, {tr("By mass"), Key::Mass}};
+  for (std::size_t i = 0; i < kCountKinds.size(); ++i)
+    orders.emplace_back(tr("By share that is %1").arg(toText(kCountKinds[i].adjective)), TypeOrder::keyOf(CountOf(i)));
+  for (const auto& [name, key] : orders)
+    connect(search.addChoice(keys, name, key == Key::Count), &QAction::triggered, this,
             [this, key = key] { mList->order().setKey(key); });
   using Only = TypeOrder::Only;
-  menu->addSection(tr("List"));
-  auto* filters = new QActionGroup(menu);
+  search.menu->addSection(tr("List"));
+  auto* filters = new QActionGroup(search.menu);
   for (auto [name, only] : {std::pair(tr("All types"), Only::All),
                             {tr("Types that are seen"), Only::Seen},
                             {tr("Types of which none is seen"), Only::Unseen},
                             {tr("Types of which some are removed"), Only::Removed}})
-    connect(add(filters, name, only == Only::All), &QAction::triggered, this,
+    connect(search.addChoice(filters, name, only == Only::All), &QAction::triggered, this,
             [this, only = only] { mList->order().setOnly(only); });
-  return menu;
 }
 
 void ModelPanel::connectHiders() {
@@ -173,22 +125,12 @@ void ModelPanel::showHiding(const session::Hiding& hiding) {
 
 QWidget* ModelPanel::makeFoot() {
   auto* foot = new QWidget(this);
-  auto* row = new QHBoxLayout(foot);
-  row->setContentsMargins(0, 0, 0, 0);
-  row->setSpacing(2);
   auto* all = makeQuiet(tr("Show all"), "modelShowAll", tr("Show all that are listed"), foot);
   auto* none = makeQuiet(tr("Hide all"), "modelHideAll", tr("Hide all that are listed"), foot);
   auto* reset = makeQuiet(tr("Reset"), "modelReset",
                           tr("Show all that are listed, in the palette's colours and the finish's material"), foot);
-  mCount = new QLabel(foot);
+  mCount = makeListFoot({all, none, reset}, tr("Types that are shown, of all"), foot);
   mCount->setObjectName("modelCount");
-  mCount->setProperty("role", "muted");
-  mCount->setToolTip(tr("Types that are shown, of all"));
-  row->addWidget(all);
-  row->addWidget(none);
-  row->addWidget(reset);
-  row->addStretch(1);
-  row->addWidget(mCount);
   connect(all, &QPushButton::clicked, this, [this] { mCommands.setVisible(mList->listedTypes(), true); });
   connect(none, &QPushButton::clicked, this, [this] { mCommands.setVisible(mList->listedTypes(), false); });
   connect(reset, &QPushButton::clicked, this, [this] { mCommands.reset(mList->listedTypes()); });

@@ -2,8 +2,6 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QGridLayout>
-#include <QLabel>
-#include <QLineEdit>
 #include <functional>
 
 #include "gui/kit/Widgets.h"
@@ -12,7 +10,7 @@
 #include "gui/model/HidersBox.h"
 #include "gui/model/ModelList.h"
 #include "gui/model/ModelLookGrid.h"
-#include "gui/rows/RowPaint.h"
+#include "gui/rows/ListParts.h"
 
 namespace velum::gui {
 
@@ -42,7 +40,7 @@ class ModelPanel : public QWidget {
                       const char* label, std::function<double&(scene::Scene&)> field);
   NumberRow* addNumber(QGridLayout* grid, const QString& name, const char* objectName, const QString& tip,
                        NumberRow* row);
-  QMenu* makeOrderMenu(QWidget* parent);
+  void fillOrders(const ListSearch& search);
   void connectHiders();
   void setSearch(const QString& text);
   void showNotes(const Model& model);

@@ -120,27 +120,20 @@ void ModelRoom::connectViews() {
 void ModelRoom::meetTargets() {
   if (mParts.session.scene().model.targets.empty())
     return mParts.messages.showNote(tr("No type has a number to be seen: give one in its menu."));
-  struct Search {
-    session::TargetsReport report;
-    std::vector<scene::Cut> cuts;
-  };
-  auto search = std::make_shared<Search>();
-  search->cuts = mParts.session.scene().cuts;
   const Viewport& viewport = mParts.views.viewport();
   glm::ivec2 size(glm::round(glm::dvec2(viewport.width(), viewport.height()) * viewport.devicePixelRatioF()));
-  auto work = [search, scene = mParts.session.scene(), size](Progress& progress) {
-    search->report = session::findTargets(scene, glm::max(size, 1), progress);
+  auto make = [size](const scene::Scene& scene, Progress& progress) {
+    session::TargetsReport report = session::findTargets(scene, glm::max(size, 1), progress);
+    session::Edit edit{"Meet numbers to be seen", scene, std::move(report.scene), {}};
+    for (const session::TargetReport& target : report.targets)
+      if (!target.isMet) edit.told.push_back(target.words);
+    return edit;
   };
-  mParts.jobs.start(tr("Meeting the numbers to be seen"), work, [this, search] {
-    session::Document& document = mParts.document();
-    if (document.scene().cuts != search->cuts || !document.scene().model.data) return;  // somebody has gone on
-    document.edit("Meet numbers to be seen",
-                  [&](scene::Scene& scene) { scene.cuts = std::move(search->report.scene.cuts); });
-    std::vector<std::string> unmet;
-    for (const session::TargetReport& target : search->report.targets)
-      if (!target.isMet) unmet.push_back(target.words);
-    mParts.messages.showNote(unmet.empty() ? tr("All numbers are met.") : tr("As near as can be"), unmet);
-  });
+  auto commit = [this](const session::Edit& edit) {
+    mParts.document().edit(edit.step, [&](scene::Scene& scene) { scene.cuts = edit.after.cuts; });
+    mParts.messages.showNote(edit.told.empty() ? tr("All numbers are met.") : tr("As near as can be"), edit.told);
+  };
+  mParts.jobs.edit(tr("Meeting the numbers to be seen"), {JobRunner::Beside::Ground::Cuts, make, commit});
 }
 
 void ModelRoom::findType() {

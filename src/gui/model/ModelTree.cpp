@@ -4,6 +4,8 @@
 #include <algorithm>
 
 #include "scene/Shown.h"
+#include "gui/kit/Text.h"
+#include "gui/rows/CountBar.h"
 #include "session/model/ModelEdit.h"
 
 namespace velum::gui {
@@ -11,8 +13,6 @@ namespace velum::gui {
 namespace {
 
 constexpr int kMostTip = 400;  // letters of a description
-
-QString toText(const std::string& text) { return QString::fromStdString(text); }
 
 QString numberText(std::uint64_t number) { return QLocale().toString(qulonglong(number)); }
 
@@ -45,14 +45,18 @@ void ModelTree::showLayer(const scene::ModelLayer& layer) {
   if (!isOther) tellCells(Eye, Count, {VisibleRole, ColorRole, Qt::AccessibleTextRole});
 }
 
-void ModelTree::showCounts() { tellCells(Bar, Count, {SeenRole, HiddenRole, RemovedRole}); }
+void ModelTree::showCounts() {
+  QList<int> roles;
+  for (std::size_t i = 0; i < kCountKinds.size(); ++i) roles << partRole(CountOf(i));
+  tellCells(Bar, Count, roles);
+}
 
 void ModelTree::setPercent(bool percent) {
   mScale.isPercent = percent;
   showCounts();
 }
 
-render::TypeCount ModelTree::countOf(const Row& row) const {
+Counts ModelTree::countOf(const Row& row) const {
   if (!mEqualizer.heldPath().empty() && mEqualizer.heldPath() == row.path) return mEqualizer.heldCount();
   const session::LiveCounts& counts = mEqualizer.counts();
   if (counts.model() != model()) return {};
@@ -60,10 +64,10 @@ render::TypeCount ModelTree::countOf(const Row& row) const {
 }
 
 QString ModelTree::numberOf(const Row& row) const {
-  render::TypeCount count = countOf(row);
+  Counts count = countOf(row);
   if (count.total() == 0) return shortCount(row.instances * std::uint64_t(scene::copyCount(mLayer)));
-  if (!mScale.isPercent) return shortCount(count.rendered());
-  double percent = 100.0 * double(count.rendered()) / double(count.total());
+  if (!mScale.isPercent) return shortCount(count.left());
+  double percent = 100.0 * double(count.left()) / double(count.total());
   // What is a little is not nothing, and what is nearly all is not all.
   bool isEdge = (percent > 0.0 && percent < 1.0) || (percent > 99.0 && percent < 100.0);
   return tr("%1 %").arg(QLocale().toString(percent, 'f', isEdge ? 1 : 0));
@@ -81,15 +85,15 @@ std::optional<double> ModelTree::readNumber(const QString& text, double total) {
   return isPercent ? total * std::min(value, 100.0) / 100.0 : value;
 }
 
-QString ModelTree::describe(const render::TypeCount& count) const {
+QString ModelTree::describe(const Counts& count) const {
   auto share = [&](std::uint64_t part) {
     return tr("%1 (%2 %)").arg(numberText(part)).arg(100.0 * double(part) / double(count.total()), 0, 'f', 1);
   };
   QString about = mEqualizer.counts().isExact() ? QString() : tr(", about, while the picture is coarse");
-  return QStringList{tr("Seen: %1%2").arg(share(count.visible), about),
-                     tr("Drawn, but hidden behind others or outside the picture: %1").arg(share(count.hidden)),
-                     tr("Removed by cuts or not shown: %1").arg(share(count.clipped))}
-      .join("\n");
+  QStringList lines;
+  for (std::size_t i = 0; i < kCountKinds.size(); ++i)
+    lines << tr("%1: %2%3").arg(toText(kCountKinds[i].instances), share(count.parts[i]), i == 0 ? about : QString());
+  return lines.join("\n");
 }
 
 ModelTree::Shown ModelTree::shownOf(const Row& row) const {
@@ -132,7 +136,7 @@ QString ModelTree::tipOf(const Row& row, int column) const {
     QString how = column == Bar ? tr("Drag the right knob to set how many are drawn, the left one how many are seen "
                                      "(Ctrl+Right, Ctrl+Left; with Shift: seen)")
                                 : tr("How many are drawn: double-click or F2 to type another number, or a share in %");
-    render::TypeCount count = countOf(row);
+    Counts count = countOf(row);
     return count.total() > 0 ? describe(count) + "\n" + how : how;
   }
   if (row.isType) return QString("%1\n%2").arg(toText(row.path), describe(model()->types[row.number]));
@@ -143,18 +147,14 @@ QString ModelTree::tipOf(const Row& row, int column) const {
 
 QVariant ModelTree::data(const QModelIndex& index, int role) const {
   const Row& row = rowAt(index);
+  if (role >= PartRole && role < kOwnRole) {
+    Counts count = countOf(row);
+    return count.total() == 0 ? 0.0 : double(count.parts[std::size_t(role - PartRole)]) / double(count.total());
+  }
   switch (role) {
     case Qt::DisplayRole:
       if (index.column() == Count) return numberOf(row);
       break;
-    case SeenRole:
-    case HiddenRole:
-    case RemovedRole: {
-      render::TypeCount count = countOf(row);
-      if (count.total() == 0) return 0.0;
-      std::uint64_t part = role == SeenRole ? count.visible : role == HiddenRole ? count.hidden : count.clipped;
-      return double(part) / double(count.total());
-    }
     case Qt::ToolTipRole:
       return tipOf(row, index.column());
     case Qt::AccessibleTextRole:
@@ -173,7 +173,7 @@ QVariant ModelTree::data(const QModelIndex& index, int role) const {
 
 QVariant ModelTree::headerData(int section, Qt::Orientation orientation, int role) const {
   if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
-  const QString names[kColumns] = {tr("Shown"), tr("Colour"), tr("Name"), tr("Seen, hidden, removed"), tr("Drawn")};
+  const QString names[kColumns] = {tr("Shown"), tr("Colour"), tr("Name"), countTitle(), tr("Drawn")};
   return names[section];
 }
 

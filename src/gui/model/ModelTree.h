@@ -28,7 +28,7 @@ class ModelTree : public TypeTree {
   const BarScale& scale() const { return mScale; }
   void setPercent(bool percent);
   /// What is known of a row's instances; nothing before there are counts: then `total` is 0.
-  render::TypeCount countOf(const Row& row) const;
+  Counts countOf(const Row& row) const;
   /// What people have typed into a row's number: "50", "20 %"; nothing where it is no number.
   static std::optional<double> readNumber(const QString& text, double total);
 
@@ -40,7 +40,7 @@ class ModelTree : public TypeTree {
   Shown shownOf(const Row& row) const;
   QString tipOf(const Row& row, int column) const;
   QString describe(const MoleculeType& type) const;
-  QString describe(const render::TypeCount& count) const;
+  QString describe(const Counts& count) const;
   QString numberOf(const Row& row) const;
 
   const Equalizer& mEqualizer;

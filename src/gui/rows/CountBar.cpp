@@ -4,6 +4,7 @@
 #include <QObject>
 #include <algorithm>
 
+#include "gui/kit/Text.h"
 #include "gui/kit/Theme.h"
 
 namespace velum::gui {
@@ -14,35 +15,45 @@ constexpr int kMargin = 6, kHeight = 9, kKnob = 3;
 
 }  // namespace
 
+QString countTitle() {
+  QStringList words;
+  for (const CountKind& kind : kCountKinds) words << toText(kind.adjective);
+  QString title = words.join(", ");
+  return title.left(1).toUpper() + title.mid(1);
+}
+
 QRectF countBarBox(QRect cell) {
   QRectF box = QRectF(cell).adjusted(kMargin, 0, -kMargin, 0);
   return {box.left(), box.center().y() - kHeight / 2.0, box.width(), double(kHeight)};
 }
 
-CountBar layCountBar(QRect cell, const BarScale& scale, double seen, double left, double total) {
+CountBar layCountBar(QRect cell, const BarScale& scale, const Counts& counts) {
+  auto total = double(counts.total());
   if (total <= 0.0) return {};
-  QRectF box = countBarBox(cell);
-  auto place = [&](double number) { return box.width() * scale.place(number, total); };
-  return {box, place(seen), place(left), place(total)};
+  CountBar bar{countBarBox(cell)};
+  std::uint64_t upTo = 0;
+  for (std::size_t i = 0; i < kCountKinds.size(); ++i) {
+    upTo += counts.parts[i];
+    bar.ends[i] = bar.box.width() * scale.place(double(upTo), total);
+    if (kCountKinds[i].isLeft) bar.left = bar.ends[i];
+  }
+  return bar;
 }
 
-/// The parts differ in lightness: whoever sees red and green alike can tell them apart.
 void paintCountBar(QPainter& painter, const QStyleOptionViewItem& option, const CountBar& bar, bool hasSeenKnob) {
   if (bar.box.isEmpty()) return;
   ThemeKind theme = themeOf(option.palette);
   painter.setPen(Qt::NoPen);
   painter.setRenderHint(QPainter::Antialiasing, false);
-  auto part = [&](double from, double to, const char* color) {
-    if (to <= from) return;
-    double width = std::max(1.0, to - from);
-    painter.fillRect(QRectF(bar.box.left() + from, bar.box.top(), width, bar.box.height()), themeColor(theme, color));
-  };
   if (option.state & QStyle::State_Selected)
-    painter.fillRect(QRectF(bar.box.left(), bar.box.top(), bar.all, bar.box.height()).adjusted(-1, -1, 1, 1),
+    painter.fillRect(QRectF(bar.box.left(), bar.box.top(), bar.ends.back(), bar.box.height()).adjusted(-1, -1, 1, 1),
                      option.palette.color(QPalette::Window));
-  part(bar.left, bar.all, "removed");
-  part(bar.seen, bar.left, "hidden");
-  part(0.0, bar.seen, "seen");
+  for (std::size_t i = kCountKinds.size(); i-- > 0;) {
+    double from = i > 0 ? bar.ends[i - 1] : 0.0, to = bar.ends[i];
+    if (to <= from) continue;
+    QRectF part(bar.box.left() + from, bar.box.top(), std::max(1.0, to - from), bar.box.height());
+    painter.fillRect(part, themeColor(theme, toText(kCountKinds[i].role)));
+  }
   painter.setRenderHint(QPainter::Antialiasing, true);
   auto knob = [&](double at, const char* color, double grow) {
     QRectF box(bar.box.left() + at - kKnob / 2.0, bar.box.top() - grow, kKnob, bar.box.height() + 2.0 * grow);
@@ -51,7 +62,7 @@ void paintCountBar(QPainter& painter, const QStyleOptionViewItem& option, const 
     painter.drawRoundedRect(box.adjusted(-0.5, 0, 0.5, 0), 1.5, 1.5);
   };
   bool isHot = option.state & (QStyle::State_MouseOver | QStyle::State_Selected);
-  if (hasSeenKnob && isHot && bar.seen < bar.left) knob(bar.seen, "seen", 2.0);
+  if (hasSeenKnob && isHot && bar.seen() < bar.left) knob(bar.seen(), "seen", 2.0);
   knob(bar.left, "white", isHot ? 4.0 : 2.5);
 }
 

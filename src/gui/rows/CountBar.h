@@ -1,16 +1,21 @@
 #pragma once
 #include <QPainter>
 #include <QStyleOptionViewItem>
+#include <array>
 
+#include "core/Counts.h"
 #include "gui/rows/BarScale.h"
 
 namespace velum::gui {
 
-/// A stacked bar of a row ([VE] 7): what is seen, what is there but hidden, what is removed; with a knob at the end of
-/// each of the first two that can be dragged.
+/// A stacked bar of a row ([VE] 7), of the parts of kCountKinds; with knobs that can be dragged at the end of what is
+/// seen, and of what is left.
 struct CountBar {
-  QRectF box;                                ///< of the whole ruler; empty: nothing is known of the row
-  double seen = 0.0, left = 0.0, all = 0.0;  ///< where the parts end, pixels from the box's left end
+  QRectF box;                                     ///< of the whole ruler; empty: nothing is known of the row
+  std::array<double, kCountKinds.size()> ends{};  ///< where the parts end, pixels from the box's left end
+  double left = 0.0;                              ///< where those that are left end
+
+  double seen() const { return ends.front(); }
 
   /// The number at a place of the widget.
   double countAt(double x, const BarScale& scale, double total) const {
@@ -18,8 +23,10 @@ struct CountBar {
   }
 };
 
-/// @param cell  that the bar lies in  @param left  seen or hidden
-CountBar layCountBar(QRect cell, const BarScale& scale, double seen, double left, double total);
+/// @param cell  that the bar lies in
+CountBar layCountBar(QRect cell, const BarScale& scale, const Counts& counts);
+/// The title of their column: "Seen, hidden, removed".
+QString countTitle();
 /// Where rulers of bars in cells of a column lie.
 QRectF countBarBox(QRect cell);
 /// @param hasSeenKnob  how much is seen can be dragged, too

@@ -148,14 +148,14 @@ void TypeOrder::setOnly(Only only) {
 }
 
 void TypeOrder::look() {
-  if (mOnly != Only::All || mKey >= Key::Seen) invalidate();
+  if (mOnly != Only::All || mKey >= Key::Part) invalidate();
 }
 
 bool TypeOrder::isAsAsked(const QModelIndex& row) const {
   if (mOnly == Only::All) return true;
   if (!row.data(TypeTree::IsTypeRole).toBool()) return false;  // stays where one below it does
-  if (mOnly == Only::Removed) return row.data(TypeTree::RemovedRole).toDouble() > 0.0;
-  return (row.data(TypeTree::SeenRole).toDouble() > 0.0) == (mOnly == Only::Seen);
+  if (mOnly == Only::Removed) return row.data(TypeTree::partRole(CountOf::Clipped)).toDouble() > 0.0;
+  return (row.data(TypeTree::partRole(CountOf::Visible)).toDouble() > 0.0) == (mOnly == Only::Seen);
 }
 
 void TypeOrder::setSearch(const QString& text) {
@@ -176,9 +176,9 @@ bool TypeOrder::lessThan(const QModelIndex& left, const QModelIndex& right) cons
   if (bool isType = left.data(TypeTree::IsTypeRole).toBool(); isType != right.data(TypeTree::IsTypeRole).toBool())
     return !isType;  // compartments first
   if (mKey != Key::Name) {
-    constexpr int kRoles[] = {TypeTree::NameRole, TypeTree::CountRole,  TypeTree::MassRole,
-                              TypeTree::SeenRole, TypeTree::HiddenRole, TypeTree::RemovedRole};
-    int role = kRoles[int(mKey)];
+    int role = mKey == Key::Count  ? int(TypeTree::CountRole)
+               : mKey == Key::Mass ? int(TypeTree::MassRole)
+                                   : TypeTree::PartRole + int(mKey) - int(Key::Part);
     double a = left.data(role).toDouble(), b = right.data(role).toDouble();
     if (a != b) return a > b;  // the most first
   }

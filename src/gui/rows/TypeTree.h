@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/Counts.h"
 #include "core/Model.h"
 #include "core/Shared.h"
 
@@ -16,7 +17,16 @@ namespace velum::gui {
 class TypeTree : public QAbstractItemModel {
   Q_OBJECT
  public:
-  enum Role { NameRole = Qt::UserRole, CountRole, MassRole, IsTypeRole, SeenRole, HiddenRole, RemovedRole, kOwnRole };
+  enum Role {
+    NameRole = Qt::UserRole,
+    CountRole,
+    MassRole,
+    IsTypeRole,
+    PartRole,
+    kOwnRole = PartRole + int(kCountKinds.size())
+  };
+  /// The share of a kind of kCountKinds, 0 to 1.
+  static int partRole(CountOf kind) { return PartRole + int(kind); }
   struct Row {
     bool isType = false;
     std::uint32_t number = 0;  ///< in Model::types or Model::compartments
@@ -66,7 +76,9 @@ class TypeTree : public QAbstractItemModel {
 class TypeOrder : public QSortFilterProxyModel {
   Q_OBJECT
  public:
-  enum class Key { Name, Count, Mass, Seen, Hidden, Removed };
+  enum class Key { Name, Count, Mass, Part };
+  /// The share of a kind of kCountKinds.
+  static Key keyOf(CountOf kind) { return Key(int(Key::Part) + int(kind)); }
   /// Types of which some are as it says.
   enum class Only { All, Seen, Unseen, Removed };
   explicit TypeOrder(QObject* parent);

@@ -41,17 +41,30 @@ void JobRunner::run(const session::Call& call, bool merge) {
 }
 
 void JobRunner::runLong(const session::Call& call, bool merge) {
+  auto make = [call](const scene::Scene& scene, Progress& progress) { return session::editOf(scene, call, progress); };
+  auto commit = [this, call, merge](const session::Edit& edit) {
+    session::commit(mSession.document(), edit, call, merge);
+    if (!edit.told.empty()) mMessages.showNote({}, edit.told);
+  };
+  edit(QString::fromStdString(call.command().step(mSession.scene(), call.arguments())),
+       {Beside::Ground::Scene, make, commit, true});
+}
+
+void JobRunner::edit(const QString& what, const Beside& beside) {
   auto edit = std::make_shared<session::Edit>();
-  startShort(
-      QString::fromStdString(call.command().step(mSession.scene(), call.arguments())),
-      [edit, call, scene = mSession.scene()](Progress& progress) { *edit = session::editOf(scene, call, progress); },
-      [this, edit, call, merge] {
-        const scene::Scene& now = mSession.scene();
-        if (!(now.volume.data == edit->before.volume.data)) return;  // something else was opened meanwhile
-        if (!(now == edit->before)) return run(call, merge);         // what was done meanwhile stays
-        session::commit(mSession.document(), *edit, call, merge);
-        if (!edit->told.empty()) mMessages.showNote({}, edit->told);
-      });
+  auto work = [edit, make = beside.make, scene = mSession.scene()](Progress& progress) {
+    *edit = make(scene, progress);
+  };
+  auto done = [this, edit, what, beside] {
+    const scene::Scene &now = mSession.scene(), &before = edit->before;
+    bool isOfCuts = beside.ground == Beside::Ground::Cuts;
+    if (isOfCuts ? now.cuts != before.cuts || now.model.data != before.model.data
+                 : now.volume.data != before.volume.data)
+      return;
+    if (!isOfCuts && now != before) return this->edit(what, beside);
+    beside.commit(*edit);
+  };
+  beside.isShort ? startShort(what, work, done) : start(what, work, done);
 }
 
 void JobRunner::begin(const QString& what, session::Job::Work work, std::function<void()> whenDone) {

@@ -22,6 +22,17 @@ class JobRunner : public QObject {
   /// Does a command: at once, or, where it is long, as startShort() does work; what was done meanwhile is not lost.
   /// What there is to tell, and what goes wrong, is said in the message bar.
   void run(const session::Call& call, bool merge = false);
+  /// An edit that is worked out beside the document.
+  struct Beside {
+    /// What it stands on: of the scene, what is open; or the cuts and the model. Where that is another meanwhile the
+    /// edit is not made. Of the scene: where all else has changed it is worked out again, so that nothing is lost.
+    enum class Ground { Scene, Cuts };
+    Ground ground = Ground::Scene;
+    std::function<session::Edit(const scene::Scene&, Progress&)> make;  ///< in another thread
+    std::function<void(const session::Edit&)> commit;
+    bool isShort = false;  ///< as of startShort()
+  };
+  void edit(const QString& what, const Beside& beside);
   void cancel();
   bool isBusy() const { return mSession.isBusy(); }
   /// What went wrong last; empty when nothing did.

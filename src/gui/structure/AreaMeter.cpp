@@ -5,6 +5,7 @@
 
 #include "gpu/Context.h"
 #include "render/Renderer.h"
+#include "session/extrusion/AreaSolver.h"
 #include "session/model/PictureCounter.h"
 #include "session/structure/StructureEdit.h"
 
@@ -17,17 +18,8 @@ constexpr int kWidth = 320;       // of the picture that is counted in: a pixel 
 
 }  // namespace
 
-struct AreaMeter::Held {
-  scene::Scene before;
-  session::AreaSolver solver;
-  session::StructureArea start, now;
-  bool isMoved = false;
-};
-
 AreaMeter::AreaMeter(session::Session& session, Viewport& viewport, QObject* parent)
-    : QObject(parent), mSession(session), mViewport(viewport), mCounting(kPatienceMs, this) {}
-
-AreaMeter::~AreaMeter() = default;
+    : QObject(parent), mSession(session), mViewport(viewport), mCounting(kPatienceMs, this), mBar(session.document()) {}
 
 void AreaMeter::setOn(bool on) {
   mIsOn = on;
@@ -38,7 +30,7 @@ void AreaMeter::setOn(bool on) {
 }
 
 void AreaMeter::refresh() {
-  if (!mIsOn || mHeld || mSession.scene() == mMeasured) return;
+  if (!mIsOn || isHeld() || mSession.scene() == mMeasured) return;
   mMeasured = mSession.scene();
   if (!mMeasured.labels.data) {
     mCounting.stop();
@@ -72,57 +64,44 @@ Job::Work AreaMeter::counting(const std::shared_ptr<Result>& result) const {
   };
 }
 
-const session::StructureArea* AreaMeter::find(int id) const {
-  if (mHeld && mHeld->now.structure == id) return &mHeld->now;
+const Counts* AreaMeter::find(int id) const {
+  if (isHeld() && mHeldId == id) return &mBar.now();
   auto found = std::find_if(mResult.areas.begin(), mResult.areas.end(),
                             [id](const session::StructureArea& area) { return area.structure == id; });
-  return found == mResult.areas.end() ? nullptr : &*found;
+  return found == mResult.areas.end() ? nullptr : &found->count;
 }
 
 bool AreaMeter::take(int id) {
-  const session::StructureArea* area = find(id);
+  const Counts* area = find(id);
   if (!area || isMeasuring()) return false;
   if (mResult.cuts.empty()) {
     emit told(tr("There is no cut out of which it could be pulled: add one first (C)"));
     return false;
   }
   const scene::Scene& scene = mSession.scene();
-  mHeld.reset(new Held{scene, session::AreaSolver(scene, mResult.cuts, id, mResult.hits), *area, *area, false});
+  session::AreaSolver solver(scene, mResult.cuts, id, mResult.hits);
+  mBar.take({session::structureLabel(scene, "Pull out", {id}), session::Bar::Handle::Left, *area, area->total(),
+             [solver = std::move(solver)](double pixels) { return solver.solve(pixels); }});
+  mHeldId = id;
   return true;
 }
 
 void AreaMeter::moveTo(double pixels) {
-  if (!mHeld) return;
-  Held& held = *mHeld;
-  session::SolvedArea solved = held.solver.solve(pixels);
-  held.isMoved = true;
-  double seen = held.start.left() > 0 ? double(held.start.visible) / double(held.start.left()) : 1.0;
-  held.now.visible = std::min(solved.reached, std::uint64_t(std::llround(double(solved.reached) * seen)));
-  held.now.hidden = solved.reached - held.now.visible;
-  held.now.clipped = held.start.total() - std::min(held.start.total(), solved.reached);
-  std::string label = session::structureLabel(held.before, "Pull out", {held.start.structure});
-  mSession.document().edit(
-      label, [&](scene::Scene& scene) { scene.cuts = std::move(solved.scene.cuts); }, true);
+  if (!isHeld()) return;
+  std::string words = mBar.moveTo(pixels);
   emit measured();
-  emit told(QString::fromStdString(solved.words));
+  emit told(QString::fromStdString(words));
 }
 
 void AreaMeter::letGo() {
-  if (!mHeld) return;
-  mHeld.reset();
-  mSession.document().endMerge();
+  if (!isHeld()) return;
+  mBar.letGo();
   refresh();
 }
 
 void AreaMeter::giveUp() {
-  if (!mHeld) return;
-  std::unique_ptr<Held> held = std::move(mHeld);
-  if (held->isMoved) {
-    std::string label = session::structureLabel(held->before, "Pull out", {held->start.structure});
-    mSession.document().edit(
-        label, [&](scene::Scene& scene) { scene.cuts = held->before.cuts; }, true);
-  }
-  mSession.document().endMerge();
+  if (!isHeld()) return;
+  mBar.giveUp();
   emit measured();
 }
 

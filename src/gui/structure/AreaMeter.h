@@ -5,8 +5,8 @@
 
 #include "gui/service/NewestJob.h"
 #include "gui/view/Viewport.h"
+#include "session/Bar.h"
 #include "session/Session.h"
-#include "session/extrusion/AreaSolver.h"
 #include "session/structure/StructureAreas.h"
 
 namespace velum::gui {
@@ -17,7 +17,6 @@ class AreaMeter : public QObject {
   Q_OBJECT
  public:
   AreaMeter(session::Session& session, Viewport& viewport, QObject* parent);
-  ~AreaMeter() override;
 
   void setOn(bool on);
   bool isOn() const { return mIsOn; }
@@ -25,7 +24,7 @@ class AreaMeter : public QObject {
   void refresh();
   bool isMeasuring() const { return mCounting.isBusy(); }
   /// Null where nothing is known of it.
-  const session::StructureArea* find(int id) const;
+  const Counts* find(int id) const;
 
   /// Takes hold of the handle of a structure; says why where it cannot be. @return true where it is held
   bool take(int id);
@@ -33,7 +32,7 @@ class AreaMeter : public QObject {
   void letGo();
   /// As it was before it was taken.
   void giveUp();
-  bool isHeld() const { return bool(mHeld); }
+  bool isHeld() const { return mBar.isHeld(); }
 
  signals:
   void measured();
@@ -41,7 +40,6 @@ class AreaMeter : public QObject {
   void told(const QString& words);
 
  private:
-  struct Held;
   struct Result {
     std::vector<render::StructureHit> hits;
     std::vector<session::StructureArea> areas;
@@ -56,7 +54,8 @@ class AreaMeter : public QObject {
   NewestJob mCounting;
   scene::Scene mMeasured;  ///< what the result is of, or will be
   Result mResult;
-  std::unique_ptr<Held> mHeld;
+  session::Bar mBar;
+  int mHeldId = 0;  ///< structure of the handle that is held
 };
 
 }  // namespace velum::gui

@@ -2,9 +2,7 @@
 
 #include <QColorDialog>
 #include <QContextMenuEvent>
-#include <QHeaderView>
 #include <QMouseEvent>
-#include <QScrollBar>
 #include <QStyledItemDelegate>
 #include <QToolTip>
 #include <algorithm>
@@ -17,16 +15,14 @@ namespace velum::gui {
 
 namespace {
 
-constexpr int kRowHeight = 25;
 constexpr int kWidths[StructureModel::kColumns] = {28, 22, 0, 70, 64, 64, 52, 24, 122};
-constexpr double kGrip = 5.0, kBarStep = 0.05;
 constexpr double kBarMargin = 5.0;
 
 class Delegate : public QStyledItemDelegate {
  public:
   Delegate(const StructureModel& rows, QObject* parent) : QStyledItemDelegate(parent), mRows(rows) {}
 
-  QSize sizeHint(const QStyleOptionViewItem&, const QModelIndex&) const override { return {40, kRowHeight}; }
+  QSize sizeHint(const QStyleOptionViewItem&, const QModelIndex&) const override { return {40, BarList::kRowHeight}; }
 
   void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override {
     painter->save();
@@ -108,7 +104,7 @@ class Delegate : public QStyledItemDelegate {
 }  // namespace
 
 StructureList::StructureList(StructureCommands& commands, AreaMeter& areas, QWidget* parent)
-    : QTreeView(parent),
+    : BarList(parent),
       mCommands(commands),
       mAreas(areas),
       mModel(new StructureModel(commands.meter(), areas, this)),
@@ -119,22 +115,9 @@ StructureList::StructureList(StructureCommands& commands, AreaMeter& areas, QWid
   setModel(mOrder);
   setItemDelegate(new Delegate(*mModel, this));
   setRootIsDecorated(false);
-  setUniformRowHeights(true);
   setHeaderHidden(true);
-  setMouseTracking(true);
-  setAllColumnsShowFocus(true);
-  setSelectionMode(ExtendedSelection);
   setEditTriggers(EditKeyPressed);
-  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  setVerticalScrollMode(ScrollPerPixel);
-  verticalScrollBar()->setSingleStep(kRowHeight);
-  setMinimumHeight(6 * kRowHeight);
-  header()->setStretchLastSection(false);
-  header()->setMinimumSectionSize(10);
-  for (int i = 0; i < StructureModel::kColumns; ++i) {
-    header()->setSectionResizeMode(i, i == StructureModel::Name ? QHeaderView::Stretch : QHeaderView::Fixed);
-    if (kWidths[i]) header()->resizeSection(i, kWidths[i]);
-  }
+  layColumns(kWidths, 6);
   setShown(Shown::Opacity);
   connect(&mAreas, &AreaMeter::measured, mModel, &StructureModel::areasChanged);
   connect(&mAreas, &AreaMeter::told, this, [this](const QString& words) {
@@ -161,23 +144,21 @@ bool StructureList::takeBar(int id, double x) {
     mBarId = 0;
     return true;
   }
-  // Whoever takes the knob moves it by what the pointer moves; whoever presses elsewhere brings it there.
-  double off = x - bar.box.left() - bar.left;
-  mGrip = std::abs(off) <= kGrip ? off : 0.0;
-  if (mGrip == 0.0) dragBar(x);
+  holdKnob(x, bar.box.left() + bar.left);
   return true;
 }
 
-void StructureList::dragBar(double x) {
-  const session::StructureArea* area = mAreas.find(mBarId);
-  if (area) mAreas.moveTo(barOf(mBarId).countAt(x - mGrip, BarScale(), double(area->total())));
+void StructureList::dragKnob(double x) {
+  if (mOpacityId) return dragOpacity(int(x));
+  const Counts* area = mAreas.find(mBarId);
+  if (area) mAreas.moveTo(barOf(mBarId).countAt(x, BarScale(), double(area->total())));
 }
 
-void StructureList::stepBar(int steps) {
+void StructureList::stepKnob(int steps, bool) {
   int id = currentIndex().data(StructureModel::IdRole).toInt();
-  const session::StructureArea* area = mAreas.find(id);
+  const Counts* area = mAreas.find(id);
   if (!area || !mAreas.take(id)) return;
-  mAreas.moveTo(double(area->left()) + kBarStep * steps * double(area->total()));
+  mAreas.moveTo(double(area->left()) + kStep * steps * double(area->total()));
   mAreas.letGo();
 }
 
@@ -240,7 +221,7 @@ bool StructureList::pressCell(const QModelIndex& index, QMouseEvent* event) {
       return true;
     case StructureModel::Opacity:
       mOpacityId = id;
-      dragOpacity(int(event->position().x()));
+      holdKnob(event->position().x());
       return true;
     case StructureModel::Solo:
       mCommands.toggleSolo(id);
@@ -252,25 +233,15 @@ bool StructureList::pressCell(const QModelIndex& index, QMouseEvent* event) {
   }
 }
 
-void StructureList::mousePressEvent(QMouseEvent* event) {
-  QModelIndex index = indexAt(event->position().toPoint());
-  mIsHeld = event->button() == Qt::LeftButton && index.isValid() && pressCell(index, event);
-  if (!mIsHeld) QTreeView::mousePressEvent(event);
-}
-
-void StructureList::mouseMoveEvent(QMouseEvent* event) {
-  if (mBarId) return dragBar(event->position().x());
-  if (mOpacityId) return dragOpacity(int(event->position().x()));
-  if (!mIsHeld) QTreeView::mouseMoveEvent(event);
-}
-
-void StructureList::mouseReleaseEvent(QMouseEvent* event) {
+void StructureList::letKnobGo() {
   if (mBarId) mAreas.letGo();
-  mBarId = 0;
   if (mOpacityId) mCommands.document().endMerge();
-  mOpacityId = 0;
-  if (!mIsHeld) QTreeView::mouseReleaseEvent(event);
-  mIsHeld = false;
+  mBarId = mOpacityId = 0;
+}
+
+void StructureList::giveKnobUp() {
+  mBarId = 0;
+  mAreas.giveUp();
 }
 
 void StructureList::mouseDoubleClickEvent(QMouseEvent* event) {
@@ -294,27 +265,7 @@ void StructureList::chooseColor(int id) {
   if (color.isValid()) mCommands.setColor(idsFor(id), {color.redF(), color.greenF(), color.blueF()});
 }
 
-bool StructureList::event(QEvent* event) {
-  // The list's own keys go before commands of the window that have the same.
-  if (event->type() == QEvent::ShortcutOverride) {
-    int key = static_cast<QKeyEvent*>(event)->key();
-    constexpr int kOwn[] = {Qt::Key_Space, Qt::Key_F2, Qt::Key_Return, Qt::Key_Enter,
-                            Qt::Key_Delete};  // Del would remove a cut that nobody thinks of here
-    if (std::find(std::begin(kOwn), std::end(kOwn), key) != std::end(kOwn)) event->accept();
-    bool isStep = key == Qt::Key_Left || key == Qt::Key_Right;
-    if (isStep && static_cast<QKeyEvent*>(event)->modifiers() & Qt::ControlModifier) event->accept();
-    if (key == Qt::Key_Escape && mAreas.isHeld()) event->accept();
-  }
-  return QTreeView::event(event);
-}
-
 void StructureList::keyPressEvent(QKeyEvent* event) {
-  if (event->key() == Qt::Key_Escape && mAreas.isHeld()) {
-    mBarId = 0;
-    return mAreas.giveUp();
-  }
-  if (event->modifiers() & Qt::ControlModifier && (event->key() == Qt::Key_Left || event->key() == Qt::Key_Right))
-    return stepBar(event->key() == Qt::Key_Right ? 1 : -1);
   std::vector<int> ids = selectedIds();
   if (!ids.empty() && event->key() == Qt::Key_Space) {
     bool visible = currentIndex().data(StructureModel::VisibleRole).toBool();
@@ -326,7 +277,7 @@ void StructureList::keyPressEvent(QKeyEvent* event) {
   // The cursor stands on a row; a name is what it edits.
   if (event->key() == Qt::Key_F2 && currentIndex().isValid())
     return edit(currentIndex().siblingAtColumn(StructureModel::Name));
-  QTreeView::keyPressEvent(event);
+  BarList::keyPressEvent(event);
 }
 
 void StructureList::contextMenuEvent(QContextMenuEvent* event) {

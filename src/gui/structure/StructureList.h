@@ -1,6 +1,5 @@
 #pragma once
-#include <QTreeView>
-
+#include "gui/rows/BarList.h"
 #include "gui/structure/StructureModel.h"
 
 namespace velum::gui {
@@ -9,7 +8,7 @@ class StructureCommands;
 
 /// The list of structures: an eye, a colour, the name, the size, an opacity that is dragged, and S for solo. What is
 /// done to a selected row is done to all that are selected.
-class StructureList : public QTreeView {
+class StructureList : public BarList {
   Q_OBJECT
  public:
   StructureList(StructureCommands& commands, AreaMeter& areas, QWidget* parent);
@@ -35,10 +34,12 @@ class StructureList : public QTreeView {
   void picked(int id);
 
  protected:
-  bool event(QEvent* event) override;
-  void mousePressEvent(QMouseEvent* event) override;
-  void mouseMoveEvent(QMouseEvent* event) override;
-  void mouseReleaseEvent(QMouseEvent* event) override;
+  bool pressCell(const QModelIndex& index, QMouseEvent* event) override;
+  void dragKnob(double x) override;
+  void letKnobGo() override;
+  bool isKnobHeld() const override { return mAreas.isHeld(); }
+  void giveKnobUp() override;
+  void stepKnob(int steps, bool isSeen) override;
   void mouseDoubleClickEvent(QMouseEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   void contextMenuEvent(QContextMenuEvent* event) override;
@@ -46,22 +47,17 @@ class StructureList : public QTreeView {
 
  private:
   std::vector<int> idsFor(int id) const;
-  bool pressCell(const QModelIndex& index, QMouseEvent* event);
   void dragOpacity(int x);
   void chooseColor(int id);
 
   bool takeBar(int id, double x);
-  void dragBar(double x);
-  void stepBar(int steps);
 
   StructureCommands& mCommands;
   AreaMeter& mAreas;
   StructureModel* mModel;
   StructureOrder* mOrder;
-  int mBarId = 0;        ///< Whose bar is dragged; 0: none's.
-  double mGrip = 0.0;    ///< How far the pointer is off its knob.
-  int mOpacityId = 0;    ///< Whose opacity is dragged; 0: none's.
-  bool mIsHeld = false;  ///< A press was taken by a cell: what follows is not for the selection.
+  int mBarId = 0;      ///< Whose bar is dragged; 0: none's.
+  int mOpacityId = 0;  ///< Whose opacity is dragged; 0: none's.
   bool mIsQuiet = false;
 };
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/Text.h"
+#include "gui/kit/Text.h"
 #include "gui/rows/Amounts.h"
 
 namespace velum::gui {
@@ -56,9 +57,8 @@ void StructureModel::areasChanged() {
 }
 
 CountBar StructureModel::barOf(int id, QRect cell) const {
-  const session::StructureArea* area = mAreas.find(id);
-  if (!area) return {};
-  return layCountBar(cell, BarScale(), double(area->visible), double(area->left()), double(area->total()));
+  const Counts* area = mAreas.find(id);
+  return area ? layCountBar(cell, BarScale(), *area) : CountBar{};
 }
 
 int StructureModel::rowOf(int id) const {
@@ -103,15 +103,15 @@ QString StructureModel::tipOf(const scene::Structure& structure, int column) con
     case Opacity:
       return tr("Opacity %1 %: drag to change").arg(std::lround(structure.opacity * 100.0));
     case Bar: {
-      const session::StructureArea* area = mAreas.find(structure.id);
+      const Counts* area = mAreas.find(structure.id);
       if (!area || area->total() == 0)
         return tr("How much of it is seen, hidden and removed: it is not in the picture");
-      auto share = [&](std::uint64_t part) {
-        return QString::number(100.0 * double(part) / double(area->total()), 'f', 1);
-      };
-      return tr("Of where it would be in the picture, %1 % show it, on %2 % it is behind others, on %3 % cuts remove "
-                "it.\nDrag the knob to pull it out of the cuts (Ctrl+Right, Ctrl+Left)")
-          .arg(share(area->visible), share(area->hidden), share(area->clipped));
+      QStringList shares;
+      for (std::size_t i = 0; i < kCountKinds.size(); ++i)
+        shares << toText(kCountKinds[i].pixels).arg(100.0 * double(area->parts[i]) / double(area->total()), 0, 'f', 1);
+      return tr("Of where it would be in the picture, %1.\nDrag the knob to pull it out of the cuts (Ctrl+Right, "
+                "Ctrl+Left)")
+          .arg(shares.join(", "));
     }
     case Solo:
       return mSolo == structure.id ? tr("Shown alone: click to show what was shown before") : tr("Show it alone");
@@ -189,7 +189,7 @@ QVariant StructureModel::headerData(int section, Qt::Orientation orientation, in
                                    isUptake ? tr("SUVmax") : withUnit(tr("Max")),
                                    tr("Opacity"),
                                    tr("Solo"),
-                                   tr("Seen, hidden, removed")};
+                                   countTitle()};
   return names[section];
 }
 

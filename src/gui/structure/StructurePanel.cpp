@@ -1,35 +1,19 @@
 #include "gui/structure/StructurePanel.h"
 
-#include <QActionGroup>
 #include <QGridLayout>
-#include <QMenu>
 #include <QSignalBlocker>
-#include <QToolButton>
 #include <QVBoxLayout>
 
 #include "gui/kit/Length.h"
+#include "session/command/Command.h"
+#include "session/command/StructureCommands.h"
 #include "session/document/StructureShapes.h"
 
 namespace velum::gui {
 
 namespace {
 
-constexpr int kFieldHeight = 28;
 constexpr int kNamePixels = 170;  // what eye and button leave of the panel
-
-QPushButton* makeQuiet(const QString& text, const QString& tip, QWidget* parent) {
-  auto* button = new QPushButton(text, parent);
-  button->setProperty("role", "quiet");
-  button->setToolTip(tip);
-  return button;
-}
-
-QVBoxLayout* makeColumn(QWidget* widget, int spacing) {
-  auto* layout = new QVBoxLayout(widget);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(spacing);
-  return layout;
-}
 
 }  // namespace
 
@@ -99,24 +83,15 @@ QWidget* StructurePanel::makeEmpty() {
 QWidget* StructurePanel::makeHead() {
   auto* head = new QWidget(mFull);
   auto* layout = makeColumn(head, 8);
-  auto* row = new QHBoxLayout;
-  row->setSpacing(6);
-  mName = makeTitle({}, head);
-  mName->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-  mShown = new EyeButton(head);
-  mShown->setObjectName("labelsShown");
-  mShown->setAccessibleName(tr("Labels shown"));
-  mShown->setToolTip(tr("Whether the labels change anything at all"));
-  auto* open = makeQuiet(tr("Open others..."), tr("Open labels beside what is open, in place of these"), head);
-  row->addWidget(mShown);
-  row->addWidget(mName, 1);
-  row->addWidget(open);
-  layout->addLayout(row);
+  ListHead title =
+      makeListHead("labelsShown", tr("Labels shown"), tr("Whether the labels change anything at all"), head);
+  mName = title.name, mShown = title.shown;
+  auto* open = makeQuiet(tr("Open others..."), "", tr("Open labels beside what is open, in place of these"), head);
+  title.row->addWidget(open);
+  layout->addLayout(title.row);
   layout->addLayout(makeShares(head));
   connect(open, &QPushButton::clicked, this, &StructurePanel::openLabelsAsked);
-  connect(mShown, &EyeButton::clicked, this, [this](bool on) {
-    mDocument.edit(on ? "Show labels" : "Hide labels", [on](scene::Scene& scene) { scene.labels.visible = on; });
-  });
+  connect(mShown, &EyeButton::clicked, this, [this](bool on) { session::edit(mDocument, session::ShowLabels{on}); });
   return head;
 }
 
@@ -155,55 +130,35 @@ void StructurePanel::driveShare(NumberRow* row, const char* label, std::function
 
 QWidget* StructurePanel::makeSearch() {
   auto* bar = new QWidget(mFull);
-  auto* row = new QHBoxLayout(bar);
-  row->setContentsMargins(0, 0, 0, 0);
-  row->setSpacing(6);
-  mSearch = new QLineEdit(bar);
-  mSearch->setObjectName("structureSearch");
+  ListSearch search = makeListSearch("structure", bar);
+  mSearch = search.field;
   mSearch->setPlaceholderText(tr("Search name or number"));
-  mSearch->setClearButtonEnabled(true);
   mSearch->setToolTip(tr("Lists the structures whose name holds these words, or that have this number (Ctrl+F)"));
   mSearch->setAccessibleName(tr("Search structures"));
-  auto* sort = new QToolButton(bar);
-  sort->setObjectName("structureSort");
-  sort->setText(tr("Sort"));
-  sort->setToolTip(tr("The order of the list"));
-  sort->setPopupMode(QToolButton::InstantPopup);
-  auto* menu = new QMenu(sort);
-  auto* group = new QActionGroup(menu);
+  search.sort->setToolTip(tr("The order of the list"));
+  auto* group = new QActionGroup(search.menu);
   using Key = StructureOrder::Key;
   for (auto [name, key] : {std::pair(tr("By number"), Key::Number),
                            {tr("By name"), Key::Name},
                            {tr("By size"), Key::Size},
                            {tr("By mean value"), Key::Mean},
                            {tr("By largest value"), Key::Most}}) {
-    QAction* action = menu->addAction(name);
-    action->setCheckable(true);
-    action->setChecked(key == Key::Number);
-    group->addAction(action);
+    QAction* action = search.addChoice(group, name, key == Key::Number);
     connect(action, &QAction::triggered, this, [this, key = key] {
       mList->order().setKey(key);
       measureValues();
     });
   }
-  menu->addSeparator();
-  QAction* absent = menu->addAction(tr("List those without voxels, too"));
+  search.menu->addSeparator();
+  QAction* absent = search.menu->addAction(tr("List those without voxels, too"));
   absent->setObjectName("structureAbsent");
   absent->setCheckable(true);
   connect(absent, &QAction::toggled, this, [this](bool on) {
     mList->order().setAbsentShown(on);
     showCount();
   });
-  sort->setMenu(menu);
-  for (QWidget* part : {static_cast<QWidget*>(mSearch), static_cast<QWidget*>(sort)})
-    part->setFixedHeight(kFieldHeight);
   auto addSwitch = [&](const char* objectName, const QString& text, const QString& tip) {
-    auto* button = new QToolButton(bar);
-    button->setObjectName(objectName);
-    button->setText(text);
-    button->setCheckable(true);
-    button->setToolTip(tip);
-    button->setFixedHeight(kFieldHeight);
+    QToolButton* button = search.addSwitch(objectName, text, tip);
     connect(button, &QToolButton::toggled, this, &StructurePanel::showColumns);
     return button;
   };
@@ -212,10 +167,6 @@ QWidget* StructurePanel::makeSearch() {
   mBars = addSwitch("structureBars", tr("Bars"),
                     tr("How much of each structure is seen, hidden and removed in the picture; drag a bar to pull the "
                        "structure out of the cuts"));
-  row->addWidget(mSearch, 1);
-  row->addWidget(mValues);
-  row->addWidget(mBars);
-  row->addWidget(sort);
   connect(mSearch, &QLineEdit::textChanged, this, &StructurePanel::setSearch);
   connect(mSearch, &QLineEdit::returnPressed, this, [this] { mList->setFocus(); });
   return bar;
@@ -223,24 +174,11 @@ QWidget* StructurePanel::makeSearch() {
 
 QWidget* StructurePanel::makeFoot() {
   auto* foot = new QWidget(mFull);
-  auto* row = new QHBoxLayout(foot);
-  row->setContentsMargins(0, 0, 0, 0);
-  row->setSpacing(2);
-  auto* all = makeQuiet(tr("Show all"), tr("Show all that are listed"), foot);
-  all->setObjectName("showAll");
-  auto* none = makeQuiet(tr("Hide all"), tr("Hide all that are listed"), foot);
-  none->setObjectName("hideAll");
-  auto* invert =
-      makeQuiet(tr("Invert"), tr("Show what is hidden and hide what is shown, of all that are listed"), foot);
-  invert->setObjectName("invertShown");
-  mCount = new QLabel(foot);
-  mCount->setProperty("role", "muted");
-  mCount->setToolTip(tr("Structures that are shown, of those that are listed"));
-  row->addWidget(all);
-  row->addWidget(none);
-  row->addWidget(invert);
-  row->addStretch(1);
-  row->addWidget(mCount);
+  auto* all = makeQuiet(tr("Show all"), "showAll", tr("Show all that are listed"), foot);
+  auto* none = makeQuiet(tr("Hide all"), "hideAll", tr("Hide all that are listed"), foot);
+  auto* invert = makeQuiet(tr("Invert"), "invertShown",
+                           tr("Show what is hidden and hide what is shown, of all that are listed"), foot);
+  mCount = makeListFoot({all, none, invert}, tr("Structures that are shown, of those that are listed"), foot);
   connect(all, &QPushButton::clicked, this, [this] { mCommands.setVisible(mList->listedIds(), true); });
   connect(none, &QPushButton::clicked, this, [this] { mCommands.setVisible(mList->listedIds(), false); });
   connect(invert, &QPushButton::clicked, this, [this] { mCommands.invertVisible(mList->listedIds()); });

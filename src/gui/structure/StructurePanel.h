@@ -1,12 +1,9 @@
 #pragma once
 #include <QGridLayout>
-#include <QLabel>
-#include <QLineEdit>
-#include <QToolButton>
 #include <QWidget>
 
 #include "gui/kit/Widgets.h"
-#include "gui/rows/RowPaint.h"
+#include "gui/rows/ListParts.h"
 #include "gui/structure/StructureCommands.h"
 #include "gui/structure/StructureList.h"
 

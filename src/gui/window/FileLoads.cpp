@@ -8,6 +8,7 @@
 #include <QStandardPaths>
 #include <algorithm>
 
+#include "gui/kit/Text.h"
 #include "gui/service/RecentFiles.h"
 #include "gui/window/RawDialog.h"
 #include "gui/window/SeriesDialog.h"
@@ -22,8 +23,6 @@
 namespace velum::gui {
 
 namespace {
-
-QString toText(const std::string& text) { return QString::fromStdString(text); }
 
 /// What there is to know of what was read. @param before  the scene without it, whose data has been spoken of
 std::vector<std::string> notesOf(const session::Loaded& loaded, const scene::Scene& before) {

@@ -4,6 +4,7 @@
 #include <QScrollArea>
 
 #include "gui/kit/NumberField.h"
+#include "gui/kit/Text.h"
 #include "gui/look/PresetGrid.h"
 #include "gui/rows/PictureList.h"
 #include "scene/Presets.h"
@@ -13,8 +14,6 @@ namespace velum::gui {
 namespace {
 
 using Findables = std::vector<Findable>;
-
-QString toText(std::string_view text) { return QString::fromUtf8(text.data(), qsizetype(text.size())); }
 
 /// Without a number: the keyboard goes to the field, and what it says is selected.
 void takeNumber(SideTabs& tabs, NumberField& field, const QString& number) {

@@ -9,6 +9,7 @@
 #include <algorithm>
 
 #include "core/Error.h"
+#include "gui/kit/Text.h"
 #include "gui/rows/PictureList.h"
 
 namespace velum::gui {
@@ -16,8 +17,6 @@ namespace velum::gui {
 namespace {
 
 constexpr int kPicture = 84;  // pixels
-
-QString toText(const std::string& text) { return QString::fromStdString(text); }
 
 QString titleOf(const session::Series& series) {
   QString times = QString::fromUtf8(" \u00d7 ");

@@ -52,18 +52,17 @@ void VolumeCommands::refresh(const session::Session& session) {
 }
 
 void VolumeCommands::reread(const QString& step, const scene::Source& source) {
-  const scene::Scene before = mParts.session.scene();
-  auto after = std::make_shared<scene::Scene>(before);
-  mParts.jobs.start(
-      step, [after, source](Progress& progress) { session::rereadVolume(*after, source, progress); },
-      [this, after, before, step, source] {
-        const scene::Scene& now = mParts.session.scene();
-        if (!(now.volume.data == before.volume.data)) return;  // another one was opened meanwhile
-        if (!(now == before)) return reread(step, source);     // what was done meanwhile is not to be lost
-        mParts.document().edit(step.toStdString(), [&](scene::Scene& scene) { scene = *after; });
-        std::string misplaced = session::misplacedLabels(mParts.session.scene());
-        if (!misplaced.empty()) mParts.messages.showError(QString::fromStdString(misplaced));
-      });
+  auto make = [source, name = step.toStdString()](const scene::Scene& scene, Progress& progress) {
+    session::Edit edit{name, scene, scene, {}};
+    session::rereadVolume(edit.after, source, progress);
+    return edit;
+  };
+  auto commit = [this](const session::Edit& edit) {
+    mParts.document().edit(edit.step, [&](scene::Scene& scene) { scene = edit.after; });
+    std::string misplaced = session::misplacedLabels(mParts.session.scene());
+    if (!misplaced.empty()) mParts.messages.showError(QString::fromStdString(misplaced));
+  };
+  mParts.jobs.edit(step, {.make = make, .commit = commit});
 }
 
 void VolumeCommands::hideTable(bool hidden) {

@@ -60,6 +60,10 @@ std::vector<Command> modelCommands() {
             return typesLabel(scene, a.visible ? "Show" : "Hide", typeNumbers(scene, a.types));
           },
           [](Scene& scene, const ShowTypes& a) { setTypesVisible(scene, typeNumbers(scene, a.types), a.visible); }),
+      editRow<ShowModel>(
+          "Shows the model, or hides it.", "model.showModel false",
+          [](const Scene&, const ShowModel& a) { return std::string(a.visible ? "Show model" : "Hide model"); },
+          [](Scene& scene, const ShowModel& a) { scene.model.visible = a.visible; }),
       editRow<ColorTypes>(
           "Gives types a colour of their own.", "model.color root.capsid 0.9,0.7,0.2", stepBy<ColorTypes>("Colour"),
           [](Scene& scene, const ColorTypes& a) { setTypesColor(scene, typeNumbers(scene, a.types), a.color); }),

@@ -28,6 +28,14 @@ struct ShowTypes {
   }
 };
 
+struct ShowModel {
+  static constexpr std::string_view kName = "model.showModel";
+  bool visible = true;
+  static void fields(auto& o, auto& visit) {
+    visit("visible", o.visible, FieldInfo{"", {}, "Off: it is hidden, all types with it."});
+  }
+};
+
 struct ColorTypes {
   static constexpr std::string_view kName = "model.color";
   std::vector<std::string> types;

@@ -65,6 +65,10 @@ std::vector<Command> structureCommands() {
             return structureLabel(scene, a.visible ? "Show" : "Hide", structureIds(scene, a.structures));
           },
           changeEach<ShowStructures>([](Structure& s, const auto& a) { s.visible = a.visible; })),
+      editRow<ShowLabels>(
+          "Shows the labels, or hides them.", "structure.showLabels false",
+          [](const Scene&, const ShowLabels& a) { return std::string(a.visible ? "Show labels" : "Hide labels"); },
+          [](Scene& scene, const ShowLabels& a) { scene.labels.visible = a.visible; }),
       editRow<InvertStructures>(
           "Shows those that are hidden and hides those that are shown.", "structure.invert aorta,heart",
           "Invert what is shown",

@@ -26,6 +26,14 @@ struct ShowStructures {
   }
 };
 
+struct ShowLabels {
+  static constexpr std::string_view kName = "structure.showLabels";
+  bool visible = true;
+  static void fields(auto& o, auto& visit) {
+    visit("visible", o.visible, FieldInfo{"", {}, "Off: they are hidden, all structures with them."});
+  }
+};
+
 struct InvertStructures {
   static constexpr std::string_view kName = "structure.invert";
   std::vector<std::string> structures;

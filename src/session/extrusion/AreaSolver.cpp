@@ -41,45 +41,34 @@ AreaSolver::AreaSolver(const scene::Scene& scene, std::vector<int> cuts, int str
   bool isShown = isStructureShown(scene, structure);
   for (const render::StructureHit& hit : hits) {
     if (hit.structure != structure) continue;
-    ++mRange.total;
+    ++mDial.total;
     if (!isShown || hit.depth >= render::kLeftNever) continue;
     if (hit.depth == render::kLeftAlways)
-      ++mRange.least;
+      ++mDial.always;
     else
-      mDepths.push_back(hit.depth);
+      mDial.candidates.push_back({hit.depth, hit.pixel});
   }
-  std::sort(mDepths.begin(), mDepths.end());
-  mRange.most = mRange.least + mDepths.size();
+  mRange += mDial;
 }
 
-std::string AreaSolver::words(std::uint64_t wanted, std::uint64_t reached) const {
+std::string AreaSolver::words(const Solved& solved) const {
   std::string name = structureName(mScene, mStructure);
   if (!isStructureShown(mScene, mStructure)) return name + " is not shown";
   if (mRange.total == 0) return name + " lies beside the picture";
-  std::string left = fmt::format("{} is left on {} of {} pixels", name, reached, mRange.total);
-  if (wanted == reached) return left;
-  if (mCuts.empty()) return left + ": no cut is on out of which it could stand";
-  if (wanted < mRange.least) return left + ", not fewer: there no cut out of which it stands removes it";
-  if (wanted > mRange.most) return left + ", not more: other cuts remove the rest";
-  return fmt::format("{}, the nearest to {}: several come and go at once", left, wanted);
+  return wordsFor(solved, mRange, fmt::format("{} is left on {} of {} pixels", name, solved.reached, mRange.total),
+                  fmt::format("{}", solved.wanted),
+                  {"no cut is on out of which it could stand", "there no cut out of which it stands removes it",
+                   "other cuts remove the rest"});
 }
 
 SolvedArea AreaSolver::solve(double wanted) const {
-  SolvedArea solved{mScene, 0.0, std::uint64_t(std::llround(std::clamp(wanted, 0.0, double(mRange.total)))), 0, {}};
-  std::size_t count = std::size_t(std::clamp(solved.wanted, mRange.least, mRange.most) - mRange.least);
-  if (count > 0 && count < mDepths.size() && mDepths[count - 1] == mDepths[count]) {
-    // Those that come and go together: all of them or none, whichever is nearer.
-    auto [first, last] = std::equal_range(mDepths.begin(), mDepths.end(), mDepths[count]);
-    auto before = std::size_t(first - mDepths.begin()), upTo = std::size_t(last - mDepths.begin());
-    count = count - before <= upTo - count ? before : upTo;
-  }
-  if (count > 0)
-    solved.distance = lengthBetween(mDepths[count - 1],
-                                    count < mDepths.size() ? mDepths[count] : std::numeric_limits<float>::infinity());
+  SolvedArea solved{{mScene, mCuts, std::uint64_t(std::llround(std::clamp(wanted, 0.0, double(mRange.total)))), 0, {}}};
+  DialGap gap = gapFor(mDial, std::clamp(solved.wanted, mRange.least, mRange.most) - mRange.least);
+  if (gap.staying > 0) solved.distance = lengthBetween(gap.last, gap.next);
   for (int id : mCuts)
     if (scene::Cut* cut = scene::findCut(solved.scene, id)) setExtrusion(*cut, mStructure, solved.distance);
-  solved.reached = mRange.least + count;
-  solved.words = words(solved.wanted, solved.reached);
+  solved.reached = mRange.least + gap.staying;
+  solved.words = words(solved);
   return solved;
 }
 

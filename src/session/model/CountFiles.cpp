@@ -6,7 +6,6 @@
 #include <functional>
 
 #include "core/Text.h"
-#include "session/model/Dial.h"
 #include "session/model/ModelEdit.h"
 
 namespace velum::session {
@@ -45,17 +44,7 @@ std::string shortened(const std::string& text, std::size_t most) {
 constexpr double kEdge = 16, kRow = 20, kBarHeight = 14, kNameWidth = 250, kBarWidth = 420, kTotalWidth = 74;
 constexpr double kHead = 58, kIndent = 12, kLetter = 6.4, kFont = 11;
 
-struct Part {
-  const char* name;
-  const char* fill;
-  const char* text;
-  std::uint64_t render::TypeCount::*count;
-};
-constexpr Part kParts[] = {{"visible", "#0f6b52", "#ffffff", &render::TypeCount::visible},
-                           {"hidden", "#84cbb2", "#0b2b22", &render::TypeCount::hidden},
-                           {"clipped", "#dedede", "#4a4a4a", &render::TypeCount::clipped}};
-
-void addText(std::string& svg, double x, double y, const char* anchor, const char* fill, std::string_view text,
+void addText(std::string& svg, double x, double y, const char* anchor, std::string_view fill, std::string_view text,
              bool isBold = false) {
   svg += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\" fill=\"{}\"{}>{}</text>\n", x, y, anchor, fill,
                      isBold ? " font-weight=\"bold\"" : "", xmlText(text));
@@ -63,25 +52,26 @@ void addText(std::string& svg, double x, double y, const char* anchor, const cha
 
 void addBar(std::string& svg, const CountRow& row, double y) {
   double x = kEdge + kNameWidth, total = double(row.count.total());
-  for (const Part& part : kParts) {
-    std::uint64_t count = row.count.*part.count;
+  for (std::size_t i = 0; i < kCountKinds.size(); ++i) {
+    const CountKind& kind = kCountKinds[i];
+    std::uint64_t count = row.count.parts[i];
     if (count == 0) continue;
     double width = kBarWidth * double(count) / total;
     std::string number = countText(count);
     svg += fmt::format(
         "<rect x=\"{:.2f}\" y=\"{:.1f}\" width=\"{:.2f}\" height=\"{:.0f}\" fill=\"{}\"><title>{}: {} {}"
         "</title></rect>\n",
-        x, y, width, kBarHeight, part.fill, xmlText(row.path), number, part.name);
+        x, y, width, kBarHeight, kind.fill, xmlText(row.path), number, kind.name);
     if (width > kLetter * double(number.size()) + 6)
-      addText(svg, x + width / 2, y + kBarHeight - 3.5, "middle", part.text, number);
+      addText(svg, x + width / 2, y + kBarHeight - 3.5, "middle", kind.letter, number);
     x += width;
   }
 }
 
 }  // namespace
 
-std::vector<CountRow> countRows(const Model& model, const std::vector<render::TypeCount>& types) {
-  std::vector<render::TypeCount> compartments = render::countCompartments(model, types);
+std::vector<CountRow> countRows(const Model& model, const std::vector<Counts>& types) {
+  std::vector<Counts> compartments = render::countCompartments(model, types);
   std::vector<CountRow> rows;
   std::function<void(std::uint32_t, int)> add = [&](std::uint32_t compartment, int depth) {
     rows.push_back({compartmentPath(model, compartment), model.compartments[compartment].name, true, depth,
@@ -98,10 +88,10 @@ std::vector<CountRow> countRows(const Model& model, const std::vector<render::Ty
 }
 
 std::string countsCsv(const std::vector<CountRow>& rows) {
-  std::string csv = "kind,path,name,visible,hidden,clipped,total\n";
+  std::string csv = "kind,path,name," + countColumns() + "\n";
   for (const CountRow& row : rows)
-    csv += fmt::format("{},{},{},{},{},{},{}\n", row.isCompartment ? "compartment" : "type", csvField(row.path),
-                       csvField(row.name), row.count.visible, row.count.hidden, row.count.clipped, row.count.total());
+    csv += fmt::format("{},{},{},{}\n", row.isCompartment ? "compartment" : "type", csvField(row.path),
+                       csvField(row.name), countFields(row.count));
   return csv;
 }
 
@@ -111,8 +101,8 @@ std::string instancesCsv(const Model& model, const render::InstanceBits& bits) {
   std::string csv = "instance,type,state\n";
   for (std::uint64_t i = 0; i < bits.count; ++i) {
     const Instance& instance = model.instances[i % model.instances.size()];
-    const char* state = bits.isRemoved(i) ? "clipped" : bits.isShown(i) ? "visible" : "hidden";
-    csv += fmt::format("{},{},{}\n", i, paths[model.molecules[instance.molecule].type], state);
+    csv += fmt::format("{},{},{}\n", i, paths[model.molecules[instance.molecule].type],
+                       kCountKinds[std::size_t(bits.kindOf(i))].name);
   }
   return csv;
 }
@@ -126,9 +116,9 @@ std::string countsSvg(const std::vector<CountRow>& rows, const std::string& titl
   svg += fmt::format("<rect width=\"{:.0f}\" height=\"{:.0f}\" fill=\"#ffffff\"/>\n", width, height);
   addText(svg, kEdge, 24, "start", "#202020", shortened(title, 100), true);
   double x = kEdge + kNameWidth;
-  for (const Part& part : kParts) {
-    svg += fmt::format("<rect x=\"{:.1f}\" y=\"36\" width=\"12\" height=\"12\" fill=\"{}\"/>\n", x, part.fill);
-    addText(svg, x + 17, 46, "start", "#202020", part.name);
+  for (const CountKind& kind : kCountKinds) {
+    svg += fmt::format("<rect x=\"{:.1f}\" y=\"36\" width=\"12\" height=\"12\" fill=\"{}\"/>\n", x, kind.fill);
+    addText(svg, x + 17, 46, "start", "#202020", kind.name);
     x += 90;
   }
   addText(svg, width - kEdge, 46, "end", "#202020", "total");

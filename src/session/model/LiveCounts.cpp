@@ -15,15 +15,15 @@ void LiveCounts::take(const Shared<Model>& model, const render::InstanceBits& bi
   mTypes = render::countTypes(*model, bits);
   mIsExact = isComplete;
   for (std::size_t t = 0; t < mTypes.size(); ++t) {
-    render::TypeCount& count = mTypes[t];
+    Counts& count = mTypes[t];
     if (isComplete) {
-      if (mCoarse[t] > 0) mFactors[t] = std::max(1.0, double(count.visible) / double(mCoarse[t]));
+      if (mCoarse[t] > 0) mFactors[t] = std::max(1.0, double(count.visible()) / double(mCoarse[t]));
       continue;
     }
-    mCoarse[t] = count.visible;
-    std::uint64_t rendered = count.rendered();
-    count.visible = std::min(rendered, std::uint64_t(std::llround(double(count.visible) * mFactors[t])));
-    count.hidden = rendered - count.visible;
+    mCoarse[t] = count.visible();
+    std::uint64_t left = count.left();
+    count[CountOf::Visible] = std::min(left, std::uint64_t(std::llround(double(count.visible()) * mFactors[t])));
+    count[CountOf::Hidden] = left - count.visible();
   }
   mCompartments = render::countCompartments(*model, mTypes);
 }

@@ -20,13 +20,13 @@ class LiveCounts {
   const Shared<Model>& model() const { return mModel; }
   bool isExact() const { return mIsExact; }
   /// By their places in the model; visible + hidden + clipped is all there are.
-  const std::vector<render::TypeCount>& types() const { return mTypes; }
-  const std::vector<render::TypeCount>& compartments() const { return mCompartments; }
+  const std::vector<Counts>& types() const { return mTypes; }
+  const std::vector<Counts>& compartments() const { return mCompartments; }
 
  private:
   Shared<Model> mModel;
   bool mIsExact = false;
-  std::vector<render::TypeCount> mTypes, mCompartments;
+  std::vector<Counts> mTypes, mCompartments;
   std::vector<std::uint64_t> mCoarse;  ///< Visible ones of the last coarse picture, by type.
   std::vector<double> mFactors;        ///< Of complete pictures to coarse ones.
 };

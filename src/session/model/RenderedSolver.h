@@ -8,30 +8,10 @@
 #include "render/SheetIndices.h"
 #include "render/kept/KeptInstances.h"
 #include "scene/Scene.h"
-#include "session/model/ModelEdit.h"
+#include "session/bar/Dial.h"
+#include "session/model/TypeDials.h"
 
 namespace velum::session {
-
-/// How many instances of a type or compartment can be drawn, whatever the shares of some cuts: some stay as they lie
-/// outside of the cuts' regions, others go as other cuts take them.
-struct CountRange {
-  std::uint64_t least = 0, most = 0;
-  std::uint64_t total = 0;  ///< that the model has
-  bool operator==(const CountRange&) const = default;
-};
-
-/// What a solver has come to.
-struct Solved {
-  scene::Scene scene;  ///< with its shares set
-  std::uint64_t wanted = 0, reached = 0;
-  std::string words;  ///< one short sentence for people
-};
-
-/// Which number of a scene::TypeSpare a handle sets: of what lies in the cut's region, or of what hides its focus.
-enum class DialField { Share, ViewShare };
-
-/// The focus of some of these cuts that are on holds none of the types, so that it clears them where they hide it.
-bool isCleared(const scene::Scene& scene, const std::vector<int>& cuts, const TypeNumbers& types);
 
 /// The ids of all enabled cuts.
 std::vector<int> enabledCuts(const scene::Scene& scene);
@@ -52,6 +32,11 @@ class RenderedSolver {
   RenderedSolver(const scene::Scene& scene, std::vector<int> cuts, std::string_view path,
                  const render::SheetIndices& sheets = {}, double aspect = render::kUsualAspect,
                  DialField field = DialField::Share);
+  /// What the handle of a bar sets where nobody says which cuts: what lies in the regions of cuts goes first and comes
+  /// back last, and only below what lies outside of all of them a cut that is everywhere thins the rest. It is added
+  /// where there is none. So one motion goes from all to none of a type, whatever cuts there are.
+  static RenderedSolver ofAllCuts(const scene::Scene& scene, std::string_view path,
+                                  const render::SheetIndices& sheets = {}, double aspect = render::kUsualAspect);
   ~RenderedSolver();
   RenderedSolver(RenderedSolver&&) noexcept;
   RenderedSolver& operator=(RenderedSolver&&) noexcept;
@@ -64,7 +49,10 @@ class RenderedSolver {
   Solved solve(double wanted) const;
 
  private:
+  struct Part;
   struct Impl;
+  explicit RenderedSolver(std::unique_ptr<Impl> impl);
+
   std::unique_ptr<Impl> mImpl;
 };
 

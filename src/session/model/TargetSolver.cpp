@@ -9,7 +9,7 @@
 #include "core/Error.h"
 #include "scene/Shown.h"
 #include "session/cut/CutEdit.h"
-#include "session/model/Dial.h"
+#include "session/model/TypeDials.h"
 #include "session/model/TypesAt.h"
 
 namespace velum::session {
@@ -26,7 +26,7 @@ struct Goal {
   std::optional<Count> rendered, visible;
   TypeNumbers own;  ///< those that no target further down has
   DialField field = DialField::Share;
-  std::vector<Dial> dials;  ///< of what shows: with the candidates in the order in which they begin to stay
+  std::vector<TypeDial> dials;  ///< of what shows: with the candidates in the order in which they begin to stay
   std::vector<std::vector<bool>> showed;  ///< of each candidate, when it was last drawn
   Count staying = 0;                      ///< of the candidates, all dials together
   Count all = 0;                          ///< candidates
@@ -41,9 +41,9 @@ struct Reached {
 };
 
 void sortCandidates(Goal& goal) {
-  for (Dial& dial : goal.dials) {
+  for (TypeDial& dial : goal.dials) {
     std::sort(dial.candidates.begin(), dial.candidates.end(), [](const Candidate& a, const Candidate& b) {
-      return a.from != b.from ? a.from < b.from : a.instance < b.instance;
+      return a.from != b.from ? a.from < b.from : a.thing < b.thing;
     });
     goal.showed.emplace_back(dial.candidates.size(), false);
     goal.all += dial.candidates.size();
@@ -168,7 +168,7 @@ void TargetSolver::Impl::turn() {
   }
   for (const Goal& goal : goals) {
     if (!goal.rendered) continue;
-    std::vector<Dial> dials = makeDials(scene, cuts, goal.own, DialField::Share, sheets, aspect);
+    std::vector<TypeDial> dials = makeDials(scene, cuts, goal.own, DialField::Share, sheets, aspect);
     TypeNumbers others;
     std::set_difference(goal.place.types.begin(), goal.place.types.end(), goal.own.begin(), goal.own.end(),
                         std::back_inserter(others));
@@ -215,7 +215,7 @@ void TargetSolver::Impl::learn(const render::InstanceBits& bits) {
   for (Goal& goal : goals)
     for (std::size_t i = 0; i < goal.showed.size(); ++i)
       for (std::size_t c = 0; c < goal.showed[i].size(); ++c)
-        if (std::uint32_t instance = goal.dials[i].candidates[c].instance; !bits.isRemoved(instance))
+        if (std::uint32_t instance = goal.dials[i].candidates[c].thing; !bits.isRemoved(instance))
           goal.showed[i][c] = bits.isShown(instance);
 }
 
@@ -224,7 +224,7 @@ void TargetSolver::Impl::learn(const render::InstanceBits& bits) {
 bool TargetSolver::Impl::leaveView(Goal& goal, Count visible, const render::InstanceBits& bits) {
   if (goal.rendered || !goal.visible || goal.field != DialField::ViewShare) return false;
   if (goal.staying > 0 || visible <= *goal.visible) return false;
-  std::vector<Dial> dials = makeDials(scene, cuts, goal.own, DialField::Share, sheets, aspect);
+  std::vector<TypeDial> dials = makeDials(scene, cuts, goal.own, DialField::Share, sheets, aspect);
   CountRange range = rangeOf(dials);
   if (range.least == range.most) return false;
   goal.field = DialField::Share;
@@ -233,8 +233,8 @@ bool TargetSolver::Impl::leaveView(Goal& goal, Count visible, const render::Inst
   goal.all = 0;
   goal.tooFew.reset(), goal.tooMany.reset();
   sortCandidates(goal);
-  for (const Dial& dial : goal.dials)
-    for (const Candidate& candidate : dial.candidates) goal.staying += !bits.isRemoved(candidate.instance);
+  for (const TypeDial& dial : goal.dials)
+    for (const Candidate& candidate : dial.candidates) goal.staying += !bits.isRemoved(candidate.thing);
   return true;
 }
 
@@ -244,8 +244,8 @@ Count TargetSolver::Impl::stepOf(Goal& goal, Count visible, const render::Instan
   if (visible == wanted) return now;
   // Those that show and of which it does not decide.
   auto others = std::int64_t(visible);
-  for (const Dial& dial : goal.dials)
-    for (const Candidate& candidate : dial.candidates) others -= bits.isShown(candidate.instance);
+  for (const TypeDial& dial : goal.dials)
+    for (const Candidate& candidate : dial.candidates) others -= bits.isShown(candidate.thing);
   Count next = stayingFor(goal, std::int64_t(wanted) - others);
   bool isUp = visible < wanted;
   if (next == now || (next > now) != isUp)
@@ -409,7 +409,7 @@ Solved solveVisible(const scene::Scene& scene, const std::vector<int>& cuts, std
   scene::TypeTarget target{std::string(path), std::nullopt, wanted};
   TargetsReport report = solveTargets(scene, cuts, {target}, picture, sheets, aspect, kMostPicturesOfOne);
   const TargetReport& of = report.targets.front();
-  return {std::move(report.scene), *of.wantedVisible, *of.visible, of.words};
+  return {std::move(report.scene), cuts, *of.wantedVisible, *of.visible, of.words};
 }
 
 int addCutEverywhere(scene::Scene& scene) {

@@ -48,15 +48,14 @@ std::vector<StructureArea> structureAreas(const scene::Scene& scene, const std::
   };
   for (const scene::Structure& structure : scene.labels.structures) areaOf(structure.id);
   for (int structure : shown)
-    if (structure != 0) ++areaOf(structure).visible;
+    if (structure != 0) ++areaOf(structure).count[CountOf::Visible];
   std::map<int, bool> canShow;
   for (const render::StructureHit& hit : hits) {
     VELUM_ASSERT(hit.pixel < shown.size(), "the picture is as large as that of the rays");
     if (shown[hit.pixel] == hit.structure) continue;
     auto known = canShow.find(hit.structure);
     if (known == canShow.end()) known = canShow.emplace(hit.structure, isStructureShown(scene, hit.structure)).first;
-    StructureArea& area = areaOf(hit.structure);
-    ++(hit.isLeft && known->second ? area.hidden : area.clipped);
+    ++areaOf(hit.structure).count[hit.isLeft && known->second ? CountOf::Hidden : CountOf::Clipped];
   }
   std::vector<StructureArea> rows;
   for (auto& [id, area] : areas) {
@@ -67,10 +66,9 @@ std::vector<StructureArea> structureAreas(const scene::Scene& scene, const std::
 }
 
 std::string areasCsv(const std::vector<StructureArea>& areas) {
-  std::string csv = "structure,name,visible,hidden,clipped,total\n";
+  std::string csv = "structure,name," + countColumns() + "\n";
   for (const StructureArea& area : areas)
-    csv += fmt::format("{},{},{},{},{},{}\n", area.structure, csvQuoted(area.name), area.visible, area.hidden,
-                       area.clipped, area.total());
+    csv += fmt::format("{},{},{}\n", area.structure, csvQuoted(area.name), countFields(area.count));
   return csv;
 }
 

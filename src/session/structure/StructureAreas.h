@@ -3,23 +3,20 @@
 #include <string>
 #include <vector>
 
+#include "core/Counts.h"
 #include "core/Image.h"
 #include "render/kept/StructureHits.h"
 #include "scene/SceneFwd.h"
 
 namespace velum::session {
 
-/// How much of a picture a structure takes, in pixels. Each pixel whose ray meets it is one of the three: the bars of
+/// How much of a picture a structure takes, in pixels. Each pixel whose ray meets it is of one kind: the bars of
 /// [VE] 3 for labels, of which a part can be clipped. Rays meet voxels as they are; labels without a volume are drawn
 /// smoothed, so that of an edge half a voxel counts as hidden where nothing stands before it.
 struct StructureArea {
   int structure = 0;  ///< label id
   std::string name;
-  std::uint64_t visible = 0;  ///< shows it
-  std::uint64_t hidden = 0;   ///< cuts leave some of it there, but something else is seen
-  std::uint64_t clipped = 0;  ///< cuts remove all of it there, or it is not shown
-  std::uint64_t left() const { return visible + hidden; }
-  std::uint64_t total() const { return visible + hidden + clipped; }
+  Counts count;  ///< hidden: cuts leave some of it there, but something else is seen; clipped: they remove all of it
   bool operator==(const StructureArea&) const = default;
 };
 

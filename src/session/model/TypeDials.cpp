@@ -1,4 +1,4 @@
-#include "session/model/Dial.h"
+#include "session/model/TypeDials.h"
 
 #include <fmt/format.h>
 
@@ -37,7 +37,7 @@ void forInstances(const scene::ModelLayer& layer, std::uint32_t type, Visit&& vi
       visit(std::uint32_t(copy * layer.data->instances.size() + of.firstInstance + i));
 }
 
-void addShareCandidates(Dial& dial, const scene::Scene& scene, std::uint32_t type, const std::vector<float>& shares,
+void addShareCandidates(TypeDial& dial, const scene::Scene& scene, std::uint32_t type, const std::vector<float>& shares,
                         const std::vector<render::InstanceState>& states) {
   std::size_t at = 0;
   forInstances(scene.model, type, [&](std::uint32_t instance) {
@@ -51,7 +51,7 @@ void addShareCandidates(Dial& dial, const scene::Scene& scene, std::uint32_t typ
   });
 }
 
-void addViewCandidates(Dial& dial, const scene::Scene& scene, std::uint32_t type,
+void addViewCandidates(TypeDial& dial, const scene::Scene& scene, std::uint32_t type,
                        const std::vector<render::InstanceState>& closed,
                        const std::vector<render::InstanceState>& open) {
   forInstances(scene.model, type, [&](std::uint32_t instance) {
@@ -92,8 +92,8 @@ bool isCleared(const scene::Scene& scene, const std::vector<int>& cuts, const Ty
   });
 }
 
-std::vector<Dial> makeDials(const scene::Scene& scene, const std::vector<int>& cuts, const TypeNumbers& types,
-                            DialField field, const render::SheetIndices& sheets, double aspect) {
+std::vector<TypeDial> makeDials(const scene::Scene& scene, const std::vector<int>& cuts, const TypeNumbers& types,
+                                DialField field, const render::SheetIndices& sheets, double aspect) {
   const Model& model = *scene.model.data;
   std::vector<bool> shown = visibleTypes(scene.model);
   // As it is with the numbers at their ends.
@@ -108,15 +108,15 @@ std::vector<Dial> makeDials(const scene::Scene& scene, const std::vector<int>& c
   if (field == DialField::ViewShare || hasFocus(scene)) openStates = render::instanceStates(open, sheets, aspect);
   std::vector<std::vector<float>> shares;
   if (field == DialField::Share) shares = render::stayingShares(open, cuts, types, sheets);
-  std::vector<Dial> dials;
+  std::vector<TypeDial> dials;
   std::unordered_map<std::string, std::size_t> places;
   std::vector<std::vector<std::size_t>> rows;  // of the types of each dial
   for (std::size_t i = 0; i < types.size(); ++i) {
     std::uint32_t type = types[i];
     std::string path = pathOf(model, model.types[type]);
     auto [place, isNew] = places.try_emplace(path, dials.size());
-    if (isNew) dials.push_back(Dial{path, {}, 0, 0, {}}), rows.emplace_back();
-    Dial& dial = dials[place->second];
+    if (isNew) dials.push_back({{}, path, {}}), rows.emplace_back();
+    TypeDial& dial = dials[place->second];
     dial.types.push_back(type);
     dial.total += std::uint64_t(model.types[type].instanceCount) * std::uint64_t(scene::copyCount(scene.model));
     rows[place->second].push_back(i);
@@ -134,20 +134,16 @@ std::vector<Dial> makeDials(const scene::Scene& scene, const std::vector<int>& c
   return dials;
 }
 
-CountRange rangeOf(const std::vector<Dial>& dials) {
+CountRange rangeOf(const std::vector<TypeDial>& dials) {
   CountRange range;
-  for (const Dial& dial : dials) {
-    range.least += dial.always;
-    range.most += dial.always + dial.candidates.size();
-    range.total += dial.total;
-  }
+  for (const TypeDial& dial : dials) range += dial;
   return range;
 }
 
-std::vector<std::uint64_t> splitAmong(const std::vector<Dial>& dials, std::uint64_t count) {
+std::vector<std::uint64_t> splitAmong(const std::vector<TypeDial>& dials, std::uint64_t count) {
   std::vector<std::uint64_t> parts(dials.size(), 0), rests(dials.size(), 0);
   std::uint64_t all = 0, given = 0;
-  for (const Dial& dial : dials) all += dial.candidates.size();
+  for (const TypeDial& dial : dials) all += dial.candidates.size();
   count = std::min(count, all);
   if (all == 0) return parts;
   for (std::size_t i = 0; i < dials.size(); ++i) {
@@ -163,19 +159,9 @@ std::vector<std::uint64_t> splitAmong(const std::vector<Dial>& dials, std::uint6
 }
 
 DialSetting settingFor(const Dial& dial, std::uint64_t staying) {
-  std::size_t count = dial.candidates.size();
-  if (staying == 0) return {0.0, 0};
-  if (staying >= count) return {1.0, count};
-  std::vector<float> from(count);
-  std::transform(dial.candidates.begin(), dial.candidates.end(), from.begin(),
-                 [](const Candidate& candidate) { return candidate.from; });
-  auto place = from.begin() + std::ptrdiff_t(staying - 1);
-  std::nth_element(from.begin(), place, from.end());
-  float last = *place, next = *std::min_element(place + 1, from.end());
-  if (last < next) return {numberBetween(last, next), staying};
-  auto before = std::uint64_t(std::count_if(from.begin(), from.end(), [last](float f) { return f < last; }));
-  auto upTo = std::uint64_t(std::count_if(from.begin(), from.end(), [last](float f) { return f <= last; }));
-  return settingFor(dial, staying - before <= upTo - staying ? before : upTo);
+  DialGap gap = gapFor(dial, staying);
+  if (gap.staying == 0) return {0.0, 0};
+  return {gap.staying == dial.candidates.size() ? 1.0 : numberBetween(gap.last, gap.next), gap.staying};
 }
 
 void setDial(scene::Scene& scene, const std::vector<int>& cuts, const std::string& path, DialField field,
@@ -191,7 +177,7 @@ namespace {
 
 /// The number of a path at which `staying` of its candidates do, by trying: where rounding lets the drawing disagree
 /// with the shares that were worked out.
-void searchNumber(scene::Scene& scene, const std::vector<int>& cuts, const Dial& dial, DialField field,
+void searchNumber(scene::Scene& scene, const std::vector<int>& cuts, const TypeDial& dial, DialField field,
                   std::uint64_t staying, const render::SheetIndices& sheets, double aspect) {
   auto distance = [&](std::uint64_t count) {
     std::uint64_t wanted = dial.always + staying;
@@ -216,7 +202,7 @@ void searchNumber(scene::Scene& scene, const std::vector<int>& cuts, const Dial&
 }
 
 /// Rendered instances by dial.
-std::vector<std::uint64_t> countDials(const scene::Scene& scene, const std::vector<Dial>& dials,
+std::vector<std::uint64_t> countDials(const scene::Scene& scene, const std::vector<TypeDial>& dials,
                                       const render::SheetIndices& sheets, double aspect) {
   std::vector<std::uint8_t> kept = render::keptInstances(scene, sheets, aspect);
   std::vector<bool> shown = visibleTypes(scene.model);
@@ -238,7 +224,7 @@ std::uint64_t distanceOf(std::uint64_t a, std::uint64_t b) { return a > b ? a - 
 /// Where a cut keeps something in view dials have a say in each other's counts: fewer instances of a focus clear less.
 /// All are asked for as many more as they lack, a few times; the best round stands. @return its counts
 std::vector<std::uint64_t> turnTogether(scene::Scene& scene, const std::vector<int>& cuts,
-                                        const std::vector<Dial>& dials, DialField field,
+                                        const std::vector<TypeDial>& dials, DialField field,
                                         const std::vector<DialSetting>& settings, std::vector<std::uint64_t> counts,
                                         const render::SheetIndices& sheets, double aspect) {
   std::vector<std::uint64_t> asked, best = counts;
@@ -268,10 +254,10 @@ std::vector<std::uint64_t> turnTogether(scene::Scene& scene, const std::vector<i
 
 std::uint64_t countRendered(const scene::Scene& scene, const TypeNumbers& types, const render::SheetIndices& sheets,
                             double aspect) {
-  return countDials(scene, {Dial{.types = types}}, sheets, aspect).front();
+  return countDials(scene, {TypeDial{{}, {}, types}}, sheets, aspect).front();
 }
 
-std::uint64_t turnDials(scene::Scene& scene, const std::vector<int>& cuts, const std::vector<Dial>& dials,
+std::uint64_t turnDials(scene::Scene& scene, const std::vector<int>& cuts, const std::vector<TypeDial>& dials,
                         DialField field, std::uint64_t count, const render::SheetIndices& sheets, double aspect) {
   std::vector<std::uint64_t> parts = splitAmong(dials, count);
   std::vector<DialSetting> settings;
@@ -303,7 +289,5 @@ std::uint64_t turnDials(scene::Scene& scene, const std::vector<int>& cuts, const
   if (isChanged) counts = countDials(scene, dials, sheets, aspect);
   return std::accumulate(counts.begin(), counts.end(), std::uint64_t(0));
 }
-
-std::string countText(std::uint64_t count) { return grouped(count, ","); }
 
 }  // namespace velum::session

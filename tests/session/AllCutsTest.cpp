@@ -1,9 +1,9 @@
-#include "session/model/HandleSolver.h"
-
+// The handle of a bar where nobody says which cuts: one motion from all to none.
 #include <gtest/gtest.h>
 
 #include "makeModel.h"
 #include "session/cut/CutEdit.h"
+#include "session/model/RenderedSolver.h"
 #include "session/model/TypesAt.h"
 
 namespace velum::session {
@@ -36,10 +36,10 @@ std::uint64_t count(const std::vector<std::uint8_t>& kept) {
 
 }  // namespace
 
-TEST(HandleSolver, GoesFromAllToNoneWhateverCutsThereAre) {
+TEST(AllCuts, GoesFromAllToNoneWhateverCutsThereAre) {
   scene::Scene scene = cutScene();
   for (const char* path : {"type1", "root.a", "root"}) {
-    HandleSolver solver(scene, path);
+    RenderedSolver solver = RenderedSolver::ofAllCuts(scene, path);
     CountRange range = solver.range();
     EXPECT_EQ(range.least, 0u);
     EXPECT_EQ(range.most, range.total);
@@ -52,9 +52,9 @@ TEST(HandleSolver, GoesFromAllToNoneWhateverCutsThereAre) {
   }
 }
 
-TEST(HandleSolver, WhatLiesInRegionsGoesFirstAndComesBackLast) {
+TEST(AllCuts, WhatLiesInRegionsGoesFirstAndComesBackLast) {
   scene::Scene scene = cutScene();
-  HandleSolver solver(scene, "type1");
+  RenderedSolver solver = RenderedSolver::ofAllCuts(scene, "type1");
   std::vector<std::uint8_t> outside = keptOf(scene, "type1"), last;
   std::uint64_t least = count(outside);
   ASSERT_GT(least, 40u);
@@ -76,15 +76,15 @@ TEST(HandleSolver, WhatLiesInRegionsGoesFirstAndComesBackLast) {
   }
 }
 
-TEST(HandleSolver, AddsACutEverywhereOnlyWhereItIsNeeded) {
+TEST(AllCuts, AddsACutEverywhereOnlyWhereItIsNeeded) {
   scene::Scene scene = cutScene();
-  HandleSolver solver(scene, "type1");
+  RenderedSolver solver = RenderedSolver::ofAllCuts(scene, "type1");
   std::uint64_t least = count(keptOf(scene, "type1"));
   EXPECT_EQ(solver.solve(double(least) + 10.0).scene.cuts.size(), 1u);
   scene::Scene thinned = solver.solve(double(least) - 10.0).scene;
   EXPECT_EQ(thinned.cuts.size(), 2u);
   EXPECT_EQ(count(keptOf(thinned, "type2")), count(keptOf(scene, "type2"))) << "other types stay as they are";
-  HandleSolver again(thinned, "type1");
+  RenderedSolver again = RenderedSolver::ofAllCuts(thinned, "type1");
   EXPECT_EQ(again.solve(double(least) - 30.0).scene.cuts.size(), 2u) << "the one that is there is taken";
   EXPECT_EQ(keptOf(again.solve(double(least)).scene, "type1"), keptOf(scene, "type1"));
 }

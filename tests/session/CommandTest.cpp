@@ -152,9 +152,9 @@ scene::Scene exampleScene(scene::CutShape shape) {
 }
 
 TEST(Commands, EachEditIsOneStepThatUndoTakesBackAndRedoBringsAgain) {
-  const std::set<std::string_view> kOfModels{"look.model",         "model.show",  "model.color",
-                                             "model.paletteColor", "model.reset", "model.ghosts",
-                                             "model.target",       "model.leave", "model.keepInView"};
+  const std::set<std::string_view> kOfModels{"look.model",    "model.show",      "model.color",  "model.paletteColor",
+                                             "model.reset",   "model.ghosts",    "model.target", "model.leave",
+                                             "model.leaveBy", "model.keepInView"};
   int done = 0;
   for (const Command& command : commands()) {
     if (!command.change || kOfModels.count(command.name) || command.name == "look.import") continue;

@@ -4,9 +4,13 @@
 
 #include <algorithm>
 
+#include "core/Error.h"
 #include "core/Units.h"
 #include "makeModel.h"
+#include "session/command/Command.h"
+#include "session/command/ModelCommands.h"
 #include "session/cut/CutEdit.h"
+#include "session/document/Document.h"
 #include "session/picture/ModelPictures.h"
 #include "session/section/InstanceOutlines.h"
 
@@ -176,6 +180,24 @@ TEST(TypeSpares, TheNearestAboveHoldsUntilThereIsOneOfItsOwn) {
   EXPECT_EQ(cut.model.spares.size(), 1u);
   setTypeShare(cut, "root", 7.0);
   EXPECT_EQ(cut.model.spares[0].share, 1.0);
+}
+
+TEST(TypeSpares, ACommandSetsAnyOfTheirFieldsOfTheTypesThatItNames) {
+  Document document;
+  scene::Scene scene = modelScene();
+  scene::addCut(scene, {});
+  document.replace(scene);
+  std::string first = path(scene, 0), second = path(scene, 1);
+  edit(document, LeaveTypesBy{{first, second}, "falloff", "20", ""});
+  edit(document, parseCall("model.leaveBy " + first + " share 0.25"));
+  const scene::Cut& cut = document.scene().cuts[0];
+  EXPECT_EQ(typeSpareFor(cut, first).falloff, 20.0);
+  EXPECT_EQ(typeSpareFor(cut, second).falloff, 20.0);
+  EXPECT_EQ(typeSpareFor(cut, first).share, 0.25);
+  EXPECT_EQ(typeSpareFor(cut, second).share, 0.0);
+  for (const char* wrong : {"model.leaveBy root type x", "model.leaveBy root shared 1", "model.leaveBy root share 2",
+                            "model.leaveBy rood share 1"})
+    EXPECT_THROW(edit(document, parseCall(wrong)), ArgumentError) << wrong;
 }
 
 TEST(InstanceOutlines, AreTheCirclesOfThoseThatThePlaneMeets) {

@@ -138,5 +138,19 @@ TEST_F(SetFields, WhatIsRefusedChangesNothing) {
   EXPECT_TRUE(mScene == before);
 }
 
+TEST_F(SetFields, ASheetThatBecomesPassiveForgetsWhereAnActiveOneHadCome) {
+  scene::Cut cut;
+  cut.shape = scene::CutShape::Membrane;
+  cut.membrane.emplace().repositioning = scene::Repositioning::Active;
+  cut.membrane->shape.particles = {2, 2};
+  cut.membrane->shape.places.assign(4, glm::vec3(1.0f));
+  scene::addCut(mScene, cut);
+  auto shape = [this] { return mScene.cuts.back().membrane->shape; };
+  set("cuts.0.membrane.look", "grid");
+  EXPECT_EQ(shape().places.size(), 4u);
+  set("cuts.0.membrane.repositioning", "passive");
+  EXPECT_EQ(shape(), scene::SheetShape());
+}
+
 }  // namespace
 }  // namespace velum::session

@@ -34,12 +34,13 @@ QHBoxLayout* makeTight(QWidget* widget) {
 }  // namespace
 
 CutForm::CutForm(session::Document& document, Selection& selection, JobRunner& jobs, QWidget* parent)
-    : QWidget(parent), mDocument(document), mSelection(selection), mJobs(jobs), mGrid(new QGridLayout(this)) {
-  mGrid->setContentsMargins(0, 0, 0, 0);
-  mGrid->setHorizontalSpacing(10);
-  mGrid->setVerticalSpacing(8);
-  mGrid->setColumnMinimumWidth(0, 62);
-  mGrid->setColumnStretch(1, 1);
+    : QWidget(parent),
+      mDocument(document),
+      mSelection(selection),
+      mJobs(jobs),
+      mGrid(makeFieldGrid(this, 62)),
+      mForm(document, this, "cuts.N.", [this] { return scene::cutPlace(mDocument.scene(), mSelection.cut()); }) {
+  mForm.setGrid(mGrid);
   makePlace();
   makeDirection();
   mAlignRow = makeAlign();
@@ -200,40 +201,37 @@ void CutForm::makeSize() {
 void CutForm::makeFace() {
   auto* row = new QWidget(this);
   auto* layout = makeTight(row);
-  mFace = new QComboBox(row);
-  mFace->setObjectName("cutFace");
-  mFace->addItems({tr("Shaded"), tr("Section (grey values)")});
-  mFace->setToolTip(tr("How the cut surface looks: lit material, or the data's grey values as on a section"));
-  mFace->setAccessibleName(tr("Face"));
+  auto* face = mForm.make(row, "face", tr("Face"),
+                          {.object = "cutFace",
+                           .tip = tr("How the cut surface looks: lit material, or the data's grey values as on a "
+                                     "section"),
+                           .step = tr("Change cut face"),
+                           .choices = {tr("Shaded"), tr("Section (grey values)")}});
   mFlip = new QPushButton(tr("Flip"), row);
   mFlip->setObjectName("cutFlip");
   mFlip->setCheckable(true);
-  layout->addWidget(mFace, 1);
+  layout->addWidget(face, 1);
   layout->addWidget(mFlip);
   mOfPlace.insert(mOfPlace.end(), {row, addRow(tr("Face"), row)});
-  mFaceOpacity = new NumberRow(0, 100, 0, " %", this);
-  mFaceOpacity->setObjectName("cutFaceOpacity");
-  mFaceOpacity->setToolTip(tr("Opacity of the grey section on the cut's face, %"));
-  mFaceOpacity->setName(tr("Opacity of the face"));
-  mFaceOpacityLabel = addRow(tr("Opacity"), mFaceOpacity);
-  mJoined = new QCheckBox(tr("Only with the cut above"), this);
-  mJoined->setObjectName("cutJoined");
-  mJoined->setToolTip(tr(
-      "Removes only what the cut before it in the list removes, too: two planes open a wedge, a sphere and a plane a "
-      "bowl"));
-  addRow(tr("Joined"), mJoined);
-  connect(mJoined, &QCheckBox::clicked, this,
-          [this](bool on) { editCut(on ? "Join cuts" : "Part cuts", [on](scene::Cut& cut) { cut.joined = on; }); });
-  connect(mFace, &QComboBox::activated, this, [this](int index) {
-    editCut("Change cut face", [&](scene::Cut& cut) { cut.face = static_cast<scene::CutFace>(index); });
-  });
+  mForm.add("faceOpacity", tr("Opacity"),
+            {.object = "cutFaceOpacity",
+             .tip = tr("Opacity of the grey section on the cut's face, %"),
+             .name = tr("Opacity of the face"),
+             .step = tr("Change face opacity"),
+             .isShown = [this] {
+               return mShown.face == scene::CutFace::Section && mShown.shape != scene::CutShape::Everywhere;
+             }});
+  auto* joined = mForm.make(
+      this, "joined", tr("Only with the cut above"),
+      {.object = "cutJoined",
+       .tip = tr("Removes only what the cut before it in the list removes, too: two planes open "
+                 "a wedge, a sphere and a plane a bowl"),
+       .step = tr("Join cuts"),
+       .stepOff = tr("Part cuts"),
+       .isEnabled = [this] { return scene::cutPlace(mDocument.scene(), mShown.id) > 0 && !scene::isInlay(mShown); }});
+  addRow(tr("Joined"), joined);
   connect(mFlip, &QPushButton::clicked, this,
           [this] { editCut("Flip cut", [](scene::Cut& cut) { cut.invert = !cut.invert; }); });
-  connect(mFaceOpacity, &NumberRow::changed, this, [this](double percent) {
-    editCut(
-        "Change face opacity", [&](scene::Cut& cut) { cut.faceOpacity = percent / 100.0; }, true);
-  });
-  connect(mFaceOpacity, &NumberRow::settled, this, [this] { mDocument.endMerge(); });
 }
 
 void CutForm::showDirections() {
@@ -291,14 +289,8 @@ void CutForm::showCut(const scene::Cut& cut) {
   mSpin->setVisible(session::hasSides(cut.shape));
   for (QWidget* spin : {static_cast<QWidget*>(mAzimuth), static_cast<QWidget*>(mElevation)}) spin->setEnabled(!isBall);
   showSize(cut);
-  mFace->setCurrentIndex(static_cast<int>(cut.face));
-  bool isSection = cut.face == scene::CutFace::Section;
-  mFaceOpacity->setVisible(isSection && isPlaced);
-  mFaceOpacityLabel->setVisible(isSection && isPlaced);
-  mFaceOpacity->setValue(cut.faceOpacity * 100.0);
+  mForm.refresh();
   mFlip->setChecked(cut.invert);
-  mJoined->setChecked(cut.joined);
-  mJoined->setEnabled(scene::cutPlace(mDocument.scene(), cut.id) > 0 && !scene::isInlay(cut));
   mFlip->setToolTip(isPlane ? tr("Take away the other side (X)")
                             : tr("Keep what is inside and take away all that is outside (X)"));
 }

@@ -1,6 +1,4 @@
 #pragma once
-#include <QCheckBox>
-#include <QComboBox>
 #include <QGridLayout>
 #include <QPushButton>
 #include <QWidget>
@@ -8,6 +6,7 @@
 #include <vector>
 
 #include "gui/kit/Widgets.h"
+#include "gui/rows/FieldForm.h"
 #include "gui/service/JobRunner.h"
 #include "gui/service/Selection.h"
 #include "session/document/Document.h"
@@ -38,17 +37,16 @@ class CutForm : public QWidget {
   session::Document& mDocument;
   Selection& mSelection;
   JobRunner& mJobs;
-  QGridLayout* mGrid = nullptr;
-  NumberRow *mPosition = nullptr, *mFaceOpacity = nullptr;
+  QGridLayout* mGrid;
+  FieldForm mForm;
+  NumberRow* mPosition = nullptr;
   QLabel *mPositionLabel = nullptr, *mAxisLabel = nullptr, *mAlignLabel = nullptr, *mCentreLabel = nullptr,
-         *mSizeLabel = nullptr, *mFaceOpacityLabel = nullptr;
+         *mSizeLabel = nullptr;
   QWidget *mCentreRow = nullptr, *mAxisRow = nullptr, *mAlignRow = nullptr;
   std::vector<QWidget*> mOfPlace;  ///< what there is only of shapes that have one
   NumberField *mCentre[3] = {}, *mSize[3] = {}, *mAzimuth = nullptr, *mElevation = nullptr, *mSpin = nullptr;
   QWidget* mSizeRow = nullptr;
-  QComboBox* mFace = nullptr;
   QPushButton* mFlip = nullptr;
-  QCheckBox* mJoined = nullptr;
   scene::Cut mShown;
 };
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "gui/service/SelectedCut.h"
+#include "session/command/CutCommands.h"
+#include "session/command/ModelCommands.h"
 #include "session/cut/CutEdit.h"
 #include "session/model/TypesAt.h"
 
@@ -25,70 +27,54 @@ QCheckBox* makeCheck(const QString& text, const char* name, const QString& tip, 
 }  // namespace
 
 FocusForm::FocusForm(session::Document& document, Selection& selection, QWidget* parent)
-    : QWidget(parent), mDocument(document), mSelection(selection), mGrid(new QGridLayout(this)) {
-  mGrid->setContentsMargins(0, 0, 0, 0);
-  mGrid->setHorizontalSpacing(10);
-  mGrid->setVerticalSpacing(7);
-  mGrid->setColumnMinimumWidth(0, 72);
-  mGrid->setColumnStretch(1, 1);
+    : QWidget(parent),
+      mDocument(document),
+      mSelection(selection),
+      mForm(document, this, "cuts.N.", [this] { return scene::cutPlace(mDocument.scene(), mCut.id); }) {
+  QGridLayout* grid = makeFieldGrid(this, 72);
+  grid->setVerticalSpacing(7);
+  mForm.setGrid(grid);
   mKept = makeCheck(tr("Keeps it in view"), "focusKept",
                     tr("What stands before the selected types and lies in the cut's region is not drawn"), this);
-  mGrid->addWidget(mKept, 0, 1);
+  grid->addWidget(mKept, 0, 1);
   mFocus = new QLabel(this);
   mFocus->setObjectName("focusTypes");
   mFocus->setProperty("role", "muted");
   mFocus->setWordWrap(true);
-  mGrid->addWidget(mFocus, 1, 0, 1, 2);
-  mViewShare = addShare(tr("Stay before"), "typeViewShare",
-                        tr("Share of the selected types' instances that stay though they hide what is kept in view, %"),
-                        "Change share before the view", &scene::TypeSpare::viewShare);
-  mAperture =
-      addShare(tr("Aperture"), "typeAperture",
-               tr("How far the view is opened for the selected types, from a hole in its middle to all of it, %"),
-               "Change aperture", &scene::TypeSpare::aperture);
-  mDepth = makeCheck(
-      tr("Leaves what stands about it"), "focusDepth",
-      tr("Only what is before the nearest of what is kept in view goes, so that one sees how deep it lies"), this);
+  grid->addWidget(mFocus, 1, 0, 1, 2);
+  addShare("viewShare", &scene::TypeSpare::viewShare, tr("Stay before"),
+           {.object = "typeViewShare",
+            .tip = tr("Share of the selected types' instances that stay though they hide what is kept in view, %"),
+            .step = tr("Change share before the view")});
+  addShare("aperture", &scene::TypeSpare::aperture, tr("Aperture"),
+           {.object = "typeAperture",
+            .tip = tr("How far the view is opened for the selected types, from a hole in its middle to all of it, %"),
+            .step = tr("Change aperture")});
+  mForm.add("model.focus.guidesDepth", tr("Leaves what stands about it"),
+            {.object = "focusDepth",
+             .tip = tr("Only what is before the nearest of what is kept in view goes, so that one sees how deep it "
+                       "lies"),
+             .step = tr("Leave what stands about the view"),
+             .stepOff = tr("Clear what stands about the view"),
+             .isShown = [this] { return hasFocus(); }});
   mLock = makeCheck(tr("As seen from here"), "focusLock",
                     tr("What is cleared stays so when you turn: to look at the opening from the side"), this);
-  for (QCheckBox* check : {mDepth, mLock}) mGrid->addWidget(check, mGrid->rowCount(), 1);
-  mOfFocus.insert(mOfFocus.end(), {mFocus, mDepth, mLock});
+  grid->addWidget(mLock, grid->rowCount(), 1);
   connect(mKept, &QCheckBox::clicked, this, &FocusForm::keep);
   connect(mLock, &QCheckBox::clicked, this, &FocusForm::lockAsked);
-  connect(mDepth, &QCheckBox::clicked, this, [this](bool on) {
-    editSelectedCut(mDocument, mSelection, on ? "Leave what stands about the view" : "Clear what stands about the view",
-                    [on](scene::Cut& cut) {
-                      if (cut.model.focus) cut.model.focus->guidesDepth = on;
-                    });
-  });
 }
 
-NumberRow* FocusForm::addShare(const QString& name, const char* objectName, const QString& tip, const char* label,
-                               double scene::TypeSpare::*field) {
-  auto* row = new NumberRow(0, 100, 0, " %", this);
-  row->setObjectName(objectName);
-  row->setName(name);
-  row->setToolTip(tip);
-  int line = mGrid->rowCount();
-  auto* title = new QLabel(name, this);
-  mGrid->addWidget(title, line, 0);
-  mGrid->addWidget(row, line, 1);
-  mOfFocus.insert(mOfFocus.end(), {title, row});
-  connect(row, &NumberRow::settled, this, [this] { mDocument.endMerge(); });
-  connect(row, &NumberRow::changed, this, [this, label, field](double percent) {
-    changeSpares(label, [field, percent](scene::TypeSpare& spare) { spare.*field = percent / 100.0; });
-  });
-  return row;
-}
-
-void FocusForm::changeSpares(const char* label, const std::function<void(scene::TypeSpare&)>& change) {
-  if (mPaths.empty()) return;
-  editSelectedCut(
-      mDocument, mSelection, label,
-      [&](scene::Cut& cut) {
-        for (const std::string& path : mPaths) change(session::ownTypeSpare(cut, path));
-      },
-      true);
+void FocusForm::addShare(const std::string& field, double scene::TypeSpare::*member, const QString& title,
+                         FieldText text) {
+  text.isShown = [this] { return hasFocus(); };
+  text.isEnabled = [this] { return !mPaths.empty(); };
+  text.number = [this, member] {
+    return session::typeSpareFor(mCut, mPaths.empty() ? std::string() : mPaths[0]).*member;
+  };
+  text.call = [this, field](const std::string& value) {
+    return session::LeaveTypesBy{mPaths, field, value, session::cutKey(mDocument.scene(), mCut.id)};
+  };
+  mForm.add("model.spares.N." + field, title, std::move(text));
 }
 
 void FocusForm::keep(bool kept) {
@@ -111,25 +97,20 @@ void FocusForm::lock(bool locked, double aspect) {
 }
 
 void FocusForm::showCut(const scene::Cut& cut, const std::vector<std::string>& paths) {
+  mCut = cut;
   mPaths = paths;
+  mForm.refresh();
   mKept->setEnabled(!paths.empty());
   mKept->setChecked(!paths.empty() &&
                     std::all_of(paths.begin(), paths.end(), [&](const std::string& path) { return keeps(cut, path); }));
-  bool hasFocus = cut.model.focus && !cut.model.focus->types.empty();
-  for (QWidget* widget : mOfFocus) widget->setVisible(hasFocus);
-  if (!hasFocus) return;
+  for (QWidget* widget : {static_cast<QWidget*>(mFocus), static_cast<QWidget*>(mLock)}) widget->setVisible(hasFocus());
+  if (!hasFocus()) return;
   QStringList names;
   for (const scene::FocusType& type : cut.model.focus->types) {
     std::string_view name = session::shortName(type.type);
     names << QString::fromUtf8(name.data(), int(name.size())).replace('_', ' ');
   }
   mFocus->setText(tr("In view: %1").arg(names.join(", ")));
-  scene::TypeSpare spare = session::typeSpareFor(cut, paths.empty() ? std::string() : paths[0]);
-  mViewShare->setValue(spare.viewShare * 100.0);
-  mAperture->setValue(spare.aperture * 100.0);
-  mViewShare->setEnabled(!paths.empty());
-  mAperture->setEnabled(!paths.empty());
-  mDepth->setChecked(cut.model.focus->guidesDepth);
   mLock->setChecked(cut.model.focus->lock.has_value());
 }
 

@@ -1,12 +1,10 @@
 #pragma once
 #include <QCheckBox>
-#include <QGridLayout>
 #include <QLabel>
-#include <functional>
 #include <string>
 #include <vector>
 
-#include "gui/kit/Widgets.h"
+#include "gui/rows/FieldForm.h"
 #include "gui/service/Selection.h"
 #include "scene/Cut.h"
 #include "session/document/Document.h"
@@ -27,18 +25,16 @@ class FocusForm : public QWidget {
   void lockAsked(bool locked);
 
  private:
+  bool hasFocus() const { return mCut.model.focus && !mCut.model.focus->types.empty(); }
   void keep(bool kept);
-  void changeSpares(const char* label, const std::function<void(scene::TypeSpare&)>& change);
-  NumberRow* addShare(const QString& name, const char* objectName, const QString& tip, const char* label,
-                      double scene::TypeSpare::*field);
+  void addShare(const std::string& field, double scene::TypeSpare::*member, const QString& title, FieldText text);
 
   session::Document& mDocument;
   Selection& mSelection;
-  QGridLayout* mGrid;
-  QCheckBox *mKept, *mDepth, *mLock;
+  FieldForm mForm;
+  QCheckBox *mKept, *mLock;
   QLabel* mFocus;
-  NumberRow *mViewShare = nullptr, *mAperture = nullptr;
-  std::vector<QWidget*> mOfFocus;  ///< what there is only with one
+  scene::Cut mCut;
   std::vector<std::string> mPaths;
 };
 

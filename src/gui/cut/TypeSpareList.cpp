@@ -1,11 +1,16 @@
 #include "gui/cut/TypeSpareList.h"
 
+#include <fmt/format.h>
+
 #include <QMenu>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "gui/rows/FieldRow.h"
 #include "gui/service/SelectedCut.h"
+#include "session/command/CutCommands.h"
+#include "session/command/ModelCommands.h"
 #include "session/cut/CutEdit.h"
 
 namespace velum::gui {
@@ -19,16 +24,13 @@ void setQuietly(NumberField* spin, double value) {
   spin->setValue(value);
 }
 
-std::string nameOf(const std::vector<std::string>& paths) {
-  if (paths.size() != 1) return std::to_string(paths.size()) + " rows";
-  std::size_t dot = paths[0].rfind('.');
-  return dot == std::string::npos ? "all types" : paths[0].substr(dot + 1);
-}
-
 }  // namespace
 
 TypeSpareList::TypeSpareList(session::Document& document, Selection& selection, QWidget* parent)
-    : QWidget(parent), mDocument(document), mSelection(selection) {
+    : QWidget(parent),
+      mDocument(document),
+      mSelection(selection),
+      mForm(document, this, "cuts.N.", [this] { return scene::cutPlace(mDocument.scene(), mCut.id); }) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(8);
@@ -58,77 +60,62 @@ void TypeSpareList::editCut(const std::string& label, const Change& change, bool
 
 void TypeSpareList::setShare(const std::vector<std::string>& paths, double share) {
   if (paths.empty()) return;
-  editCut(
-      "Leave of " + nameOf(paths),
-      [&](scene::Cut& cut) {
-        for (const std::string& path : paths) session::setTypeShare(cut, path, share);
-      },
-      true);
+  std::string cut = session::cutKey(mDocument.scene(), mCut.id);
+  session::edit(mDocument, session::LeaveTypesBy{paths, "share", fmt::format("{}", std::clamp(share, 0.0, 1.0)), cut},
+                true);
 }
 
-void TypeSpareList::changeSpares(const char* label, const std::function<void(scene::TypeSpare&)>& change) {
-  std::vector<std::string> paths = mView->selectedPaths();
-  if (paths.empty()) return;
-  editCut(
-      label,
-      [&](scene::Cut& cut) {
-        for (const std::string& path : paths) change(session::ownTypeSpare(cut, path));
-      },
-      true);
-}
-
-NumberRow* TypeSpareList::addNumber(QGridLayout* grid, const QString& name, const char* objectName, const QString& tip,
-                                    NumberRow* row) {
-  row->setObjectName(objectName);
-  row->setName(name);
-  row->setToolTip(tip);
-  int line = grid->rowCount();
-  grid->addWidget(new QLabel(name, this), line, 0);
-  grid->addWidget(row, line, 1);
-  connect(row, &NumberRow::settled, this, [this] { mDocument.endMerge(); });
-  return row;
+/// How much is left of the selected types and compartments, and how.
+void TypeSpareList::addHow(QGridLayout* grid) {
+  mForm.setGrid(grid);
+  auto add = [this](const std::string& field, double scene::TypeSpare::*member, const QString& title, FieldText text) {
+    text.isEnabled = [this] { return !mView->selectedPaths().empty(); };
+    text.number = [this, member] {
+      std::vector<std::string> paths = mView->selectedPaths();
+      return session::typeSpareFor(mCut, paths.empty() ? std::string() : paths[0]).*member;
+    };
+    text.call = [this, field](const std::string& value) {
+      return session::LeaveTypesBy{mView->selectedPaths(), field, value, session::cutKey(mDocument.scene(), mCut.id)};
+    };
+    mForm.add("model.spares.N." + field, title, std::move(text));
+  };
+  add("share", &scene::TypeSpare::share, tr("Leaves"),
+      {.object = "typeShare",
+       .tip = tr("Share of the instances in what is removed that stay, % of the selected rows")});
+  add("falloff", &scene::TypeSpare::falloff, tr("Falloff"),
+      {.object = "typeFalloff",
+       .tip = tr("Way from the cut's surface over which more stay; below 0: outside of it fewer do"),
+       .step = tr("Change falloff"),
+       .range = [this] {
+         return Range{-mReach, mReach};
+       }});
+  add("amount", &scene::TypeSpare::amount, tr("Amount"),
+      {.object = "typeAmount",
+       .tip = tr("How far the falloff goes at the surface, %"),
+       .step = tr("Change amount of falloff")});
+  add("exponent", &scene::TypeSpare::exponent, tr("Exponent"),
+      {.object = "typeExponent",
+       .tip = tr("How the falloff runs: 1 evenly; above, it lasts longer"),
+       .step = tr("Change exponent of falloff"),
+       .range = [] {
+         return Range{0.1, 8.0};
+       }});
 }
 
 void TypeSpareList::makeRows(QVBoxLayout* layout) {
   mRow = new QLabel(this);
   mRow->setProperty("role", "muted");
   layout->addWidget(mRow);
-  auto* grid = new QGridLayout;
-  grid->setHorizontalSpacing(10);
+  QGridLayout* grid = makeFieldGrid(nullptr, 72);
   grid->setVerticalSpacing(7);
-  grid->setColumnMinimumWidth(0, 72);
-  grid->setColumnStretch(1, 1);
   layout->addLayout(grid);
-  mShare = addNumber(grid, tr("Leaves"), "typeShare",
-                     tr("Share of the instances in what is removed that stay, % of the selected rows"),
-                     new NumberRow(0, 100, 0, " %", this));
-  mFalloff = addNumber(grid, tr("Falloff"), "typeFalloff",
-                       tr("Way from the cut's surface over which more stay; below 0: outside of it fewer do"),
-                       new NumberRow(-1, 1, 0, {}, this));
-  mAmount = addNumber(grid, tr("Amount"), "typeAmount", tr("How far the falloff goes at the surface, %"),
-                      new NumberRow(0, 100, 0, " %", this));
-  mExponent =
-      addNumber(grid, tr("Exponent"), "typeExponent", tr("How the falloff runs: 1 evenly; above, it lasts longer"),
-                new NumberRow(0.1, 8, 1, {}, this));
-  connect(mShare, &NumberRow::changed, this,
-          [this](double percent) { setShare(mView->selectedPaths(), percent / 100.0); });
-  connect(mFalloff, &NumberRow::changed, this, [this](double length) {
-    changeSpares("Change falloff", [length](scene::TypeSpare& spare) { spare.falloff = length; });
-  });
-  connect(mAmount, &NumberRow::changed, this, [this](double percent) {
-    changeSpares("Change amount of falloff", [percent](scene::TypeSpare& spare) { spare.amount = percent / 100.0; });
-  });
-  connect(mExponent, &NumberRow::changed, this, [this](double exponent) {
-    changeSpares("Change exponent of falloff", [exponent](scene::TypeSpare& spare) { spare.exponent = exponent; });
-  });
-  mWhole = new QCheckBox(tr("Removes whole instances only"), this);
-  mWhole->setObjectName("wholeInstances");
-  mWhole->setToolTip(tr("Instances go when all of them is in what is removed; else when their middle is"));
-  grid->addWidget(mWhole, grid->rowCount(), 0, 1, 2);
-  connect(mWhole, &QCheckBox::clicked, this, [this](bool on) {
-    editCut(on ? "Remove whole instances" : "Remove instances by their middle",
-            [on](scene::Cut& cut) { cut.model.wholeInstances = on; });
-  });
+  addHow(grid);
+  auto* whole = mForm.make(this, "model.wholeInstances", tr("Removes whole instances only"),
+                           {.object = "wholeInstances",
+                            .tip = tr("Instances go when all of them is in what is removed; else when their middle is"),
+                            .step = tr("Remove whole instances"),
+                            .stepOff = tr("Remove instances by their middle")});
+  grid->addWidget(whole, grid->rowCount(), 0, 1, 2);
   int line = grid->rowCount();
   grid->addWidget(new QLabel(tr("Mass, kDa"), this), line, 0);
   grid->addWidget(
@@ -174,7 +161,7 @@ void TypeSpareList::showMenu(QPoint place) {
   if (paths.empty()) return;
   QMenu menu(this);
   menu.addAction(tr("As what it is in"), this, [this, paths] {
-    editCut("Leave " + nameOf(paths) + " as above", [&](scene::Cut& cut) {
+    editCut("Leave " + session::rowsLabel(paths) + " as above", [&](scene::Cut& cut) {
       for (const std::string& path : paths) session::removeTypeSpare(cut, path);
     });
   });
@@ -184,13 +171,9 @@ void TypeSpareList::showMenu(QPoint place) {
 void TypeSpareList::showSelected() {
   std::vector<std::string> paths = mView->selectedPaths();
   bool any = !paths.empty();
-  mRow->setText(any ? QString::fromStdString(nameOf(paths)).replace('_', ' ') : tr("Select a row to say how"));
-  for (NumberRow* row : {mShare, mFalloff, mAmount, mExponent}) row->setEnabled(any);
-  scene::TypeSpare spare = session::typeSpareFor(mCut, any ? paths[0] : std::string());
-  mShare->setValue(spare.share * 100.0);
-  mFalloff->setValue(spare.falloff);
-  mAmount->setValue(spare.amount * 100.0);
-  mExponent->setValue(spare.exponent);
+  mRow->setText(any ? QString::fromStdString(session::rowsLabel(paths)).replace('_', ' ')
+                    : tr("Select a row to say how"));
+  mForm.refresh();
   mFocus->showCut(mCut, paths);
 }
 
@@ -205,10 +188,7 @@ void TypeSpareList::showCut(const scene::Scene& scene, const scene::Cut& cut) {
     mView->setCurrentIndex(mView->model()->index(0, 0));
   }
   scene::Bounds bounds = scene::computeBounds(scene);
-  double reach = glm::length(bounds.max - bounds.min) * 0.5;
-  mFalloff->setLength(Length(scene));
-  mFalloff->setRange(-reach, reach);
-  mWhole->setChecked(cut.model.wholeInstances);
+  mReach = glm::length(bounds.max - bounds.min) * 0.5;
   auto end = [](double most) { return most == scene::Spare::kEndless ? 0.0 : most; };
   setQuietly(mMass[0], cut.model.leastMass / kDaltonPerKilo);
   setQuietly(mMass[1], end(cut.model.mostMass) / kDaltonPerKilo);

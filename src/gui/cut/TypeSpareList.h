@@ -1,5 +1,4 @@
 #pragma once
-#include <QCheckBox>
 #include <QGridLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -9,6 +8,7 @@
 #include "gui/cut/FocusForm.h"
 #include "gui/cut/TypeSpareView.h"
 #include "gui/kit/Widgets.h"
+#include "gui/rows/FieldForm.h"
 #include "gui/service/Selection.h"
 #include "scene/Cut.h"
 #include "session/document/Document.h"
@@ -27,13 +27,11 @@ class TypeSpareList : public QWidget {
  private:
   using Change = std::function<void(scene::Cut&)>;
   void editCut(const std::string& label, const Change& change, bool merge = false);
-  void changeSpares(const char* label, const std::function<void(scene::TypeSpare&)>& change);
   void setShare(const std::vector<std::string>& paths, double share);
   void makeRows(QVBoxLayout* layout);
-  NumberRow* addNumber(QGridLayout* grid, const QString& name, const char* objectName, const QString& tip,
-                       NumberRow* row);
-  QWidget* makeRange(const QString& name, const QString& suffix, int decimals, double factor, double scene::Cut::*least,
-                     double scene::Cut::*most, NumberField* (&spins)[2]);
+  void addHow(QGridLayout* grid);
+  QWidget* makeRange(const QString& name, const QString& suffix, int decimals, double factor,
+                     double scene::ModelCut::*least, double scene::ModelCut::*most, NumberField* (&spins)[2]);
   void showSelected();
   void showMenu(QPoint place);
 
@@ -42,11 +40,11 @@ class TypeSpareList : public QWidget {
   QLineEdit* mSearch = nullptr;
   TypeSpareView* mView = nullptr;
   QLabel* mRow = nullptr;
-  NumberRow *mShare = nullptr, *mFalloff = nullptr, *mAmount = nullptr, *mExponent = nullptr;
-  QCheckBox* mWhole = nullptr;
+  FieldForm mForm;
   FocusForm* mFocus = nullptr;
   NumberField *mMass[2] = {}, *mCount[2] = {};
   scene::Cut mCut;
+  double mReach = 1.0;  ///< of the falloff
 };
 
 }  // namespace velum::gui

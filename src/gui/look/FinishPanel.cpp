@@ -16,7 +16,8 @@ FinishPanel::FinishPanel(session::Document& document, QWidget* parent)
     : QWidget(parent),
       mDocument(document),
       mFinishes(new FinishGrid(document, this)),
-      mSpheres(new LitSphereGrid(document, this)) {
+      mSpheres(new LitSphereGrid(document, this)),
+      mForm(document, this, "finish.") {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(14);
@@ -57,137 +58,92 @@ void FinishPanel::refreshOffer() {
                      scene::isTranslucent(scene::currentTransfer(scene.volume), mHistogram.of(scene.volume)));
 }
 
-QGridLayout* FinishPanel::addSection(const QString& title) {
+/// A title, and a grid for the rows that follow.
+void FinishPanel::addSection(const QString& title) {
   auto* column = static_cast<QVBoxLayout*>(layout());
   column->addWidget(makeLine(this));
   column->addWidget(makeTitle(title, this));
-  auto* rows = new QGridLayout;
-  rows->setHorizontalSpacing(10);
-  rows->setVerticalSpacing(8);
-  rows->setColumnMinimumWidth(0, 72);
-  rows->setColumnStretch(1, 1);
+  QGridLayout* rows = makeFieldGrid(nullptr, 72);
   column->addLayout(rows);
-  return rows;
-}
-
-void FinishPanel::addSlider(QGridLayout* rows, const SliderText& text, double scene::Finish::*field, double min,
-                            double max, double unit, const QString& suffix) {
-  auto* row = new NumberRow(min, max, unit < 1.0 ? 0 : 1, suffix, this);
-  row->setObjectName(text.object);
-  row->setName(text.name);
-  row->setToolTip(text.tip);
-  int at = rows->rowCount();
-  rows->addWidget(new QLabel(text.title, this), at, 0);
-  rows->addWidget(row, at, 1);
-  connect(row, &NumberRow::changed, this, [this, field, unit, step = text.step](double value) {
-    mDocument.edit(
-        step, [&](scene::Scene& scene) { scene.finish.*field = value * unit; }, true);
-  });
-  connect(row, &NumberRow::settled, this, [this] { mDocument.endMerge(); });
-  mSliders.push_back({row, field, unit});
-}
-
-void FinishPanel::addShare(QGridLayout* rows, const SliderText& text, double scene::Finish::*field) {
-  addSlider(rows, text, field, 0, 100, 0.01, " %");
-}
-
-ColorButton* FinishPanel::makeColor(const char* object, const QString& title, const QString& tip, const char* step,
-                                    glm::vec3 scene::Finish::*field) {
-  auto* button = new ColorButton(title, this);
-  button->setObjectName(object);
-  button->setText(title);
-  button->setToolTip(tip);
-  connect(button, &ColorButton::picked, this, [this, step, field](glm::vec3 color) {
-    mDocument.edit(step, [&](scene::Scene& scene) { scene.finish.*field = color; });
-  });
-  return button;
+  mForm.setGrid(rows);
 }
 
 void FinishPanel::addContours() {
-  QGridLayout* rows = addSection(tr("Contours"));
-  addShare(
-      rows,
-      {"contours", tr("Strength"), tr("Contours"), tr("Lines around structures and along edges, %"), "Change contours"},
-      &scene::Finish::contours);
-  addSlider(rows,
-            {"contourWidth", tr("Width"), tr("Width of contours"),
-             tr("In pixels of a picture of 1000 rows; lines grow with the picture"), "Change width of contours"},
-            &scene::Finish::contourWidth, 0.5, 10, 1.0, tr(" px"));
-  addShare(rows,
-           {"contourSteps", tr("Outlines"), tr("Contours of outlines"),
-            tr("How much of them where something ends before what lies behind it, %"), "Change outlines"},
-           &scene::Finish::contourSteps);
-  addShare(rows,
-           {"contourStructures", tr("Structures"), tr("Contours between structures"),
-            tr("How much of them between labelled structures, %"), "Change contours between structures"},
-           &scene::Finish::contourStructures);
-  addShare(rows,
-           {"contourCreases", tr("Creases"), tr("Contours of creases"),
-            tr("How much of them where the surface turns sharply, %"), "Change creases"},
-           &scene::Finish::contourCreases);
-  mInk = makeColor("contourColor", tr("Ink"), tr("Colour of contours and strokes"), "Change ink",
-                   &scene::Finish::contourColor);
-  rows->addWidget(mInk, rows->rowCount(), 1);
+  addSection(tr("Contours"));
+  mForm.add("contours", tr("Strength"),
+            {.object = "contours", .tip = tr("Lines around structures and along edges, %"), .name = tr("Contours")});
+  mForm.add("contourWidth", tr("Width"),
+            {.object = "contourWidth",
+             .tip = tr("In pixels of a picture of 1000 rows; lines grow with the picture"),
+             .name = tr("Width of contours")});
+  mForm.add("contourSteps", tr("Outlines"),
+            {.object = "contourSteps",
+             .tip = tr("How much of them where something ends before what lies behind it, %"),
+             .name = tr("Contours of outlines")});
+  mForm.add("contourStructures", tr("Structures"),
+            {.object = "contourStructures",
+             .tip = tr("How much of them between labelled structures, %"),
+             .name = tr("Contours between structures")});
+  mForm.add("contourCreases", tr("Creases"),
+            {.object = "contourCreases",
+             .tip = tr("How much of them where the surface turns sharply, %"),
+             .name = tr("Contours of creases")});
+  mForm.add("contourColor", tr("Ink"), {.object = "contourColor", .tip = tr("Colour of contours and strokes")});
 }
 
 void FinishPanel::addSpheres() {
-  QGridLayout* rows = addSection(tr("Lit sphere"));
-  addShare(rows,
-           {"litSphereShare", tr("Share"), tr("Share of the lit spheres"),
-            tr("How much of the colour is the lit spheres' instead of the light's, %"), "Change share of lit spheres"},
-           &scene::Finish::litSphere);
-  auto* column = static_cast<QVBoxLayout*>(layout());
-  column->addWidget(mSpheres);
-  mOwnSpheres = new QCheckBox(tr("Structures have their own"), this);
-  mOwnSpheres->setObjectName("structureSpheres");
-  mOwnSpheres->setToolTip(tr("Off: structures have this one, too, whatever their menu says"));
-  column->addWidget(mOwnSpheres);
-  connect(mOwnSpheres, &QCheckBox::clicked, this, [this](bool on) {
-    mDocument.edit("Lit spheres of structures", [&](scene::Scene& scene) { scene.finish.structureSpheres = on; });
-  });
+  addSection(tr("Lit sphere"));
+  mForm.add("litSphere", tr("Share"),
+            {.object = "litSphereShare",
+             .tip = tr("How much of the colour is the lit spheres' instead of the light's, %"),
+             .name = tr("Share of lit spheres")});
+  layout()->addWidget(mSpheres);
+  layout()->addWidget(mForm.make(this, "structureSpheres", tr("Structures have their own"),
+                                 {.object = "structureSpheres",
+                                  .tip = tr("Off: structures have this one, too, whatever their menu says"),
+                                  .step = tr("Lit spheres of structures")}));
 }
 
 void FinishPanel::addStrokes() {
-  QGridLayout* rows = addSection(tr("Strokes"));
-  addShare(rows,
-           {"hatching", tr("Strength"), tr("Strokes"), tr("Hatching round the form, broader where it is darker, %"),
-            "Change strokes"},
-           &scene::Finish::hatching);
-  addSlider(rows,
-            {"hatchWidth", tr("Distance"), tr("Distance of strokes"),
-             tr("From stroke to stroke, in pixels of a picture of 1000 rows"), "Change distance of strokes"},
-            &scene::Finish::hatchWidth, 2, 30, 1.0, tr(" px"));
+  addSection(tr("Strokes"));
+  mForm.add("hatching", tr("Strength"),
+            {.object = "hatching",
+             .tip = tr("Hatching round the form, broader where it is darker, %"),
+             .name = tr("Strokes")});
+  mForm.add("hatchWidth", tr("Distance"),
+            {.object = "hatchWidth",
+             .tip = tr("From stroke to stroke, in pixels of a picture of 1000 rows"),
+             .name = tr("Distance of strokes")});
 }
 
 void FinishPanel::addPaper() {
-  QGridLayout* rows = addSection(tr("Paper"));
-  mPaper = new QComboBox(this);
-  mPaper->setObjectName("paper");
-  mPaper->setAccessibleName(tr("Paper"));
-  mPaper->setToolTip(tr("What is behind the picture instead of the background"));
-  mPaper->addItems({tr("None"), tr("Smooth"), tr("Rough"), tr("Laid"), tr("Canvas"), tr("Linen"), tr("Parchment")});
-  int at = rows->rowCount();
-  rows->addWidget(new QLabel(tr("Kind"), this), at, 0);
-  rows->addWidget(mPaper, at, 1);
-  connect(mPaper, &QComboBox::activated, this, [this](int index) {
-    mDocument.edit("Choose paper", [&](scene::Scene& scene) { scene.finish.paper = static_cast<scene::Paper>(index); });
-  });
+  addSection(tr("Paper"));
+  auto* paper = mForm.add(
+      "paper", tr("Kind"),
+      {.object = "paper",
+       .tip = tr("What is behind the picture instead of the background"),
+       .name = tr("Paper"),
+       .step = tr("Choose paper"),
+       .choices = {tr("None"), tr("Smooth"), tr("Rough"), tr("Laid"), tr("Canvas"), tr("Linen"), tr("Parchment")}});
+  mPaper = static_cast<QComboBox*>(paper);
   mOwnPaper = new QPushButton(tr("Your own..."), this);
   mOwnPaper->setObjectName("ownPaper");
   mOwnPaper->setProperty("role", "quiet");
   mOwnPaper->setToolTip(tr("A picture of paper or cloth, .png, .tif or .exr, that is laid side by side without seams"));
-  rows->addWidget(mOwnPaper, at + 1, 1, Qt::AlignLeft);
+  mForm.addWidget(mOwnPaper);
   connect(mOwnPaper, &QPushButton::clicked, this, &FinishPanel::askPaper);
-  addShare(rows,
-           {"paperGrain", tr("Grain"), tr("Grain of the paper"), tr("How much of its grain shows, %"), "Change grain"},
-           &scene::Finish::paperGrain);
-  addSlider(rows,
-            {"paperScale", tr("Size"), tr("Size of the grain"), tr("How large its grain or picture is, %"),
-             "Change size of grain"},
-            &scene::Finish::paperScale, 10, 1000, 0.01, " %");
-  mPaperColor = makeColor("paperColor", tr("Colour"), tr("Colour of the paper"), "Change paper's colour",
-                          &scene::Finish::paperColor);
-  rows->addWidget(mPaperColor, rows->rowCount(), 1);
+  mForm.add("paperGrain", tr("Grain"),
+            {.object = "paperGrain", .tip = tr("How much of its grain shows, %"), .name = tr("Grain of the paper")});
+  mForm.add("paperScale", tr("Size"),
+            {.object = "paperScale",
+             .tip = tr("How large its grain or picture is, %"),
+             .name = tr("Size of the grain"),
+             .inPercent = true});
+  mForm.add("paperColor", tr("Colour"),
+            {.object = "paperColor",
+             .tip = tr("Colour of the paper"),
+             .name = tr("Colour of the paper"),
+             .isEnabled = [this] { return mDocument.scene().finish.paper != scene::Paper::Own; }});
 }
 
 void FinishPanel::askPaper() {
@@ -205,34 +161,23 @@ void FinishPanel::takePaper(const QString& path) {
 }
 
 /// The user's own is the last one of the list, by the name of its file.
-void FinishPanel::showPaper(const scene::Finish& finish) {
+void FinishPanel::listOwnPaper() {
   constexpr int kOwn = static_cast<int>(scene::Paper::Own);
-  QString own = QFileInfo(QString::fromStdString(finish.ownPaper.source.path)).fileName();
-  if (mPaper->itemText(kOwn) != own) {
-    mPaper->removeItem(kOwn);
-    if (!own.isEmpty()) mPaper->addItem(own);
-  }
-  mPaper->setCurrentIndex(static_cast<int>(finish.paper));
-  mPaperColor->setColor(finish.paperColor);
-  mPaperColor->setEnabled(finish.paper != scene::Paper::Own);
+  QString own = QFileInfo(QString::fromStdString(mDocument.scene().finish.ownPaper.source.path)).fileName();
+  if (mPaper->itemText(kOwn) == own) return;
+  mPaper->removeItem(kOwn);
+  if (!own.isEmpty()) mPaper->addItem(own);
 }
 
 void FinishPanel::refresh() {
-  const scene::Scene& scene = mDocument.scene();
   mFinishes->refresh();
   refreshOffer();
   mSpheres->refresh();
-  bool hasData = scene::hasData(scene);
-  for (const Slider& slider : mSliders) {
-    slider.row->setEnabled(hasData);
-    slider.row->setValue(scene.finish.*slider.field / slider.unit);
-  }
-  mPaper->setEnabled(hasData);
+  listOwnPaper();
+  bool hasData = scene::hasData(mDocument.scene());
+  mForm.setEnabled(hasData);
   mOwnPaper->setEnabled(hasData);
-  mOwnSpheres->setEnabled(hasData);
-  mOwnSpheres->setChecked(scene.finish.structureSpheres);
-  mInk->setColor(scene.finish.contourColor);
-  showPaper(scene.finish);
+  mForm.refresh();
 }
 
 }  // namespace velum::gui

@@ -1,13 +1,11 @@
 #pragma once
-#include <QCheckBox>
 #include <QComboBox>
-#include <QGridLayout>
+#include <QPushButton>
 #include <QWidget>
-#include <vector>
 
-#include "gui/kit/Widgets.h"
 #include "gui/look/FinishGrid.h"
 #include "gui/look/LitSphereGrid.h"
+#include "gui/rows/FieldForm.h"
 #include "session/document/Document.h"
 #include "session/look/ValueHistogram.h"
 
@@ -34,24 +32,7 @@ class FinishPanel : public QWidget {
   void failed(const QString& error);
 
  private:
-  /// A slider of one number of the finish.
-  struct Slider {
-    NumberRow* row;
-    double scene::Finish::*field;
-    double unit;  ///< What is shown is the field's value divided by that.
-  };
-  /// What a slider is of and how it is named.
-  struct SliderText {
-    const char* object;
-    QString title, name, tip;
-    const char* step;  ///< Of undo.
-  };
-  QGridLayout* addSection(const QString& title);
-  void addSlider(QGridLayout* rows, const SliderText& text, double scene::Finish::*field, double min, double max,
-                 double unit, const QString& suffix);
-  void addShare(QGridLayout* rows, const SliderText& text, double scene::Finish::*field);
-  ColorButton* makeColor(const char* object, const QString& title, const QString& tip, const char* step,
-                         glm::vec3 scene::Finish::*field);
+  void addSection(const QString& title);
   void addOffer();
   void refreshOffer();
   void addContours();
@@ -59,16 +40,14 @@ class FinishPanel : public QWidget {
   void addStrokes();
   void addPaper();
   void askPaper();
-  void showPaper(const scene::Finish& finish);
+  void listOwnPaper();
 
   session::Document& mDocument;
   FinishGrid* mFinishes;
   QWidget* mOffer = nullptr;  ///< To make a look that one sees through a surface.
   session::HistogramMemo mHistogram;
   LitSphereGrid* mSpheres;
-  std::vector<Slider> mSliders;
-  ColorButton *mInk = nullptr, *mPaperColor = nullptr;
-  QCheckBox* mOwnSpheres = nullptr;
+  FieldForm mForm;
   QComboBox* mPaper = nullptr;
   QPushButton* mOwnPaper = nullptr;
 };

@@ -1,12 +1,11 @@
 #pragma once
-#include <QCheckBox>
-#include <QComboBox>
 #include <QWidget>
 
 #include "gui/kit/Widgets.h"
 #include "gui/look/ChannelList.h"
 #include "gui/look/PresetGrid.h"
 #include "gui/look/TransferEditor.h"
+#include "gui/rows/FieldForm.h"
 #include "session/document/Document.h"
 
 namespace velum::gui {
@@ -33,18 +32,14 @@ class LookPanel : public QWidget {
   QWidget* makeLook();
   QWidget* makeLight();
   QWidget* makeBackground();
-  void chooseMode(int index);
-  void setBackground(glm::vec3 top, glm::vec3 bottom);
+  void showIso(const Volume& volume);
 
   session::Document& mDocument;
   ChannelList* mChannels;
   PresetGrid* mPresets;
   TransferEditor* mEditor;
-  QComboBox* mMode = nullptr;
-  QCheckBox* mSmooth = nullptr;
-  QLabel* mIsoLabel = nullptr;
-  NumberRow *mIso = nullptr, *mShadow = nullptr, *mOcclusion = nullptr;
-  ColorButton *mTop = nullptr, *mBottom = nullptr;
+  FieldForm mForm;
+  NumberRow* mIso = nullptr;
 };
 
 }  // namespace velum::gui

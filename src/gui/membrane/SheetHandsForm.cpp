@@ -8,6 +8,7 @@
 #include "gui/kit/Length.h"
 #include "gui/kit/Widgets.h"
 #include "gui/membrane/SheetHandsPaint.h"
+#include "gui/membrane/StrengthCanvas.h"
 #include "gui/service/SelectedCut.h"
 
 namespace velum::gui {
@@ -18,7 +19,6 @@ using session::Hand;
 using session::HandKind;
 
 constexpr int kSign = 20, kNameWidth = 86;
-constexpr double kMostStrength = 1000.0;
 
 /// Pin or kernel as it is drawn over the views.
 QIcon signOf(Hand hand, double strength) {
@@ -129,7 +129,7 @@ SheetHandsForm::Row SheetHandsForm::makeRow(Hand hand) {
     row.first = makeNumber(row.widget, 0, 0, 1, {}, tr("Radius of the ball"), [index](scene::Cut& cut, double mm) {
       if (index < cut.membrane->field.kernels.size()) cut.membrane->field.kernels[index].radius = mm;
     });
-    row.second = makeNumber(row.widget, -kMostStrength, kMostStrength, 0, {},
+    row.second = makeNumber(row.widget, -mostStrength(), mostStrength(), 0, {},
                             tr("Strength, -1000 to 1000: above 0 it pushes the sheet away, below it pulls"),
                             [index](scene::Cut& cut, double strength) {
                               if (index < cut.membrane->field.kernels.size())

@@ -1,4 +1,5 @@
 #pragma once
+#include <QLabel>
 #include <QPushButton>
 #include <QToolButton>
 #include <QVBoxLayout>

@@ -7,21 +7,28 @@
 #include <cmath>
 
 #include "scene/Scene.h"
+#include "scene/json/FieldFacts.h"
 
 namespace velum::gui {
 
 namespace {
 
 constexpr int kPlotHeight = 120;
-constexpr double kMost = 1000.0;  // strength at the upper edge
-constexpr double kReach = 8.0;    // pixels
+constexpr double kReach = 8.0;  // pixels
 constexpr double kSmallShare = 0.05;
 
 /// Heights by the root, so that the weak forces that are often enough have room.
-double heightOf(double strength) { return std::copysign(std::sqrt(std::abs(strength) / kMost), strength); }
-double strengthOf(double height) { return std::clamp(std::copysign(height * height, height), -1.0, 1.0) * kMost; }
+double heightOf(double strength) { return std::copysign(std::sqrt(std::abs(strength) / mostStrength()), strength); }
+double strengthOf(double height) {
+  return std::clamp(std::copysign(height * height, height), -1.0, 1.0) * mostStrength();
+}
 
 }  // namespace
+
+double mostStrength() {
+  static const double kMost = scene::fieldFacts("cuts.N.membrane.field.byValue.N.strength").range.max;
+  return kMost;
+}
 
 StrengthCanvas::StrengthCanvas(QWidget* parent) : CurveCanvas(kPlotHeight, 0, parent) {}
 
@@ -91,7 +98,7 @@ void StrengthCanvas::moveSelected(scene::StrengthPoint to, const StrengthCurve& 
   StrengthCurve next = start;
   if (i > 0) to.value = std::max(to.value, next[i - 1].value);
   if (i + 1 < next.size()) to.value = std::min(to.value, next[i + 1].value);
-  next[i] = {to.value, std::clamp(to.strength, -kMost, kMost)};
+  next[i] = {to.value, std::clamp(to.strength, -mostStrength(), mostStrength())};
   emit edited(tr("Move force point"), next, merge);
 }
 

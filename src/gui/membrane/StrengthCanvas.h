@@ -11,6 +11,9 @@ inline const QColor kKeepColor(0xf0, 0x86, 0x5c), kDrawColor(0x6c, 0xa6, 0xe4), 
 
 using StrengthCurve = std::vector<scene::StrengthPoint>;
 
+/// As far as forces of a membrane go, to either side of 0.
+double mostStrength();
+
 /// The signed curve from values to forces over a histogram, and the hand on its points: above the line what the sheet
 /// leaves whole, below it what draws the sheet. It changes nothing itself: it says what the curve would become.
 class StrengthCanvas : public CurveCanvas {

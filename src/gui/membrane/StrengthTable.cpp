@@ -12,6 +12,7 @@
 #include "core/Text.h"
 #include "gui/kit/NumberField.h"
 #include "gui/kit/Widgets.h"
+#include "gui/membrane/StrengthCanvas.h"
 #include "gui/rows/RowPaint.h"
 #include "scene/Scene.h"
 #include "session/membrane/MembraneEdit.h"
@@ -21,7 +22,6 @@ namespace velum::gui {
 namespace {
 
 constexpr int kRowHeight = 24, kMostRows = 6, kNumberWidth = 76, kSwatch = 13;
-constexpr double kMost = 1000.0;
 enum Column { Name, Strength };
 
 /// Forces with their sign, edited in a field of numbers.
@@ -34,7 +34,7 @@ class StrengthDelegate : public QStyledItemDelegate {
   }
   QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem&, const QModelIndex&) const override {
     auto* spin = new NumberField(parent);
-    spin->setRange(-kMost, kMost);
+    spin->setRange(-mostStrength(), mostStrength());
     spin->setDecimals(0);
     spin->setSingleStep(10);
     spin->setAccessibleName(StrengthTable::tr("Force of the structure"));

@@ -2,7 +2,6 @@
 
 #include <QVBoxLayout>
 #include <algorithm>
-#include <cmath>
 
 #include "gui/kit/Text.h"
 #include "session/command/Command.h"
@@ -18,7 +17,7 @@ constexpr int kMostNotes = 3;  // lines that are read at once; the rest is in th
 }  // namespace
 
 ModelPanel::ModelPanel(ModelCommands& commands, Equalizer& equalizer, QWidget* parent)
-    : QWidget(parent), mCommands(commands), mDocument(commands.document()) {
+    : QWidget(parent), mCommands(commands), mDocument(commands.document()), mForm(mDocument, this) {
   setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Expanding);
   auto* layout = makeColumn(this, 10);
   layout->addWidget(makeHead());
@@ -137,81 +136,43 @@ QWidget* ModelPanel::makeFoot() {
   return foot;
 }
 
-NumberRow* ModelPanel::addNumber(QGridLayout* grid, const QString& name, const char* objectName, const QString& tip,
-                                 NumberRow* row) {
-  row->setObjectName(objectName);
-  row->setName(name);
-  row->setToolTip(tip);
-  int line = grid->rowCount();
-  grid->addWidget(new QLabel(name, this), line, 0);
-  grid->addWidget(row, line, 1);
-  connect(row, &NumberRow::settled, this, [this] { mDocument.endMerge(); });
-  return row;
-}
-
-NumberRow* ModelPanel::addShare(QGridLayout* grid, const QString& name, const char* objectName, const QString& tip,
-                                const char* label, std::function<double&(scene::Scene&)> field) {
-  NumberRow* row = addNumber(grid, name, objectName, tip, new NumberRow(0, 100, 0, " %", this));
-  connect(row, &NumberRow::changed, this, [this, label, field = std::move(field)](double percent) {
-    mDocument.edit(
-        label, [&](scene::Scene& scene) { field(scene) = percent / 100.0; }, true);
-  });
-  return row;
-}
-
 QWidget* ModelPanel::makeRows() {
   auto* section = new QWidget(this);
-  auto* grid = new QGridLayout(section);
-  grid->setContentsMargins(0, 0, 0, 0);
-  grid->setHorizontalSpacing(10);
+  QGridLayout* grid = makeFieldGrid(section, 84);
   grid->setVerticalSpacing(7);
-  grid->setColumnMinimumWidth(0, 84);
-  grid->setColumnStretch(1, 1);
-  mPalette = new QComboBox(section);
-  mPalette->setObjectName("modelPalette");
-  mPalette->setAccessibleName(tr("Palette"));
-  mPalette->addItems({tr("By type"), tr("By compartment"), tr("By function"), tr("By element"), tr("By chain")});
-  mPalette->setToolTip(tr("What instances have their colours by; a type's own colour goes before"));
-  grid->addWidget(new QLabel(tr("Palette"), section), 0, 0);
-  grid->addWidget(mPalette, 0, 1);
-  connect(mPalette, &QComboBox::activated, this, [this](int index) {
-    mDocument.edit("Choose palette", [&](scene::Scene& scene) { scene.model.palette = scene::Palette(index); });
-  });
-  mNear = addShare(grid, tr("Up close"), "modelNear",
-                   tr("How far chains and elements show as shades of the colour where one is close, %"),
-                   "Change colours up close", [](scene::Scene& s) -> double& { return s.model.nearColors; });
-  mOcclusion = addShare(grid, tr("Occlusion"), "modelOcclusion", tr("Darkening between instances, %"),
-                        "Change occlusion", [](scene::Scene& s) -> double& { return s.lighting.occlusion; });
-  mShadow = addShare(grid, tr("Shadows"), "modelShadow", tr("Strength of the shadows that the key light casts, %"),
-                     "Change shadows", [](scene::Scene& s) -> double& { return s.lighting.shadow; });
-  mFog = addShare(grid, tr("Fog"), "modelFog", tr("How far what lies deepest fades into the background, %"),
-                  "Change fog", [](scene::Scene& s) -> double& { return s.lighting.fog; });
-  mGhosts = new QComboBox(section);
-  mGhosts->setObjectName("modelGhosts");
-  mGhosts->setAccessibleName(tr("Ghosts"));
-  mGhosts->addItems({tr("None"), tr("Filled"), tr("Contour")});
-  mGhosts->setToolTip(tr("How instances that cuts have removed still show; a type's own choice goes before"));
-  int ghostLine = grid->rowCount();
-  grid->addWidget(new QLabel(tr("Ghosts"), section), ghostLine, 0);
-  grid->addWidget(mGhosts, ghostLine, 1);
-  connect(mGhosts, &QComboBox::activated, this, [this](int index) {
-    mDocument.edit("Choose ghosts", [&](scene::Scene& scene) { scene.model.ghosts = scene::Ghosts(index); });
-  });
-  mGhostOpacity = addShare(grid, tr("Opacity"), "modelGhostOpacity", tr("Of the ghosts, %"), "Change opacity of ghosts",
-                           [](scene::Scene& s) -> double& { return s.model.ghostOpacity; });
-  mDetail = addNumber(grid, tr("Detail"), "modelDetail",
-                      tr("How much of a pixel drawn shapes may be off by: smaller is finer, and slower"),
-                      new NumberRow(0.1, 16, 1, " px", section));
-  connect(mDetail, &NumberRow::changed, this, [this](double pixels) {
-    mDocument.edit(
-        "Change detail", [&](scene::Scene& scene) { scene.model.detail = pixels; }, true);
-  });
-  mCopies = addNumber(grid, tr("Copies"), "modelCopies", tr("Of the whole model, side by side in a block"),
-                      new NumberRow(1, 64, 0, {}, section));
-  connect(mCopies, &NumberRow::changed, this, [this](double count) {
-    mDocument.edit(
-        "Change copies", [&](scene::Scene& scene) { scene.model.copies = int(std::lround(count)); }, true);
-  });
+  mForm.setGrid(grid);
+  mForm.add("model.palette", tr("Palette"),
+            {.object = "modelPalette",
+             .tip = tr("What instances have their colours by; a type's own colour goes before"),
+             .step = tr("Choose palette"),
+             .choices = {tr("By type"), tr("By compartment"), tr("By function"), tr("By element"), tr("By chain")}});
+  mForm.add("model.nearColors", tr("Up close"),
+            {.object = "modelNear",
+             .tip = tr("How far chains and elements show as shades of the colour where one is close, %"),
+             .step = tr("Change colours up close")});
+  mForm.add("lighting.occlusion", tr("Occlusion"),
+            {.object = "modelOcclusion", .tip = tr("Darkening between instances, %")});
+  mForm.add("lighting.shadow", tr("Shadows"),
+            {.object = "modelShadow", .tip = tr("Strength of the shadows that the key light casts, %")});
+  mForm.add("lighting.fog", tr("Fog"),
+            {.object = "modelFog", .tip = tr("How far what lies deepest fades into the background, %")});
+  mForm.add("model.ghosts", tr("Ghosts"),
+            {.object = "modelGhosts",
+             .tip = tr("How instances that cuts have removed still show; a type's own choice goes before"),
+             .step = tr("Choose ghosts"),
+             .choices = {tr("None"), tr("Filled"), tr("Contour")}});
+  mForm.add("model.ghostOpacity", tr("Opacity"),
+            {.object = "modelGhostOpacity",
+             .tip = tr("Of the ghosts, %"),
+             .step = tr("Change opacity of ghosts"),
+             .isEnabled = [this] { return scene::hasGhosts(mDocument.scene().model); }});
+  mForm.add("model.detail", tr("Detail"),
+            {.object = "modelDetail",
+             .tip = tr("How much of a pixel drawn shapes may be off by: smaller is finer, and slower")});
+  mForm.add("model.copies", tr("Copies"),
+            {.object = "modelCopies", .tip = tr("Of the whole model, side by side in a block"), .range = [this] {
+               return Range{1.0, double(std::max(64, mDocument.scene().model.copies))};
+             }});
   return section;
 }
 
@@ -266,18 +227,8 @@ void ModelPanel::refresh() {
     if (layer.data) showNotes(*layer.data);
   }
   if (isOther) mHiders->hide();
-  mGhosts->setCurrentIndex(int(layer.ghosts));
-  mGhostOpacity->setValue(layer.ghostOpacity * 100.0);
-  mGhostOpacity->setEnabled(scene::hasGhosts(layer));
   mShown->setChecked(layer.visible);
-  mPalette->setCurrentIndex(int(layer.palette));
-  mNear->setValue(layer.nearColors * 100.0);
-  mDetail->setValue(layer.detail);
-  mCopies->setRange(1, std::max(64, layer.copies));
-  mCopies->setValue(layer.copies);
-  mFog->setValue(scene.lighting.fog * 100.0);
-  mOcclusion->setValue(scene.lighting.occlusion * 100.0);
-  mShadow->setValue(scene.lighting.shadow * 100.0);
+  mForm.refresh();
   showCount();
 }
 

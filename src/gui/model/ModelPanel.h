@@ -1,8 +1,7 @@
 #pragma once
 #include <QCheckBox>
-#include <QComboBox>
-#include <QGridLayout>
-#include <functional>
+#include <QLabel>
+#include <QLineEdit>
 
 #include "gui/kit/Widgets.h"
 #include "gui/model/EqualizeSteps.h"
@@ -10,6 +9,7 @@
 #include "gui/model/HidersBox.h"
 #include "gui/model/ModelList.h"
 #include "gui/model/ModelLookGrid.h"
+#include "gui/rows/FieldForm.h"
 #include "gui/rows/ListParts.h"
 
 namespace velum::gui {
@@ -36,10 +36,6 @@ class ModelPanel : public QWidget {
   QWidget* makeSearch();
   QWidget* makeFoot();
   QWidget* makeRows();
-  NumberRow* addShare(QGridLayout* grid, const QString& name, const char* objectName, const QString& tip,
-                      const char* label, std::function<double&(scene::Scene&)> field);
-  NumberRow* addNumber(QGridLayout* grid, const QString& name, const char* objectName, const QString& tip,
-                       NumberRow* row);
   void fillOrders(const ListSearch& search);
   void connectHiders();
   void setSearch(const QString& text);
@@ -57,9 +53,7 @@ class ModelPanel : public QWidget {
   ModelList* mList = nullptr;
   HidersBox* mHiders = nullptr;
   ModelLookGrid* mLooks = nullptr;
-  QComboBox *mPalette = nullptr, *mGhosts = nullptr;
-  NumberRow *mNear = nullptr, *mDetail = nullptr, *mCopies = nullptr, *mFog = nullptr, *mOcclusion = nullptr,
-            *mShadow = nullptr, *mGhostOpacity = nullptr;
+  FieldForm mForm;
   // What is shown.
   bool mIsMade = false;
   scene::ModelLayer mLayerShown;

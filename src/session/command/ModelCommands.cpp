@@ -38,6 +38,12 @@ TypeNumbers typeNumbers(const scene::Scene& scene, const std::vector<std::string
   return numbers;
 }
 
+std::string rowsLabel(const std::vector<std::string>& paths) {
+  if (paths.size() != 1) return fmt::format("{} rows", paths.size());
+  std::size_t dot = paths[0].rfind('.');
+  return dot == std::string::npos ? "all types" : paths[0].substr(dot + 1);
+}
+
 namespace detail {
 
 namespace {
@@ -48,6 +54,13 @@ template <class Arguments>
 auto stepBy(const char* verb) {
   return
       [verb](const Scene& scene, const Arguments& a) { return typesLabel(scene, verb, typeNumbers(scene, a.types)); };
+}
+
+void leaveBy(Scene& scene, const LeaveTypesBy& a) {
+  typeNumbers(scene, a.types);  // says which are none
+  if (a.field == "type") throw ArgumentError("model.leaveBy type: say what is left of the types");
+  for (const auto& path : a.types)
+    scene::detail::assignMember(ownTypeSpare(cutOf(scene, a.cut), path), a.field, a.value, "model.spares");
 }
 
 }  // namespace
@@ -95,6 +108,12 @@ std::vector<Command> modelCommands() {
             typeNumbers(scene, a.types);  // says which are none
             for (const auto& path : a.types) setTypeShare(cutOf(scene, a.cut), path, a.share);
           }),
+      editRow<LeaveTypesBy>(
+          "Sets how a cut leaves the instances of types.", "model.leaveBy root.blood falloff 20",
+          [](const Scene&, const LeaveTypesBy& a) {
+            return (a.field == "share" ? "Leave of " : "Change " + a.field + " of ") + rowsLabel(a.types);
+          },
+          leaveBy),
       editRow<KeepInView>(
           "Clears away what hides a type or compartment, or lets it be hidden again.", "model.keepInView root.capsid",
           [](const Scene&, const KeepInView& a) {

@@ -16,6 +16,9 @@ std::vector<std::string> typeNames(const scene::Scene& scene, const TypeNumbers&
 /// The counterpart; a compartment stands for all types in it. @throw ArgumentError that says which was likely meant
 TypeNumbers typeNumbers(const scene::Scene& scene, const std::vector<std::string>& names);
 
+/// Rows of a list of types and compartments, in the name of a step: "capsid", "all types", "3 rows".
+std::string rowsLabel(const std::vector<std::string>& paths);
+
 inline constexpr FieldInfo kTypesInfo{"", {}, "Paths of types or compartments, with commas between them."};
 
 struct ShowTypes {
@@ -88,6 +91,21 @@ struct LeaveTypes {
   static void fields(auto& o, auto& visit) {
     visit("types", o.types, kTypesInfo);
     visit("share", o.share, FieldInfo{"", {0, 1}, "Of their instances a cut leaves so much."});
+    visit("cut", o.cut, FieldInfo{"", {}, "Name or number of the cut; nothing: the only one."});
+  }
+};
+
+/// Any of the fields that scene::TypeSpare has beside its type.
+struct LeaveTypesBy {
+  static constexpr std::string_view kName = "model.leaveBy";
+  std::vector<std::string> types;
+  std::string field, value;
+  std::string cut;
+  static void fields(auto& o, auto& visit) {
+    visit("types", o.types, kTypesInfo);
+    visit("field", o.field,
+          FieldInfo{"", {}, "Of `cuts.N.model.spares.N`: share, falloff, amount, exponent, aperture."});
+    visit("value", o.value, FieldInfo{"", {}, "What it is to be."});
     visit("cut", o.cut, FieldInfo{"", {}, "Name or number of the cut; nothing: the only one."});
   }
 };

@@ -98,6 +98,16 @@ void expectData(const scene::Scene& after, const scene::Scene& before) {
   }
 }
 
+/// A sheet that becomes passive starts anew from flat: where an active one had come to is forgotten.
+void followMembranes(scene::Scene& after, const scene::Scene& before) {
+  for (scene::Cut& cut : after.cuts) {
+    const scene::Cut* was = scene::findCut(before, cut.id);
+    if (!cut.membrane || !was || !was->membrane || cut.membrane->repositioning == was->membrane->repositioning)
+      continue;
+    if (cut.membrane->repositioning == scene::Repositioning::Passive) cut.membrane->shape = {};
+  }
+}
+
 std::vector<std::string> followPictures(scene::Scene& after, const scene::Scene& before) {
   const scene::Finish &now = after.finish, &was = before.finish;
   bool isNewlyOwn = now.paper == scene::Paper::Own && was.paper != scene::Paper::Own;
@@ -162,6 +172,7 @@ std::vector<std::string> followFields(scene::Scene& after, const scene::Scene& b
       notes.push_back("nothing lies beside the body");
   }
   settleShapes(after, progress);
+  followMembranes(after, before);
   for (const auto& note : followPictures(after, before))
     if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(note);
   return notes;

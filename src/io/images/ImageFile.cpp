@@ -15,9 +15,10 @@
 #include <functional>
 
 #include "core/Error.h"
-#include "core/FileName.h"
 #include "core/ReplaceFile.h"
+#include "io/Plugins.h"
 #include "io/images/ExrHeader.h"
+#include "io/images/ImageFormat.h"
 #include "io/images/PngChunks.h"
 #include "io/read/ByteSource.h"
 #include "io/read/SinkStream.h"
@@ -42,16 +43,6 @@ float linearFromSrgb(float v) {
 float srgbFromLinear(float v) {
   float a = std::abs(v);
   return std::copysign(a <= 0.0031308f ? a * 12.92f : 1.055f * std::pow(a, 1.0f / 2.4f) - 0.055f, v);
-}
-
-/// OpenImageIO's name of the format that a path asks for.
-std::string formatOf(const Path& path) {
-  if (path == "-") return "png";
-  std::string e = lowerExtension(path);
-  if (e == ".png") return "png";
-  if (e == ".tif" || e == ".tiff") return "tiff";
-  if (e == ".exr") return "openexr";
-  throw InputError(fmt::format("{}: pictures are written as .png, .tif or .exr, not '{}'", path.string(), e));
 }
 
 std::ptrdiff_t channelIndex(const Image& image, std::string_view name) {
@@ -244,12 +235,10 @@ void refuseTruncatedTiff(const Path& path) {
 
 }  // namespace
 
-void expectImageFormat(const Path& path) { formatOf(path); }
-
-void writeImage(const Image& image, const Path& path, const std::string& description, double dpi,
-                const std::vector<ImageAttribute>& attributes, int bits) {
+void plugin::writeImage(const Image& image, const Path& path, const std::string& description, double dpi,
+                        const std::vector<ImageAttribute>& attributes, int bits) {
   check(image, path);
-  std::string format = formatOf(path);
+  std::string format = imageFormatOf(path);
   auto out = OIIO::ImageOutput::create(format);
   if (!out) throw InputError(fmt::format("{}: this OpenImageIO cannot write {}", path.string(), format));
 
@@ -280,7 +269,7 @@ void writeImage(const Image& image, const Path& path, const std::string& descrip
   file.commit();
 }
 
-Image readImage(const Path& path) {
+Image plugin::readImage(const Path& path) {
   StderrQuiet quiet;
   auto in = openPicture(path);
   const auto& spec = in->spec();
@@ -304,7 +293,7 @@ Image readImage(const Path& path) {
   return image;
 }
 
-std::string readImageDescription(const Path& path) {
+std::string plugin::readImageDescription(const Path& path) {
   StderrQuiet quiet;
   auto in = openPicture(path);
   if (std::string_view(in->format_name()) != "tiff")

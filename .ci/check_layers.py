@@ -22,7 +22,8 @@ ROOMS = {  # module: {room: rooms of the module it may include (its own is impli
     # A module's own folder may include each room unless it is listed.
     "scene": {"json": ".", ".": ""},
     "gpu": {"context": ".", ".": ""},
-    "io": {"read": "", "volumes": "read", "labels": "read volumes", "meshes": "read", "models": "read", "images": "read", "looks": "read",
+    # Plugins.h, in the module's own folder, names what is in plug-ins, of whichever room.
+    "io": {"read": ".", "volumes": ". read", "labels": ". read volumes", "meshes": ". read", "models": "read", "images": ". read", "looks": "read",
            "phantoms": "models", "kinds": "images labels looks meshes models volumes"},
     "membrane": {"forces": "", "sheet": "forces"},
     # The module's own folder has both the frame, which all know, and the renderer, which knows all.

@@ -10,6 +10,7 @@ ALONE = {  # sources without a header of their name: why
     "src/*/main.cpp": "programs",
     "src/app/*.cpp": "a verb each, declared in Verbs.h",
     "src/gpu/context/*.cpp": "ways to a Context",
+    "src/io/*Plugin.cpp": "what a plug-in exports, declared in Plugins.h",
     "src/io/labels/*Reader.cpp": "declared in Readers.h, as every reader of GDCM",
     "src/io/meshes/*Reader.cpp": "a row each of the table in ReadMesh.cpp, declared in MeshReaders.h",
     "src/io/models/*Model.cpp": "flavours of CIF, declared in CifModels.h",

@@ -1,13 +1,16 @@
 # velum_module(<name> [SOURCES ...] [HEADERS ...] DEPENDS ... [PRIVATE ...] [ROOMS ...])
-# One library per module: target velum_<name>, alias velum::<name>. SOURCES and HEADERS are relative to src/<name>. HEADERS are
+# One shared library per module, so that programs, plug-ins and the programs of others have each of them once: target velum_<name>,
+# alias velum::<name>, libvelum-<name>.so. SOURCES and HEADERS are relative to src/<name>. HEADERS are
 # those that other modules may include, and no others (.ci/check_layers.py reads the lists). ROOMS are folders in it that call
 # velum_room(). An include names its file by the path from src.
 function(velum_module name)
   cmake_parse_arguments(M "" "" "SOURCES;HEADERS;DEPENDS;PRIVATE;ROOMS" ${ARGN})
   list(TRANSFORM M_HEADERS PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/")
-  add_library(velum_${name} STATIC ${M_SOURCES})
+  add_library(velum_${name} SHARED ${M_SOURCES})
   add_library(velum::${name} ALIAS velum_${name})
-  set_target_properties(velum_${name} PROPERTIES EXPORT_NAME ${name} VERIFY_INTERFACE_HEADER_SETS ON)
+  set_target_properties(velum_${name} PROPERTIES EXPORT_NAME ${name} VERIFY_INTERFACE_HEADER_SETS ON OUTPUT_NAME velum-${name}
+    SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR} INSTALL_RPATH "$ORIGIN")
+  target_compile_options(velum_${name} PRIVATE ${VELUM_OWN_CALLS})
   target_sources(velum_${name} PUBLIC FILE_SET HEADERS
     BASE_DIRS "${PROJECT_SOURCE_DIR}/src" FILES ${M_HEADERS})
   target_include_directories(velum_${name} PRIVATE "${PROJECT_SOURCE_DIR}/shaders")
@@ -18,6 +21,30 @@ function(velum_module name)
   foreach(room IN LISTS M_ROOMS)
     add_subdirectory(${room})
   endforeach()
+  install(TARGETS velum_${name} EXPORT Velum LIBRARY COMPONENT library
+    FILE_SET HEADERS DESTINATION "${VELUM_HEADERS}" COMPONENT library)
+endfunction()
+
+# A library's calls of its own functions are not looked up: they may be inlined as in a program.
+set(VELUM_OWN_CALLS -fno-semantic-interposition)
+# Where headers of the modules are installed: found from include/velum/*.h, and out of the way of everybody else's.
+set(VELUM_HEADERS "${CMAKE_INSTALL_INCLUDEDIR}/velum/detail")
+
+# velum_plugin(<module> <name> SOURCES ... PRIVATE ...): sources of the module that link heavy libraries, as libvelum-<module>-<name>.so, which
+# the module loads when it is first asked for what is in it. SOURCES are relative to src/<module>. All of them: velum-plugins.
+function(velum_plugin module name)
+  cmake_parse_arguments(P "" "" "SOURCES;PRIVATE" ${ARGN})
+  add_library(velum-${module}-${name} MODULE ${P_SOURCES})
+  target_include_directories(velum-${module}-${name} PRIVATE "${PROJECT_SOURCE_DIR}/shaders")
+  target_compile_options(velum-${module}-${name} PRIVATE ${VELUM_OWN_CALLS})
+  target_link_libraries(velum-${module}-${name} PRIVATE velum_${module} ${P_PRIVATE} velum_warnings)
+  set_target_properties(velum-${module}-${name} PROPERTIES INSTALL_RPATH "$ORIGIN/.."
+    LIBRARY_OUTPUT_DIRECTORY "${CMAKE_LIBRARY_OUTPUT_DIRECTORY}/velum")
+  if(NOT TARGET velum-plugins)
+    add_custom_target(velum-plugins)
+  endif()
+  add_dependencies(velum-plugins velum-${module}-${name})
+  install(TARGETS velum-${module}-${name} LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}/velum" COMPONENT library)
 endfunction()
 
 # velum_room(<name> [HEADERS ...] [SOURCES ...]): adds the folder that it is called in to the module <name>; HEADERS and SOURCES are

@@ -2,8 +2,10 @@
 
     bundle.py PROGRAMS_FOLDER TESTS_FOLDER SOURCE_FOLDER OUT.tar.xz
 
-What the machine's graphics driver brings stays the machine's; docs/TESTING.md says how the bundle finds it.
+Velum's own libraries are those of the programs, for the tests, too. What the machine's graphics driver brings stays the
+machine's; docs/TESTING.md says how the bundle finds it.
 """
+import glob
 import os
 import re
 import shutil
@@ -49,7 +51,7 @@ def libraries(roots):
     places = {}
     for root in roots:
         for name, path in re.findall(r"^\s*(\S+) => (/\S+)", output("ldd", root), re.M):
-            places[name] = os.path.realpath(path)
+            places.setdefault(name, os.path.realpath(path))
     for name in C_LIBRARIES:
         places[name] = os.path.realpath(os.path.join(C_FOLDER, name))
     found, todo = {}, list(roots)
@@ -146,17 +148,20 @@ def main():
     root = os.path.join(os.path.dirname(os.path.abspath(archive)), "velum-bundle")
     shutil.rmtree(root, ignore_errors=True)
 
-    # The programs, without what debuggers read, and Qt's plugins.
+    # The programs, without what debuggers read, our plug-ins, and Qt's.
     binaries = [os.path.join(programs, name) for name in PROGRAMS] + [os.path.join(tests, name) for name in TESTS]
     for binary in binaries:
         copy(binary, os.path.join(root, "bin", os.path.basename(binary)))
         output("strip", os.path.join(root, "bin", os.path.basename(binary)))
+    readers = glob.glob(os.path.join(programs, "../lib/velum/*.so"))
+    for reader in readers:
+        copy(reader, os.path.join(root, "lib/velum", os.path.basename(reader)))
     plugins = [plugin for plugin in PLUGINS if os.path.exists(os.path.join(QT_PLUGINS, plugin))]
     for plugin in plugins:
         copy(os.path.join(QT_PLUGINS, plugin), os.path.join(root, "plugins", plugin))
 
     # What they link.
-    roots = binaries + [os.path.join(QT_PLUGINS, plugin) for plugin in plugins]
+    roots = binaries + readers + [os.path.join(QT_PLUGINS, plugin) for plugin in plugins]
     found = libraries(roots)
     kept = {name: path for name, path in found.items() if not STUBBED.match(name)}
     for name in C_LIBRARIES:  # all of one version, whether the driver or the programs ask for them

@@ -15,10 +15,11 @@
 
 #include "core/Color.h"
 #include "core/Error.h"
-#include "core/FileName.h"
 #include "core/ImageChannels.h"
 #include "core/ReplaceFile.h"
+#include "io/Plugins.h"
 #include "io/images/ExrHeader.h"
+#include "io/images/ImageFormat.h"
 #include "io/images/PngChunks.h"
 #include "io/read/ByteSource.h"
 #include "io/read/SinkStream.h"
@@ -35,14 +36,6 @@ constexpr const char* kDescriptionKey = "velum:scene";
 constexpr std::string_view kTiffPrefix = "velum:scene\n";
 constexpr int kMaxSide = 65535;
 
-/// OpenImageIO's name of the format that a path asks for.
-std::string formatOf(const Path& path) {
-  if (path == "-") return "png";
-  std::string e = lowerExtension(path);
-  if (e == ".png") return "png";
-  if (e == ".tif" || e == ".tiff") return "tiff";
-  if (e == ".exr") return "openexr";
-  throw InputError(fmt::format("{}: pictures are written as .png, .tif or .exr, not '{}'", path.string(), e));
 }
 
 void check(const Image& image, const Path& path) {
@@ -217,12 +210,10 @@ void refuseTruncatedTiff(const Path& path) {
 
 }  // namespace
 
-void expectImageFormat(const Path& path) { formatOf(path); }
-
-void writeImage(const Image& image, const Path& path, const std::string& description, double dpi,
-                const std::vector<ImageAttribute>& attributes, int bits) {
+void plugin::writeImage(const Image& image, const Path& path, const std::string& description, double dpi,
+                        const std::vector<ImageAttribute>& attributes, int bits) {
   check(image, path);
-  std::string format = formatOf(path);
+  std::string format = imageFormatOf(path);
   auto out = OIIO::ImageOutput::create(format);
   if (!out) throw InputError(fmt::format("{}: this OpenImageIO cannot write {}", path.string(), format));
 
@@ -253,7 +244,7 @@ void writeImage(const Image& image, const Path& path, const std::string& descrip
   file.commit();
 }
 
-Image readImage(const Path& path) {
+Image plugin::readImage(const Path& path) {
   StderrQuiet quiet;
   auto in = openPicture(path);
   const auto& spec = in->spec();
@@ -277,7 +268,7 @@ Image readImage(const Path& path) {
   return image;
 }
 
-std::string readImageDescription(const Path& path) {
+std::string plugin::readImageDescription(const Path& path) {
   StderrQuiet quiet;
   auto in = openPicture(path);
   if (std::string_view(in->format_name()) != "tiff")

@@ -8,6 +8,7 @@
 #include <map>
 #include <set>
 
+#include "io/Plugins.h"
 #include "io/labels/DicomColor.h"
 #include "io/labels/LabelTables.h"
 #include "io/read/Refuse.h"
@@ -202,7 +203,7 @@ std::size_t repeatsOf(const DicomFile& file, const Planes& planes) {
 
 }  // namespace
 
-LabelVolume readDicomSeg(const scene::Source& source, Progress& progress) {
+LabelVolume plugin::readDicomSeg(const scene::Source& source, Progress& progress) {
   Path path = source.path;
   auto file = readDicomHeader(path);
   if (!file || !file->hasImage() || file->frames.empty()) refuse(path, "is damaged, or no DICOM segmentation");

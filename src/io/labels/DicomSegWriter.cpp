@@ -10,6 +10,7 @@
 #include <limits>
 #include <sstream>
 
+#include "io/Plugins.h"
 #include "io/labels/DicomCodes.h"
 #include "io/labels/DicomColor.h"
 #include "io/labels/DicomElements.h"
@@ -239,7 +240,7 @@ void checkGrid(const LabelVolume& labels, const Path& path) {
 
 }  // namespace
 
-std::vector<std::string> writeDicomSeg(const LabelVolume& labels, ReplaceFile& file, Progress& progress) {
+std::vector<std::string> plugin::writeDicomSeg(const LabelVolume& labels, ReplaceFile& file, Progress& progress) {
   const Path& path = file.target();
   checkGrid(labels, path);
   // Number the structures that have voxels.

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "core/Parallel.h"
+#include "io/Plugins.h"
 #include "io/labels/LabelTables.h"
 #include "io/read/Refuse.h"
 #include "io/volumes/DicomFile.h"
@@ -257,7 +258,7 @@ std::uint64_t fill(LabelVolume& labels, const ContourGrid& grid, const std::vect
 
 }  // namespace
 
-LabelVolume readRtStruct(const scene::Source& source, Progress& progress) {
+LabelVolume plugin::readRtStruct(const scene::Source& source, Progress& progress) {
   Path path = source.path;
   auto file = readDicomHeader(path);
   if (!file) refuse(path, "is damaged, or no DICOM structure set");

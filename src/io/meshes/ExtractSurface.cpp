@@ -19,6 +19,7 @@
 
 #include "core/Error.h"
 #include "core/Parallel.h"
+#include "io/Plugins.h"
 #include "io/meshes/BorderWay.h"
 #include "io/meshes/StructureShares.h"
 #include "io/meshes/SurfaceShape.h"
@@ -278,8 +279,8 @@ Mesh meshOf(const SurfaceShape& shape, const glm::dmat4& worldFromVoxel) {
 
 }  // namespace
 
-Mesh extractSurface(const StructureField& field, std::uint16_t structure, glm::ivec3 low, glm::ivec3 high,
-                    double smoothness, Progress& progress) {
+Mesh plugin::extractSurface(const StructureField& field, std::uint16_t structure, glm::ivec3 low, glm::ivec3 high,
+                            double smoothness, Progress& progress) {
   const LabelVolume& labels = *field.cover().labels();
   // Which voxels are the structure's says what is joined to what, so that the surface is closed whatever lies between.
   SurfaceShape shape = shapeOf(*trianglesOf(maskOf(labels, structure, low, high - low + 1), progress));

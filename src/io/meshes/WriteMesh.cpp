@@ -1,16 +1,6 @@
 #include "io/meshes/WriteMesh.h"
 
 #include <fmt/format.h>
-#include <vtkCellArray.h>
-#include <vtkFieldData.h>
-#include <vtkFloatArray.h>
-#include <vtkNew.h>
-#include <vtkPointData.h>
-#include <vtkPoints.h>
-#include <vtkPolyData.h>
-#include <vtkSmartPointer.h>
-#include <vtkStringArray.h>
-#include <vtkXMLPolyDataWriter.h>
 
 #include <algorithm>
 #include <array>
@@ -26,11 +16,11 @@
 #include "core/FileName.h"
 #include "core/ReplaceFile.h"
 #include "io/meshes/GltfWriter.h"
+#include "io/meshes/VtpWriter.h"
 #include "io/read/FileNames.h"
 #include "io/read/LineSink.h"
 #include "io/read/Losses.h"
 #include "io/read/Refuse.h"
-#include "io/read/VtkQuiet.h"
 
 namespace velum::io {
 
@@ -40,33 +30,6 @@ std::string oneLine(std::string text) {
   for (char& c : text)
     if (c == '\n' || c == '\r') c = ' ';
   return text;
-}
-
-vtkSmartPointer<vtkPolyData> toPolyData(const Mesh& mesh) {
-  vtkNew<vtkPoints> points;
-  for (glm::vec3 p : mesh.positions) points->InsertNextPoint(double(p.x), double(p.y), double(p.z));
-  vtkNew<vtkCellArray> triangles;
-  for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
-    triangles->InsertNextCell(3);
-    for (std::size_t corner = 0; corner < 3; ++corner) triangles->InsertCellPoint(mesh.indices[i + corner]);
-  }
-  auto surface = vtkSmartPointer<vtkPolyData>::New();
-  if (!mesh.name.empty()) {
-    vtkNew<vtkStringArray> name;
-    name->SetName("name");
-    name->InsertNextValue(mesh.name);
-    surface->GetFieldData()->AddArray(name);
-  }
-  surface->SetPoints(points);
-  surface->SetPolys(triangles);
-  if (mesh.normals.size() == mesh.positions.size()) {
-    vtkNew<vtkFloatArray> normals;
-    normals->SetName("Normals");
-    normals->SetNumberOfComponents(3);
-    for (glm::vec3 n : mesh.normals) normals->InsertNextTuple3(double(n.x), double(n.y), double(n.z));
-    surface->GetPointData()->SetNormals(normals);
-  }
-  return surface;
 }
 
 bool hasNormals(const Mesh& mesh) { return mesh.normals.size() == mesh.positions.size(); }
@@ -98,17 +61,8 @@ Mesh joined(std::span<const Mesh> meshes, const Path& path) {
   return all;
 }
 
-/// VTK writes to memory: to a file it does not look whether its last bytes arrive.
-void writeVtp(std::span<const Mesh> meshes, LengthUnit, ReplaceFile& file) {
-  VtkQuiet quiet;
-  vtkNew<vtkXMLPolyDataWriter> writer;
-  quiet.listen(*writer, nullptr);
-  writer->WriteToOutputStringOn();
-  writer->SetInputData(toPolyData(joined(meshes, file.target())));
-  int written = writer->Write();
-  if (written == 0 || !quiet.error().empty())
-    refuse(file.target(), fmt::format("cannot be written ({})", quiet.error()));
-  file.write(writer->GetOutputString());
+void writeAsVtp(std::span<const Mesh> meshes, LengthUnit, ReplaceFile& file) {
+  writeVtp(joined(meshes, file.target()), file);
 }
 
 /// Of points: MeshLab, Blender and others read it behind the place.
@@ -209,9 +163,11 @@ struct Row {
 };
 // A new format is one row.
 constexpr Row kTable[] = {
-    {{"STL", ".stl", false}, writeStl, false, false},         {{"PLY", ".ply", false}, writePly, true, true},
-    {{"glTF", ".glb", true}, writeGltf, true, true},          {{"Wavefront OBJ", ".obj", true}, writeObj, true, true},
-    {{"VTK PolyData", ".vtp", false}, writeVtp, true, false},
+    {{"STL", ".stl", false}, writeStl, false, false},
+    {{"PLY", ".ply", false}, writePly, true, true},
+    {{"glTF", ".glb", true}, writeGltf, true, true},
+    {{"Wavefront OBJ", ".obj", true}, writeObj, true, true},
+    {{"VTK PolyData", ".vtp", false}, writeAsVtp, true, false},
 };
 
 constexpr auto kFormats = [] {

@@ -1,9 +1,6 @@
 #include "io/read/VtkXml.h"
 
 #include <fmt/format.h>
-#include <vtkLZ4DataCompressor.h>
-#include <vtkLZMADataCompressor.h>
-#include <vtkNew.h>
 #include <zlib.h>
 
 #include <algorithm>
@@ -16,7 +13,6 @@
 #include "io/read/ByteSource.h"
 #include "io/read/Payload.h"
 #include "io/read/SampleBytes.h"
-#include "io/read/VtkQuiet.h"
 
 namespace velum::io {
 
@@ -48,12 +44,7 @@ void unpack(VtkPacking packing, std::span<const std::byte> from, std::span<std::
     uLongf size = uLongf(to.size());
     got = ::uncompress(target, &size, source, uLong(from.size())) == Z_OK ? size : 0;
   } else {
-    VtkQuiet quiet;
-    vtkNew<vtkLZ4DataCompressor> lz4;
-    vtkNew<vtkLZMADataCompressor> lzma;
-    vtkDataCompressor* codec = lz4;
-    if (packing == VtkPacking::Lzma) codec = lzma;
-    got = codec->Uncompress(source, from.size(), target, to.size());
+    got = unpackByVtk(packing, from, to);
   }
   if (got != to.size()) refuse(path, "is damaged: a packed block of its values cannot be unpacked");
 }

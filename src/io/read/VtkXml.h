@@ -16,6 +16,9 @@ namespace velum::io {
 
 enum class VtkPacking { None, Deflate, Lz4, Lzma };
 
+/// Unpacks a block of LZ4 or LZMA. @return how many bytes it gave; others than there is room for: it is damaged
+std::size_t unpackByVtk(VtkPacking packing, std::span<const std::byte> from, std::span<std::byte> to);
+
 /// A file's elements, and how its arrays are stored.
 class VtkXml {
  public:

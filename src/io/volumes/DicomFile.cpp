@@ -11,6 +11,7 @@
 #include <mutex>
 
 #include "core/Parallel.h"
+#include "io/Plugins.h"
 #include "io/read/Refuse.h"
 #include "io/volumes/DicomFrames.h"
 #include "io/volumes/DicomSoundness.h"
@@ -107,15 +108,6 @@ DicomFile fileOf(const DataSet& set, const gdcm::FileMetaInformation& meta, cons
   return file;
 }
 
-/// Cheap test before GDCM is asked, so that a folder of other files costs next to nothing.
-bool mayBeDicom(const Path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  char head[132] = {};
-  stream.read(head, sizeof head);
-  if (stream.gcount() == 132 && std::memcmp(head + 128, "DICM", 4) == 0) return true;
-  return stream.gcount() >= 16 && (head[0] == 2 || head[0] == 8) && head[1] == 0 && head[3] == 0;
-}
-
 constexpr std::size_t kMostFiles = 100'000;
 
 template <class Iterator>
@@ -197,7 +189,7 @@ std::vector<DicomFile> scanDicomFolder(const std::filesystem::path& folder, Dept
   return files;
 }
 
-bool holdsDicom(const std::filesystem::path& folder, Depth depth, Progress& progress) {
+bool plugin::holdsDicom(const std::filesystem::path& folder, Depth depth, Progress& progress) {
   for (const Path& path : filesOf(folder, depth, progress)) {
     progress.throwIfCancelled();
     if (auto file = readDicomHeader(path); file && file->hasImage()) return true;
@@ -205,7 +197,7 @@ bool holdsDicom(const std::filesystem::path& folder, Depth depth, Progress& prog
   return false;
 }
 
-std::vector<DicomFile> labelsWithoutImages(const std::filesystem::path& folder, Progress& progress) {
+std::vector<DicomFile> plugin::labelsWithoutImages(const std::filesystem::path& folder, Progress& progress) {
   std::vector<DicomFile> labels;
   for (const Path& path : filesOf(folder, Depth::AllBelow, progress)) {
     progress.throwIfCancelled();
@@ -219,7 +211,7 @@ std::vector<DicomFile> labelsWithoutImages(const std::filesystem::path& folder, 
   return labels;
 }
 
-bool isDicomIndex(const std::filesystem::path& path) {
+bool plugin::isDicomIndex(const std::filesystem::path& path) {
   if (!std::filesystem::is_regular_file(path)) return false;
   auto file = readDicomHeader(path);
   return file && file->sopClass == "1.2.840.10008.1.3.10";
@@ -232,23 +224,21 @@ void checkDicomIndex(const std::filesystem::path& path) {
     refuse(path, fmt::format("none of the {} files that this index lists lies beside it", files.size()));
 }
 
-bool isDicomSeg(const std::filesystem::path& path) {
+bool plugin::isDicomSeg(const std::filesystem::path& path) {
   if (!std::filesystem::is_regular_file(path)) return false;
   auto file = readDicomHeader(path);
   return file && file->isSegmentation();
 }
 
-bool isRtStruct(const std::filesystem::path& path) {
+bool plugin::isRtStruct(const std::filesystem::path& path) {
   if (!std::filesystem::is_regular_file(path)) return false;
   auto file = readDicomHeader(path);
   return file && file->isRtStruct();
 }
 
-std::vector<SeriesInfo> listSeries(const std::filesystem::path& path, Progress& progress) {
+std::vector<SeriesInfo> plugin::listSeries(const std::filesystem::path& path, Progress& progress) {
   if (!std::filesystem::exists(path)) refuse(path, "there is no such file or folder");
   bool isFolder = std::filesystem::is_directory(path);
-  // What lies beside a file of another format is none of its business.
-  if (!isFolder && !mayBeDicom(path)) return {};
   bool isIndex = !isFolder && isDicomIndex(path);
   if (isIndex) checkDicomIndex(path);
   Path folder = isFolder ? path : path.parent_path();

@@ -1,9 +1,11 @@
 #pragma once
-#include <gdcmDataSet.h>
-
 #include <vector>
 
 #include "io/volumes/DicomFile.h"
+
+namespace gdcm {
+class DataSet;
+}
 
 namespace velum::io {
 

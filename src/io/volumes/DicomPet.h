@@ -1,9 +1,11 @@
 #pragma once
-#include <gdcmDataSet.h>
-
 #include <optional>
 #include <span>
 #include <string>
+
+namespace gdcm {
+class DataSet;
+}
 
 namespace velum::io {
 

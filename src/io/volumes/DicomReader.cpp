@@ -7,6 +7,7 @@
 #include <set>
 
 #include "core/Parallel.h"
+#include "io/Plugins.h"
 #include "io/read/ByteSource.h"
 #include "io/volumes/DicomDecoder.h"
 #include "io/volumes/DicomFile.h"
@@ -227,7 +228,7 @@ void describe(Volume& v, const Series& series, const DicomStack& stack, const st
 
 }  // namespace
 
-Volume readDicom(const scene::Source& source, Progress& progress) {
+Volume plugin::readDicom(const scene::Source& source, Progress& progress) {
   Path path = source.path;
   bool isFolder = std::filesystem::is_directory(path), isIndex = !isFolder && isDicomIndex(path);
   if (isIndex) checkDicomIndex(path);
@@ -247,7 +248,7 @@ Volume readDicom(const scene::Source& source, Progress& progress) {
   return v;
 }
 
-Volume readSeriesImage(const SeriesInfo& info, Progress& progress) {
+Volume plugin::readSeriesImage(const SeriesInfo& info, Progress& progress) {
   Series series{{namedFile(info.middleFile)}, -1, {}};
   std::vector<DicomFrame> frames{series.files[0].frames[series.files[0].frames.size() / 2]};
   frames[0].file = 0;

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
+#include <fstream>
 #include <string>
 #include <string_view>
 
@@ -258,6 +259,14 @@ std::string inflated(std::string_view packed) {
 }
 
 }  // namespace
+
+bool mayBeDicom(const std::filesystem::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  char head[132] = {};
+  stream.read(head, sizeof head);
+  if (stream.gcount() == 132 && std::memcmp(head + 128, "DICM", 4) == 0) return true;
+  return stream.gcount() >= 16 && (head[0] == 2 || head[0] == 8) && head[1] == 0 && head[3] == 0;
+}
 
 bool isSoundDicom(const std::filesystem::path& path) {
   MappedFile file(path);

@@ -1,10 +1,12 @@
 #pragma once
-#include <gdcmDataSet.h>
-
 #include <algorithm>
 #include <cstdint>
 #include <string>
 #include <vector>
+
+namespace gdcm {
+class DataSet;
+}
 
 /// What stored samples of DICOM files mean, beside slope and intercept.
 namespace velum::io {

@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "core/Error.h"
+#include "io/Plugins.h"
 #include "io/read/FileBytes.h"
 #include "io/read/FileNames.h"
 #include "io/read/Placement.h"
@@ -290,7 +291,7 @@ Volume readFolder(const Path& folder, Progress& progress) {
 
 }  // namespace
 
-Volume readTiff(const scene::Source& source, Progress& progress) {
+Volume plugin::readTiff(const scene::Source& source, Progress& progress) {
   progress.report(0, "reading TIFF");
   const Path path = source.path;
   Volume volume = std::filesystem::is_directory(path) ? readFolder(path, progress) : readFile(path, progress);

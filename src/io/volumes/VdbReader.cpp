@@ -13,6 +13,7 @@
 
 #include "core/Error.h"
 #include "core/Parallel.h"
+#include "io/Plugins.h"
 #include "io/read/FileBytes.h"
 #include "io/read/Placement.h"
 #include "io/read/SampleBytes.h"
@@ -162,7 +163,7 @@ void takeNotes(Volume& v, const VdbGrid& found) {
 
 }  // namespace
 
-Volume readVdb(const scene::Source& source, Progress& progress) try {
+Volume plugin::readVdb(const scene::Source& source, Progress& progress) try {
   const Path path = source.path;
   progress.report(0, "reading OpenVDB");
   openvdb::initialize();

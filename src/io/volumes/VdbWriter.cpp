@@ -9,6 +9,7 @@
 #include <limits>
 #include <vector>
 
+#include "io/Plugins.h"
 #include "io/read/Losses.h"
 #include "io/read/Refuse.h"
 #include "io/read/SinkStream.h"
@@ -108,7 +109,7 @@ void describe(openvdb::GridBase& grid, const Volume& volume, LengthUnit unit) {
 
 }  // namespace
 
-std::vector<std::string> writeVdb(const Volume& volume, ReplaceFile& file, Progress& progress) try {
+std::vector<std::string> plugin::writeVdb(const Volume& volume, ReplaceFile& file, Progress& progress) try {
   if (volume.channels != 1 || volume.timeSteps != 1)
     refuse(file.target(), fmt::format("a .vdb of ours holds one channel and one time step, not {} and {}",
                                       volume.channels, volume.timeSteps));

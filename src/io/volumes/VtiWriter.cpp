@@ -14,6 +14,7 @@
 #include <iterator>
 #include <utility>
 
+#include "io/Plugins.h"
 #include "io/read/Losses.h"
 #include "io/read/Refuse.h"
 #include "io/read/VtkQuiet.h"
@@ -76,7 +77,7 @@ void addNotes(vtkImageData& image, const Volume& volume) {
 
 }  // namespace
 
-std::vector<std::string> writeVti(const Volume& volume, ReplaceFile& file, Progress& progress) {
+std::vector<std::string> plugin::writeVti(const Volume& volume, ReplaceFile& file, Progress& progress) {
   const Path& path = file.target();
   if (volume.timeSteps > 1)
     refuse(path, fmt::format("a .vti holds one time step, not {}; write .nrrd or .nii", volume.timeSteps));

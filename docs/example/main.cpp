@@ -1,0 +1,43 @@
+// Opens a file, cuts it open, draws a picture of it and saves it: example INPUT OUTPUT.png
+#include <velum/labels.h>
+#include <velum/log.h>
+#include <velum/mesh.h>
+#include <velum/model.h>
+#include <velum/session.h>
+#include <velum/volume.h>
+
+#include <cstdio>
+#include <string>
+
+int main(int count, char** arguments) try {
+  if (count != 3) throw velum::ArgumentError("usage: example INPUT OUTPUT.png");
+  std::string input = arguments[1], output = arguments[2];
+
+  // Long work tells how far it is; progress.cancel(), from another thread, makes it throw velum::Cancelled.
+  velum::Progress progress([](double fraction, const std::string& what) {
+    std::fprintf(stderr, "\r%3.0f %% %-40s", 100.0 * fraction, what.c_str());
+  });
+
+  // What is open. All that can be done to it is a command, by its name in docs/COMMANDS.md; here one at a time ...
+  velum::Session session;
+  velum::run(session, velum::parseCall("open " + input), progress);
+
+  // ... and here as the text of a script, which is told what there is to tell.
+  velum::runScript(session, "cut.add plane\nview.from left\n", "example", progress,
+                   [](const velum::Call& call, const std::string& told) {
+                     std::fprintf(stderr, "\n%s: %s\n", call.line().c_str(), told.c_str());
+                   });
+
+  // The session makes a graphics context of its own when it first needs one; no display is needed. The scene rides in
+  // the picture, so that the file opens again as what it shows.
+  velum::PictureOptions options;
+  options.size = {640, 480};
+  velum::Image picture = session.picture(options, progress);
+  velum::savePicture(picture, session.scene(), options, output);
+  std::printf("\n%s: %d x %d pixels, %zu cut\n", output.c_str(), picture.width, picture.height,
+              session.scene().cuts.size());
+  return 0;
+} catch (const velum::Error& error) {
+  std::fprintf(stderr, "\nexample: %s\n", error.what());
+  return static_cast<int>(error.exitCode());
+}

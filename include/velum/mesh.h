@@ -1,0 +1,13 @@
+#pragma once
+#include "core/Mesh.h"
+#include "io/meshes/ReadMesh.h"
+#include "io/meshes/WriteMesh.h"
+
+/// Mesh: a surface of triangles; and the files it is in.
+namespace velum {
+
+using io::readMesh;
+using io::writeMesh;
+using io::writeMeshes;
+
+}  // namespace velum

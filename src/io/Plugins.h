@@ -1,0 +1,97 @@
+#pragma once
+#include <cstddef>
+#include <span>
+#include <string>
+
+#include "core/Mesh.h"
+#include "core/ReplaceFile.h"
+#include "io/images/ImageFile.h"
+#include "io/labels/DicomSegWriter.h"
+#include "io/meshes/ExtractSurface.h"
+#include "io/meshes/VtpWriter.h"
+#include "io/read/VtkXml.h"
+#include "io/volumes/DicomFile.h"
+#include "io/volumes/ReadVolume.h"
+#include "io/volumes/Readers.h"
+
+/// What needs a heavy library of others is in a library of ours, a plug-in, which is loaded when one of its functions
+/// is first called: a program starts without. Each function here does what io's of the same name says, which
+/// Plugins.cpp hands on.
+namespace velum::io {
+
+namespace plugin {
+
+decltype(io::readDicom) readDicom;
+decltype(io::readRtStruct) readRtStruct;
+decltype(io::readDicomSeg) readDicomSeg;
+decltype(io::writeDicomSeg) writeDicomSeg;
+decltype(io::holdsDicom) holdsDicom;
+decltype(io::labelsWithoutImages) labelsWithoutImages;
+decltype(io::isDicomIndex) isDicomIndex;
+decltype(io::isDicomSeg) isDicomSeg;
+decltype(io::isRtStruct) isRtStruct;
+decltype(io::listSeries) listSeries;
+decltype(io::readSeriesImage) readSeriesImage;
+
+decltype(io::writeImage) writeImage;
+decltype(io::readImage) readImage;
+decltype(io::readImageDescription) readImageDescription;
+decltype(io::readTiff) readTiff;
+
+decltype(io::readVdb) readVdb;
+decltype(io::writeVdb) writeVdb;
+
+decltype(io::extractSurface) extractSurface;
+decltype(io::writeVti) writeVti;
+decltype(io::writeVtp) writeVtp;
+decltype(io::unpackByVtk) unpackByVtk;
+
+}  // namespace plugin
+
+/// What libvelum-io-gdcm.so exports, by the name velumPlugin; likewise the others.
+struct GdcmPlugin {
+  static constexpr const char *kName = "gdcm", *kWhat = "DICOM";
+  decltype(&plugin::readDicom) readDicom = nullptr;
+  decltype(&plugin::readRtStruct) readRtStruct = nullptr;
+  decltype(&plugin::readDicomSeg) readDicomSeg = nullptr;
+  decltype(&plugin::writeDicomSeg) writeDicomSeg = nullptr;
+  decltype(&plugin::holdsDicom) holdsDicom = nullptr;
+  decltype(&plugin::labelsWithoutImages) labelsWithoutImages = nullptr;
+  decltype(&plugin::isDicomIndex) isDicomIndex = nullptr;
+  decltype(&plugin::isDicomSeg) isDicomSeg = nullptr;
+  decltype(&plugin::isRtStruct) isRtStruct = nullptr;
+  decltype(&plugin::listSeries) listSeries = nullptr;
+  decltype(&plugin::readSeriesImage) readSeriesImage = nullptr;
+};
+struct OiioPlugin {
+  static constexpr const char *kName = "oiio", *kWhat = "pictures";
+  decltype(&plugin::writeImage) writeImage = nullptr;
+  decltype(&plugin::readImage) readImage = nullptr;
+  decltype(&plugin::readImageDescription) readImageDescription = nullptr;
+  decltype(&plugin::readTiff) readTiff = nullptr;
+};
+struct VdbPlugin {
+  static constexpr const char *kName = "vdb", *kWhat = "OpenVDB";
+  decltype(&plugin::readVdb) readVdb = nullptr;
+  decltype(&plugin::writeVdb) writeVdb = nullptr;
+};
+struct VtkPlugin {
+  static constexpr const char *kName = "vtk", *kWhat = "surfaces and files of VTK";
+  decltype(&plugin::extractSurface) extractSurface = nullptr;
+  decltype(&plugin::writeVti) writeVti = nullptr;
+  decltype(&plugin::writeVtp) writeVtp = nullptr;
+  decltype(&plugin::unpackByVtk) unpackByVtk = nullptr;
+};
+
+/// The table of a plug-in, which stays loaded. @param what  it is for, in words for people
+/// @throw InputError when it, or what it links, is not there. Any thread.
+const void* loadPlugin(const std::string& name, const std::string& what);
+
+/// Loads it when it is first asked for. @throw InputError
+template <class Plugin>
+const Plugin& loaded() {
+  static const void* const table = loadPlugin(Plugin::kName, Plugin::kWhat);
+  return *static_cast<const Plugin*>(table);
+}
+
+}  // namespace velum::io

@@ -1,6 +1,7 @@
 #include "io/meshes/GltfWriter.h"
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "io/read/GltfFile.h"
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <bit>
 #include <limits>
+#include <nlohmann/json.hpp>
 
 #include "core/Color.h"
 #include "io/read/Refuse.h"

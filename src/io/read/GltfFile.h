@@ -1,7 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <glm/glm.hpp>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <span>
 #include <string>
 #include <vector>

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/Text.h"
+
 namespace velum {
 
 Counts expectedCounts(const Counts& before, std::uint64_t left, std::uint64_t total) {
@@ -26,10 +28,6 @@ std::string countFields(const Counts& counts) {
   return text + std::to_string(counts.total());
 }
 
-std::string countText(std::uint64_t count) {
-  std::string text = std::to_string(count);
-  for (std::size_t at = text.size(); at > 3; at -= 3) text.insert(at - 3, ",");
-  return text;
-}
+std::string countText(std::uint64_t count) { return grouped(count, ","); }
 
 }  // namespace velum

@@ -9,7 +9,6 @@
 #include "core/Error.h"
 #include "scene/Shown.h"
 #include "session/cut/CutEdit.h"
-#include "session/model/TypeDials.h"
 #include "session/model/TypesAt.h"
 
 namespace velum::session {

@@ -21,12 +21,12 @@ class Plugins(CliTest):
         self.assertEqual(self.loaded("help"), set())
         volume = self.sample(file="spheres.nrrd")
         self.assertEqual(self.loaded("info", volume), set())
-        self.assertEqual(self.loaded("convert", volume, "-o", "spheres.nii.gz"), set())
+        self.assertEqual(self.loaded("convert", volume, "spheres.nii.gz"), set())
 
     def test_each_is_loaded_by_itself(self):
         volume = self.sample(file="spheres.nrrd")
-        self.assertEqual(self.loaded("convert", volume, "-o", "spheres.vdb"), {"libopenvdb"})
-        self.assertEqual(self.loaded("convert", volume, "-o", "spheres.vti"), {"libvtk"})
+        self.assertEqual(self.loaded("convert", volume, "spheres.vdb"), {"libopenvdb"})
+        self.assertEqual(self.loaded("convert", volume, "spheres.vti"), {"libvtk"})
         self.assertEqual(self.loaded("info", "spheres.vdb"), {"libopenvdb"})
         self.assertEqual(self.loaded("info", "spheres.vti"), set())
 
@@ -37,7 +37,7 @@ class Plugins(CliTest):
             shutil.copy(path, libraries, follow_symlinks=False)
         environment = {"LD_LIBRARY_PATH": str(libraries)}
         volume = self.sample(file="spheres.nrrd")
-        self.run_batch("convert", volume, "-o", "spheres.vdb")
+        self.run_batch("convert", volume, "spheres.vdb")
         said = self.run_batch("info", "spheres.vdb", code=2, env=environment).stderr.decode()
         self.assertEqual(said.strip(), "velum-batch: cannot read or write OpenVDB: libvelum-io-vdb.so was not found in "
                          f"{libraries}/velum")

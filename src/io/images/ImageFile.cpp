@@ -36,8 +36,6 @@ constexpr const char* kDescriptionKey = "velum:scene";
 constexpr std::string_view kTiffPrefix = "velum:scene\n";
 constexpr int kMaxSide = 65535;
 
-}
-
 void check(const Image& image, const Path& path) {
   bool sane = image.width > 0 && image.height > 0 && image.width <= kMaxSide && image.height <= kMaxSide &&
               !image.channels.empty();

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "app/Inputs.h"
 #include "app/Verbs.h"
 #include "render/Renderer.h"
 #include "scene/Navigate.h"

@@ -10,9 +10,6 @@
 
 #include "core/Task.h"
 #include "gpu/Context.h"
-#include "scene/SceneFwd.h"
-#include "session/Session.h"
-#include "session/command/Command.h"
 
 /// What the verbs share: options that all of them take, opening what they name, progress and reports.
 namespace velum::app {
@@ -26,29 +23,7 @@ struct Common {
   gpu::ContextKind context = gpu::ContextKind::Auto;
 };
 
-/// What verbs that open data take.
-struct InputOptions {
-  std::vector<std::string> inputs;
-  std::vector<std::string> sets;  ///< path=value
-  std::string series, preset, finish, transfer, view, labels;
-  bool hidesTable = false, makesSurface = false;
-  std::vector<double> spacing;
-  std::optional<bool> smooth;
-  std::string raw;  ///< "XxYxZ:type[:be][:+header]"
-};
-
 void addCommon(CLI::App& verb, Common& common);
-void addInput(CLI::App& verb, InputOptions& input, bool withScene);
-/// The first input's source, with the reading options applied.
-scene::Source firstSource(const InputOptions& input);
-/// Opens all inputs in a session and runs the commands that the options stand for: preset, transfer function, surface,
-/// table, view, finish and --set, in this order; then lets all that grows come to rest. Shows progress on a terminal.
-/// @param aspect  of the picture that is to hold what is opened
-void openInputs(session::Session& session, const InputOptions& input, double aspect);
-/// With which words of a command an error begins, and the option that was meant.
-using Words = std::vector<std::pair<std::string, std::string>>;
-/// Runs a command and says what there is to say of it. @throw as session::run(), in the words of the options
-void run(session::Session& session, const session::Call& call, Words options = {});
 /// Refuses an output that cannot be written, before the work for it begins. @param path  empty: none is asked for; -:
 /// standard output  @param expectFormat  of its extension, as io::expectImageFormat()  @throw InputError
 void expectOutput(const std::string& path, void (*expectFormat)(const std::filesystem::path&) = nullptr);

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "app/Inputs.h"
 #include "app/Verbs.h"
 
 namespace velum::app {

@@ -2,6 +2,7 @@
 
 #include <variant>
 
+#include "app/Inputs.h"
 #include "app/Verbs.h"
 #include "core/Error.h"
 #include "io/kinds/FileKind.h"

@@ -5,6 +5,7 @@
 
 #include "app/CountAreas.h"
 #include "app/CountTable.h"
+#include "app/Inputs.h"
 #include "app/Targets.h"
 #include "app/Verbs.h"
 #include "core/Clock.h"

@@ -1,4 +1,5 @@
 #include "app/CountAreas.h"
+#include "app/Inputs.h"
 
 #include <fmt/format.h>
 

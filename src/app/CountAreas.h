@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "app/Common.h"
+#include "app/Inputs.h"
 #include "session/model/PictureCounter.h"
 
 namespace velum::app {

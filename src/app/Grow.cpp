@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "app/Inputs.h"
 #include "app/Text.h"
 #include "app/Verbs.h"
 #include "core/Error.h"

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 
+#include "app/Inputs.h"
 #include "app/Text.h"
 #include "app/Verbs.h"
 #include "core/Error.h"

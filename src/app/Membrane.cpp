@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "app/Inputs.h"
 #include "app/Verbs.h"
 #include "core/Error.h"
 #include "io/meshes/WriteMesh.h"

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "app/Inputs.h"
 #include "app/StandardInput.h"
 #include "app/Targets.h"
 #include "app/Verbs.h"

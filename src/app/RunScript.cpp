@@ -5,6 +5,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "app/Inputs.h"
 #include "app/StandardInput.h"
 #include "app/Verbs.h"
 #include "core/Error.h"

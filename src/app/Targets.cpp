@@ -1,4 +1,5 @@
 #include "app/Targets.h"
+#include "app/Inputs.h"
 
 #include <fmt/format.h>
 

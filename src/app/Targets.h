@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "app/Common.h"
+#include "app/Inputs.h"
 #include "session/model/PictureCounter.h"
 #include "session/model/TargetSolver.h"
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/Inputs.h"
 #include "app/Verbs.h"
 #include "gpu/GpuError.h"
 #include "render/Renderer.h"

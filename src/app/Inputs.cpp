@@ -1,0 +1,235 @@
+#include "app/Inputs.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cstdio>
+#include <functional>
+
+#include "app/StandardInput.h"
+#include "core/Error.h"
+#include "core/Log.h"
+#include "core/ReplaceFile.h"
+#include "core/Text.h"
+#include "io/kinds/FileKind.h"
+#include "scene/Finishes.h"
+#include "scene/GreyWindows.h"
+#include "scene/Presets.h"
+#include "scene/SurfaceLook.h"
+#include "scene/json/Paths.h"
+#include "session/command/DocumentCommands.h"
+#include "session/command/LookCommands.h"
+#include "session/command/ViewCommands.h"
+#include "session/document/Open.h"
+#include "session/document/SetFields.h"
+
+namespace velum::app {
+
+namespace {
+
+/// What --window sets, among what --set does: level and width together.
+constexpr std::string_view kWindowField = "volume.window";
+
+/// Names of grey windows with their units, for the help.
+std::string windowNames() {
+  std::string names;
+  for (const scene::GreyWindow& window : scene::greyWindows())
+    names += (names.empty() ? "" : ", ") + fmt::format("{} ({})", window.name, window.unit);
+  return names;
+}
+
+std::string finishNames() {
+  std::string names;
+  for (const scene::NamedFinish& finish : scene::finishes())
+    names += (names.empty() ? "" : ", ") + std::string(finish.name);
+  return names;
+}
+
+}  // namespace
+
+void addInput(CLI::App& verb, InputOptions& input, bool withScene) {
+  verb.add_option("input", input.inputs,
+                  "data file, DICOM folder, scene or picture of ours, - for standard input; then labels and surfaces")
+      ->required();
+  verb.add_option("--series", input.series, "DICOM series UID, when a folder holds several");
+  verb.add_option("--spacing", input.spacing, "voxel spacing x,y,z in mm, over the file's own")
+      ->delimiter(',')
+      ->expected(3);
+  verb.add_option("--raw", input.raw, "layout of a file without a header: 256x256x128:uint16[:be][:rgb][:+512]");
+  if (!withScene) return;
+  verb.add_option("--set", input.sets, "change a scene field: path=value, e.g. rayCast.mode=mip; repeatable");
+  verb.add_option("--labels", input.labels,
+                  "read this file as labels, whatever it looks like; with no other input, alone");
+  verb.get_option("input")->required(false);
+  verb.add_option("--preset", input.preset, "look by name, e.g. ct-bone");
+  verb.add_flag_function(
+      "--smooth,!--no-smooth", [&input](std::int64_t count) { input.smooth = count > 0; },
+      "cubic between voxels, not linear; by itself where slices are over twice as thick as voxels are wide");
+  verb.add_flag("--surface", input.makesSurface,
+                "make a look that lets one see through one of surfaces, on which a finish draws its lines");
+  verb.add_option("--finish", input.finish, fmt::format("what an illustrator adds: {}", finishNames()));
+  verb.add_option("--transfer", input.transfer,
+                  "transfer function from a file: .velum-transfer.json, or 3D Slicer's .vp.json or .vp");
+  verb.add_option_function<std::string>(
+      "--window", [&input](const std::string& text) { input.sets.push_back(std::string(kWindowField) + "=" + text); },
+      fmt::format("grey window of sections: width,level in the values' unit (400,50), or one of {}", windowNames()));
+  verb.add_flag("--hide-table", input.hidesTable,
+                "leave out what is not part of the largest body: the scanner's table, head rests, cables");
+  verb.add_option("--view", input.view, "camera: anterior, posterior, left, right, superior, inferior, oblique");
+}
+
+namespace {
+
+/// "256x256x128:uint16:be:rgb:+512", the parts after the dimensions in any order.
+scene::RawLayout parseRaw(const std::string& text) {
+  scene::RawLayout raw;
+  auto fail = [&](const std::string& what) {
+    throw ArgumentError(fmt::format("--raw {}: {}; expected e.g. 256x256x128:uint16:be:+512", text, what));
+  };
+  std::size_t colon = text.find(':');
+  std::string dims = text.substr(0, colon);
+  int read = 0;
+  if (std::sscanf(dims.c_str(), "%dx%dx%d%n", &raw.dims.x, &raw.dims.y, &raw.dims.z, &read) != 3 ||
+      std::size_t(read) != dims.size())
+    fail("the dimensions are not XxYxZ");
+  if (raw.dims.x < 1 || raw.dims.y < 1 || raw.dims.z < 1) fail("the dimensions are not positive");
+  while (colon != std::string::npos) {
+    std::size_t next = text.find(':', colon + 1);
+    std::string part = text.substr(colon + 1, next == std::string::npos ? next : next - colon - 1);
+    colon = next;
+    bool known = false;
+    if (auto type = enumValue<SampleType>(part)) raw.type = *type, known = true;
+    if (part == "be" || part == "le") raw.bigEndian = part == "be", known = true;
+    if (part == "rgb" || part == "rgba") raw.channels = part == "rgb" ? 3 : 4, known = true;
+    if (part.size() > 1 && part[0] == '+') {
+      auto [end, error] = std::from_chars(part.data() + 1, part.data() + part.size(), raw.headerBytes);
+      known = error == std::errc() && end == part.data() + part.size() && raw.headerBytes >= 0;
+    }
+    if (!known) fail(fmt::format("'{}' is neither a type, be, le, rgb, rgba nor +bytes", part));
+  }
+  return raw;
+}
+
+/// What decides how data is read, and where the camera then stands.
+bool isSourceField(const std::string& path) {
+  return path.find(".source.") != std::string::npos || path == "model.completes" || path == "model.copies";
+}
+
+/// "path=value" in two.
+std::vector<scene::FieldValue> splitSets(const std::vector<std::string>& sets) {
+  std::vector<scene::FieldValue> out;
+  for (const auto& set : sets) {
+    std::size_t equals = set.find('=');
+    if (equals == std::string::npos) throw ArgumentError(fmt::format("--set {}: expected path=value", set));
+    out.push_back({set.substr(0, equals), set.substr(equals + 1)});
+  }
+  return out;
+}
+
+}  // namespace
+
+scene::Source firstSource(const InputOptions& input) {
+  scene::Source source;
+  source.path = fileOfInput(input.inputs.front());
+  source.series = input.series;
+  if (!input.raw.empty()) source.raw = parseRaw(input.raw);
+  if (!input.spacing.empty()) source.spacing = {input.spacing[0], input.spacing[1], input.spacing[2]};
+  for (double length : input.spacing)
+    if (length != 0 && !(length >= scene::kLeastSpacing && length <= scene::kMostSpacing))
+      throw ArgumentError(fmt::format("--spacing: {:.6g} mm is outside {:g} .. {:g} mm", length, scene::kLeastSpacing,
+                                      scene::kMostSpacing));
+  return source;
+}
+
+namespace {
+
+/// Offers what the window offers beside a finish.
+void sayWhereLinesLie(const scene::Scene& scene) {
+  const auto& volume = scene.volume.data;
+  bool drawsLines = scene.finish.contours > 0 || scene.finish.hatching > 0;
+  if (!volume || volume->isColor || !drawsLines || scene.rayCast.mode != scene::RenderMode::Volume) return;
+  if (scene::isTranslucent(scene::currentTransfer(scene.volume), computeHistogram(*volume, 1024, scene.volume.channel)))
+    log::say(
+        "note: the look lets one see through, and lines lie on all that is seen; --surface makes it one of surfaces");
+}
+
+}  // namespace
+
+void run(session::Session& session, const session::Call& call, Words options) {
+  try {
+    for (const std::string& note : session::run(session, call, consoleProgress())) log::warning(note);
+  } catch (const ArgumentError& error) {
+    std::string_view text = error.what();
+    for (const auto& [words, option] : options)
+      if (text.starts_with(words)) throw ArgumentError(option + std::string(text.substr(words.size())));
+    throw;
+  }
+}
+
+namespace {
+
+/// What decides where data lies is known before the data is read.
+session::DataPolicy policyOf(const std::vector<scene::FieldValue>& sets) {
+  session::DataPolicy policy;
+  policy.refusesOne = true;
+  policy.beforeData = [&sets](scene::Scene& opened) {
+    for (const auto& [path, value] : sets)
+      if (isSourceField(path)) session::setField(opened, path, value);
+  };
+  return policy;
+}
+
+void openFiles(session::Session& session, const InputOptions& input, const std::vector<scene::FieldValue>& sets) {
+  std::vector<scene::Source> sources;
+  for (std::size_t i = 0; i < input.inputs.size(); ++i) {
+    sources.push_back(i == 0 ? firstSource(input) : scene::Source{});
+    if (i > 0) sources.back().path = fileOfInput(input.inputs[i]);
+  }
+  std::string labels = input.labels.empty() ? std::string() : fileOfInput(input.labels);
+  if (sources.empty()) {
+    session::Loaded loaded = session::readLabels({}, labels, consoleProgress());
+    return session.file().open(std::move(loaded), labels);
+  }
+  session::Loaded loaded = session::read(sources, consoleProgress(), policyOf(sets));
+  for (const std::string& note : loaded.notes) log::warning(note);
+  std::string path = loaded.path;
+  session.file().open(std::move(loaded), path);
+  if (!labels.empty()) run(session, session::AddFile{labels, true});
+}
+
+/// Of the scene's own, or as data is first seen, or from the side that is asked for.
+void placeCamera(session::Session& session, const InputOptions& input, double aspect) {
+  bool isScene = !input.inputs.empty() && io::holdsScene(io::kindOf(session.file().path()));
+  if (input.view.empty() && isScene) return;
+  auto side = enumValue<scene::StandardView>(input.view);
+  if (!side && !input.view.empty())
+    throw ArgumentError(
+        fmt::format("--view {}: not one of {}", input.view, fmt::join(EnumNames<scene::StandardView>::kNames, ", ")));
+  side ? run(session, session::LookFrom{*side, aspect}) : run(session, session::LookFirst{aspect});
+}
+
+}  // namespace
+
+void openInputs(session::Session& session, const InputOptions& input, double aspect) {
+  if (input.inputs.empty() && input.labels.empty()) throw ArgumentError("name a file, folder or scene to open");
+  auto sets = splitSets(input.sets);
+  openFiles(session, input, sets);
+  consoleProgress().report(1.0, "");
+  if (!input.preset.empty()) run(session, session::ChoosePreset{input.preset});
+  if (input.smooth) run(session, session::SetField{"volume.smooth", *input.smooth ? "true" : "false"});
+  if (!input.transfer.empty()) run(session, session::ImportLook{input.transfer});
+  if (input.makesSurface) run(session, session::MakeSurface{});
+  if (input.hidesTable) run(session, session::HideTable{true});
+  placeCamera(session, input, aspect);
+  if (!input.finish.empty()) run(session, session::ChooseFinish{input.finish});
+  for (const auto& [path, value] : sets) {
+    if (path == kWindowField)
+      run(session, session::ChooseWindow{value}, {{"look.window", "--window"}});
+    else
+      run(session, session::SetField{path, value.empty() ? "\"\"" : value});
+  }
+  for (const std::string& note : session.grow(consoleProgress())) log::warning(note);
+  if (!input.finish.empty()) sayWhereLinesLie(session.scene());
+}
+
+}  // namespace velum::app

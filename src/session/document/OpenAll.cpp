@@ -1,0 +1,82 @@
+// Several inputs as one scene, or beside one.
+#include <algorithm>
+#include <exception>
+#include <filesystem>
+#include <functional>
+
+#include "core/Error.h"
+#include "core/Log.h"
+#include "io/kinds/FileKind.h"
+#include "scene/VisibleFrame.h"
+#include "session/document/Open.h"
+
+namespace velum::session {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Opens each; one that cannot be read does not keep the others from it, unless one is to be an error.
+/// @return why some were refused, one line each. @throw InputError when all were: the first one's
+std::vector<std::string> openEach(const std::vector<scene::Source>& sources, bool refusesOne,
+                                  const std::function<void(const scene::Source&)>& open) {
+  std::vector<std::string> refused;
+  std::exception_ptr first;
+  for (const auto& source : sources) {
+    try {
+      open(source);
+    } catch (const InputError& error) {
+      if (refusesOne) throw;
+      if (!first) first = std::current_exception();
+      refused.push_back(error.what());
+    }
+  }
+  if (refused.size() == sources.size() && first) std::rethrow_exception(first);
+  return refused;
+}
+
+/// @param notes  null: they are warnings on stderr
+void tell(const std::vector<std::string>& lines, std::vector<std::string>* notes) {
+  for (const auto& line : lines) notes ? notes->push_back(line) : log::warning(line);
+}
+
+}  // namespace
+
+std::vector<scene::Source> sourcesOf(const std::vector<std::string>& paths) {
+  std::vector<scene::Source> sources;
+  for (const auto& path : paths) {
+    sources.emplace_back();
+    sources.back().path = path;
+  }
+  return sources;
+}
+
+Opened openAll(std::vector<scene::Source> sources, Progress& progress, const DataPolicy& policy,
+               std::vector<std::string>* notes) {
+  if (sources.empty()) throw ArgumentError("nothing was named to open");
+  std::stable_partition(sources.begin(), sources.end(), [](const scene::Source& source) {
+    io::FileKind kind = fs::exists(source.path) ? io::kindOf(source) : io::FileKind::Volume;
+    return kind != io::FileKind::Surface && kind != io::FileKind::Labels;
+  });
+  Opened opened;
+  std::vector<std::string> refused = openEach(sources, policy.refusesOne, [&](const scene::Source& source) {
+    if (!opened.path.empty()) return add(opened.scene, source, progress, notes);
+    opened.scene = open(source, progress, policy, notes);
+    opened.path = source.path;
+  });
+  tell(refused, notes);
+  const scene::Scene& scene = opened.scene;
+  bool hasCamera = io::holdsScene(io::kindOf(fs::path(opened.path)));
+  if (sources.size() > 1 && !hasCamera && (!scene.surfaces.empty() || scene.model.data))
+    opened.scene.camera = scene::firstCamera(scene, 4.0 / 3.0);
+  return opened;
+}
+
+void addAll(scene::Scene& scene, const std::vector<std::string>& paths, Progress& progress,
+            std::vector<std::string>* notes) {
+  auto refused =
+      openEach(sourcesOf(paths), false, [&](const scene::Source& source) { add(scene, source, progress, notes); });
+  tell(refused, notes);
+}
+
+}  // namespace velum::session

@@ -1,0 +1,158 @@
+// A document is one picture: the window, velum-batch, a script and a session without a window draw the same bytes of
+// it.
+#include <fstream>
+#include <functional>
+
+#include "RunBatch.h"
+#include "WindowFixture.h"
+#include "session/Session.h"
+#include "session/command/CutCommands.h"
+#include "session/command/DocumentCommands.h"
+#include "session/command/LookCommands.h"
+#include "session/command/ModelCommands.h"
+#include "session/command/StructureCommands.h"
+#include "session/command/ViewCommands.h"
+#include "session/extrusion/GrowStructure.h"
+#include "session/membrane/HangMembrane.h"
+#include "session/picture/Film.h"
+
+namespace velum::gui {
+namespace {
+
+class SameBytes : public Window {
+ protected:
+  static constexpr glm::ivec2 kSize{96, 72};
+
+  session::PictureOptions options() const { return {kSize, 1, false, false, 0}; }
+  QString file(const char* name) const { return path(name); }
+  std::string text(const char* name) const { return path(name).toStdString(); }
+
+  void open(session::Session& session, const std::vector<std::string>& paths) {
+    session::Loaded loaded = session::readPaths(paths, mProgress, {});
+    session.file().open(std::move(loaded), paths[0]);
+    session::run(session, session::LookFirst{4.0 / 3.0}, mProgress);
+  }
+
+  /// A scene file of what is made of some data.
+  /// @param make  runs commands
+  void save(const std::vector<std::string>& paths, const std::function<void(session::Session&)>& make) {
+    session::Session session;
+    open(session, paths);
+    make(session);
+    session.settle(mProgress);
+    session.file().save(text("scene.json"));
+  }
+
+  /// All four ways to a picture of scene.json.
+  void expectOnePicture() {
+    mWindow->openPaths({file("scene.json")});
+    ASSERT_TRUE(waitForJob());
+    ASSERT_TRUE(settle());
+    session::Session(scene()).film({options()}, text("picture.png"), mProgress);
+    QByteArray byWindow = bytesOf(file("picture.png"));
+    ASSERT_FALSE(byWindow.isEmpty());
+
+    QFile::remove(file("picture.png"));
+    runBatch({"render", file("scene.json"), "-o", file("picture.png"), "--size", "96x72", "--samples", "1"});
+    EXPECT_TRUE(bytesOf(file("picture.png")) == byWindow) << "velum-batch render";
+
+    QFile::remove(file("picture.png"));
+    std::ofstream(text("script.txt")) << "open " << text("scene.json") << "\npicture 96x72 samples=1 "
+                                      << text("picture.png") << "\n";
+    runBatch({"run", file("script.txt")});
+    EXPECT_TRUE(bytesOf(file("picture.png")) == byWindow) << "a script";
+
+    QFile::remove(file("picture.png"));
+    session::Session bare;
+    bare.file().open(session::readPaths({text("scene.json")}, mProgress, {}), text("scene.json"));
+    bare.film({options()}, text("picture.png"), mProgress);
+    EXPECT_TRUE(bytesOf(file("picture.png")) == byWindow) << "a session";
+  }
+
+  void run(session::Session& session, const session::Call& call) { session::run(session, call, mProgress); }
+
+  Progress mProgress;
+};
+
+TEST_F(SameBytes, OfAVolumeWithAFinish) {
+  save({text("phantom.nrrd")}, [this](auto& session) {
+    run(session, session::ChooseFinish{"plate"});
+    run(session, session::AddCut{scene::CutShape::Plane, "Plane"});
+  });
+  expectOnePicture();
+}
+
+TEST_F(SameBytes, OfStructuresThatACutSpares) {
+  save({text("phantom.nrrd"), text("phantom_labels.seg.nrrd")}, [this](auto& session) {
+    run(session, session::AddCut{scene::CutShape::Box, "Box"});
+    run(session, session::SetField{"cuts.0.spares", "1"});
+  });
+  expectOnePicture();
+}
+
+TEST_F(SameBytes, OfAPassiveMembrane) {
+  save({text("phantom.nrrd")}, [this](auto& session) { run(session, session::HangMembrane{}); });
+  expectOnePicture();
+}
+
+/// Its shape at rest is in the scene; where it is moved it goes on from there.
+TEST_F(SameBytes, OfAnActiveMembraneThatHasMoved) {
+  save({text("phantom.nrrd")}, [this](auto& session) {
+    run(session, session::HangMembrane{});
+    run(session, session::SetField{"cuts.0.membrane.repositioning", "active"});
+    session.settle(mProgress);
+    ASSERT_FALSE(session.scene().cuts[0].membrane->shape.places.empty());
+    glm::dvec3 moved = session.scene().cuts[0].centre + glm::dvec3(1.0, 2.0, 0.0);
+    run(session, session::SetField{"cuts.0.centre", fmt::format("{},{},{}", moved.x, moved.y, moved.z)});
+  });
+  expectOnePicture();
+}
+
+TEST_F(SameBytes, OfAStructureThatWasGrown) {
+  save({text("phantom.nrrd")}, [this](auto& session) {
+    const Volume& volume = *session.scene().volume.data;
+    session::GrowStructure grow;
+    grow.seeds = {glm::dvec3(volume.worldFromVoxel * glm::dvec4(glm::dvec3(volume.dims) * 0.5, 1.0))};
+    grow.range = {volume.range.x, volume.range.y};
+    grow.name = "all";
+    run(session, grow);
+    session.grow(mProgress);
+    ASSERT_TRUE(session.scene().labels.data);
+    run(session, session::AddCut{scene::CutShape::Plane, "Plane"});
+  });
+  expectOnePicture();
+}
+
+TEST_F(SameBytes, OfAModelThinnedByACut) {
+  runBatch({"sample", "virion", "-o", file("virion.cif")});
+  save({text("virion.cif")}, [this](auto& session) {
+    run(session, session::AddCut{scene::CutShape::Plane, "Plane"});
+    run(session, session::LeaveTypes{{"root"}, 0.25, "Plane"});
+  });
+  expectOnePicture();
+}
+
+/// What comes out of a cut frame by frame, as the window and the command line write it.
+TEST_F(SameBytes, OfTheFramesOfAnAnimation) {
+  save({text("phantom.nrrd"), text("phantom_labels.seg.nrrd")}, [this](auto& session) {
+    run(session, session::AddCut{scene::CutShape::Plane, "Plane"});
+    run(session, session::SetField{"cuts.0.spares", R"([{"structure": 1, "distance": 12}])"});
+    run(session, session::HangMembrane{});
+  });
+  session::FilmOptions film{options(), session::Motion::Pull, 2, {}};
+  mWindow->openPaths({file("scene.json")});
+  ASSERT_TRUE(waitForJob());
+  ASSERT_TRUE(settle());
+  auto files = session::Session(scene()).film(film, text("film.png"), mProgress);
+  ASSERT_EQ(files.size(), 2u);
+  std::vector<QByteArray> byWindow;
+  for (const auto& path : files) byWindow.push_back(bytesOf(QString::fromStdString(path.string())));
+  EXPECT_NE(byWindow[0], byWindow[1]);
+  runBatch({"render", file("scene.json"), "-o", file("film.png"), "--size", "96x72", "--samples", "1", "--frames", "2",
+            "--animate", "pull"});
+  for (std::size_t i = 0; i < files.size(); ++i)
+    EXPECT_TRUE(bytesOf(QString::fromStdString(files[i].string())) == byWindow[i]) << i;
+}
+
+}  // namespace
+}  // namespace velum::gui

@@ -8,6 +8,8 @@
 #include "gui/kit/Length.h"
 #include "gui/rows/FieldRow.h"
 #include "gui/service/SelectedCut.h"
+#include "session/command/Command.h"
+#include "session/command/CutCommands.h"
 #include "session/cut/CutEdit.h"
 #include "session/cut/ShapeTraits.h"
 #include "session/extrusion/Pull.h"
@@ -58,8 +60,13 @@ QLabel* CutForm::addRow(const QString& name, QWidget* control) {
   return label;
 }
 
+/// @param change  of where the cut is
 void CutForm::editCut(const char* label, const std::function<void(scene::Cut&)>& change, bool merge) {
-  editSelectedCut(mDocument, mSelection, label, change, merge);
+  const scene::Cut* cut = selectedCut(mDocument, mSelection);
+  if (!cut) return;
+  scene::Cut placed = *cut;
+  change(placed);
+  placeCut(mDocument, placed, label, merge);
 }
 
 NumberField* CutForm::makeSpin(QWidget* parent, double min, double max, const QString& suffix) {
@@ -187,7 +194,7 @@ void CutForm::align(glm::dvec3 axis) {
       [this, placed, before = *cut] {
         const scene::Cut* now = scene::findCut(mDocument.scene(), before.id);
         if (!now || *now != before) return;
-        mDocument.edit("Align cut", [&](scene::Scene& scene) { session::moveCut(scene, *placed); });
+        placeCut(mDocument, *placed, "Align cut");
       });
 }
 
@@ -230,8 +237,10 @@ void CutForm::makeFace() {
        .stepOff = tr("Part cuts"),
        .isEnabled = [this] { return scene::cutPlace(mDocument.scene(), mShown.id) > 0 && !scene::isInlay(mShown); }});
   addRow(tr("Joined"), joined);
-  connect(mFlip, &QPushButton::clicked, this,
-          [this] { editCut("Flip cut", [](scene::Cut& cut) { cut.invert = !cut.invert; }); });
+  connect(mFlip, &QPushButton::clicked, this, [this] {
+    if (const scene::Cut* cut = selectedCut(mDocument, mSelection))
+      session::edit(mDocument, session::FlipCut{session::cutKey(mDocument.scene(), cut->id)});
+  });
 }
 
 void CutForm::showDirections() {

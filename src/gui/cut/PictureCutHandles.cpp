@@ -124,9 +124,7 @@ void PictureCutHandles::drag(const PointerEvent& event) {
                                       session::makeCutSnap(mDocument.scene(), event.keys & Qt::ShiftModifier));
   mPointer = event.at.place();
   mTag = QString::fromStdString(session::dragText(scene::lengthFormat(mDocument.scene()), mStart, moved, mHandle));
-  mDocument.edit(
-      session::dragLabel(mStart, mHandle), [&](scene::Scene& scene) { session::moveCut(scene, std::move(moved)); },
-      true);
+  placeCut(mDocument, moved, session::dragLabel(mStart, mHandle), true);
   mToolbox.repaint(event.at.view());
 }
 

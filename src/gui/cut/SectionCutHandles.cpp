@@ -151,8 +151,7 @@ void SectionCutHandles::drag(const PointerEvent& event) {
                                            session::makeCutSnap(mDocument.scene(), event.keys & Qt::ShiftModifier));
   auto like = session::likeInPicture(mHandle);
   mTag = QString::fromStdString(session::dragText(scene::lengthFormat(mDocument.scene()), mStart, now, like));
-  mDocument.edit(
-      session::dragLabel(mStart, like), [&](scene::Scene& scene) { session::moveCut(scene, std::move(now)); }, true);
+  placeCut(mDocument, now, session::dragLabel(mStart, like), true);
   mToolbox.repaint(event.at.view());
 }
 

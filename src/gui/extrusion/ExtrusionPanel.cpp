@@ -7,6 +7,7 @@
 #include "session/command/Command.h"
 #include "session/command/CutCommands.h"
 #include "session/command/ExtrusionCommands.h"
+#include "session/command/StructureCommands.h"
 #include "session/extrusion/Pull.h"
 #include "session/extrusion/PulledEnd.h"
 #include "session/growth/Growths.h"
@@ -120,15 +121,15 @@ void ExtrusionPanel::rename() {
   mName->setModified(false);
   const scene::Scene& scene = mDocument.scene();
   if (!one || name.toStdString() == session::structureName(scene, one->structure)) return;
-  mDocument.edit(session::structureLabel(scene, "Rename", {one->structure}),
-                 [&](scene::Scene& s) { session::renameStructure(s, one->structure, name.toStdString()); });
+  session::edit(mDocument,
+                session::RenameStructure{session::structureNames(scene, {one->structure})[0], name.toStdString()});
 }
 
 void ExtrusionPanel::setColor(glm::vec3 color) {
   auto one = mList->current();
   if (!one) return;
-  mDocument.edit(session::structureLabel(mDocument.scene(), "Colour", {one->structure}),
-                 [&](scene::Scene& s) { session::colorStructures(s, {one->structure}, color); });
+  session::edit(mDocument,
+                session::ColorStructures{session::structureNames(mDocument.scene(), {one->structure}), color});
 }
 
 ExtrusionPanel::Shown ExtrusionPanel::shownOf(const scene::Scene& scene) const {

@@ -7,8 +7,11 @@
 #include <QPainterPath>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <string>
 
-#include "scene/Presets.h"
+#include "gui/service/EditField.h"
+#include "session/command/Command.h"
+#include "session/command/LookCommands.h"
 
 namespace velum::gui {
 
@@ -66,29 +69,21 @@ void ChannelList::addRow() {
 }
 
 void ChannelList::show(int channel, bool alone) {
-  mDocument.edit(alone ? "Show channel alone" : "Show or hide channel", [&](scene::Scene& scene) {
-    auto& looks = scene.volume.channels;
-    auto index = std::size_t(channel);
-    if (index >= looks.size()) return;
-    bool isAlone = looks[index].visible &&
-                   std::count_if(looks.begin(), looks.end(), [](const auto& look) { return look.visible; }) == 1;
-    if (!alone) {
-      looks[index].visible = !looks[index].visible;
-      return;
-    }
-    for (std::size_t i = 0; i < looks.size(); ++i) looks[i].visible = isAlone || i == index;
-  });
+  const auto& looks = mDocument.scene().volume.channels;
+  if (std::size_t(channel) >= looks.size()) return;
+  if (alone) return session::edit(mDocument, session::ShowChannelAlone{channel});
+  bool visible = !looks[std::size_t(channel)].visible;
+  setField(mDocument, "volume.channels." + std::to_string(channel) + ".visible", visible ? "true" : "false",
+           "Show or hide channel");
 }
 
 void ChannelList::recolor(int channel, glm::vec3 color) {
-  mDocument.edit("Change channel's colour", [&](scene::Scene& scene) {
-    if (std::size_t(channel) < scene.volume.channels.size())
-      scene::colorChannel(scene.volume.channels[std::size_t(channel)], color);
-  });
+  if (std::size_t(channel) < mDocument.scene().volume.channels.size())
+    session::edit(mDocument, session::ColorChannel{channel, color});
 }
 
 void ChannelList::choose(int channel) {
-  mDocument.edit("Choose channel", [channel](scene::Scene& scene) { scene.volume.channel = channel; });
+  setField(mDocument, "volume.channel", std::to_string(channel), "Choose channel");
   refresh();  // the chosen one stays pressed
 }
 

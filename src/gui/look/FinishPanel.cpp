@@ -5,6 +5,7 @@
 #include <QVBoxLayout>
 #include <exception>
 
+#include "gui/service/EditField.h"
 #include "scene/SurfaceLook.h"
 #include "session/command/Command.h"
 #include "session/command/LookCommands.h"
@@ -154,7 +155,7 @@ void FinishPanel::askPaper() {
 
 void FinishPanel::takePaper(const QString& path) {
   try {
-    mDocument.edit("Choose paper", [&](scene::Scene& scene) { session::takePaper(scene, path.toStdString()); });
+    setField(mDocument, "finish.paper", path.toStdString(), "Choose paper");
   } catch (const std::exception& error) {
     emit failed(QString::fromUtf8(error.what()));
   }

@@ -7,7 +7,8 @@
 #include <exception>
 
 #include "scene/LitSpheres.h"
-#include "session/document/LitSphereFiles.h"
+#include "session/command/Command.h"
+#include "session/command/LookCommands.h"
 
 namespace velum::gui {
 
@@ -44,13 +45,8 @@ LitSphereGrid::LitSphereGrid(session::Document& document, QWidget* parent)
   mList->setObjectName("litSphere");
   mList->setAccessibleName(tr("Lit sphere"));
   mList->setToolTip(tr("How the material looks from each side, where structures have none of their own"));
-  connect(mList, &PictureList::chosen, this, [this](const QString& name) {
-    mDocument.edit("Choose lit sphere", [&](scene::Scene& scene) {
-      scene.finish.sphere = name.toStdString();
-      // Who chooses one wants to see it.
-      if (scene.finish.litSphere == 0.0) scene.finish.litSphere = 0.5;
-    });
-  });
+  connect(mList, &PictureList::chosen, this,
+          [this](const QString& name) { session::edit(mDocument, session::ChooseLitSphere{name.toStdString()}); });
   connect(add, &QPushButton::clicked, this, &LitSphereGrid::askOwn);
   fill();
 }
@@ -81,10 +77,7 @@ void LitSphereGrid::refresh() {
 
 void LitSphereGrid::addOwn(const QString& path) {
   try {
-    mDocument.edit("Add lit sphere", [&](scene::Scene& scene) {
-      scene.finish.sphere = session::addLitSphere(scene, path.toStdString());
-      if (scene.finish.litSphere == 0.0) scene.finish.litSphere = 0.5;
-    });
+    session::edit(mDocument, session::ChooseLitSphere{path.toStdString()});
   } catch (const std::exception& error) {
     emit failed(QString::fromUtf8(error.what()));
   }

@@ -4,6 +4,8 @@
 #include <QMenu>
 #include <algorithm>
 
+#include "session/command/Command.h"
+#include "session/command/ModelCommands.h"
 #include "session/model/ClipState.h"
 
 namespace velum::gui {
@@ -74,8 +76,8 @@ void EqualizerBar::goToState(int state) {
   session::ClipState now = session::clipState(mDocument.scene()), wanted = session::ClipState(state);
   if (wanted != now) {
     if (now == session::ClipState::Thinned) mThinned = mDocument.scene().cuts;
-    if (wanted == session::ClipState::Whole) mDocument.edit("Show whole", session::showWhole);
-    if (wanted == session::ClipState::Cut) mDocument.edit("Show cut", session::showCut);
+    if (wanted == session::ClipState::Whole) session::edit(mDocument, session::ShowUncut{});
+    if (wanted == session::ClipState::Cut) session::edit(mDocument, session::ShowUnthinned{});
     if (wanted == session::ClipState::Thinned && !mThinned.empty())
       mDocument.edit("Show thinned", [this](scene::Scene& scene) { scene.cuts = mThinned; });
   }

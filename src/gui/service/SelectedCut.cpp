@@ -1,5 +1,7 @@
 #include "gui/service/SelectedCut.h"
 
+#include "session/command/Command.h"
+#include "session/command/CutCommands.h"
 #include "session/extrusion/Pull.h"
 
 namespace velum::gui {
@@ -11,6 +13,11 @@ const scene::Cut* selectedCut(const session::Document& document, const Selection
 const scene::Cut* selectedMembrane(const session::Document& document, const Selection& selection) {
   const scene::Cut* cut = selectedCut(document, selection);
   return cut && scene::isMembrane(*cut) ? cut : nullptr;
+}
+
+void placeCut(session::Document& document, const scene::Cut& placed, const std::string& step, bool merge) {
+  if (!scene::findCut(document.scene(), placed.id)) return;
+  session::edit(document, session::placeOf(placed, session::cutKey(document.scene(), placed.id)), merge, step);
 }
 
 void editSelectedCut(session::Document& document, const Selection& selection, const std::string& label,

@@ -12,6 +12,10 @@ const scene::Cut* selectedCut(const session::Document& document, const Selection
 /// The same where it is a membrane.
 const scene::Cut* selectedMembrane(const session::Document& document, const Selection& selection);
 
+/// Puts a cut where it is to be by the command `cut.place`: what was pulled out of it goes along.
+/// @param step  its name for people  @param merge  as of Document::edit()
+void placeCut(session::Document& document, const scene::Cut& placed, const std::string& step, bool merge = false);
+
 /// Changes the selected cut as Document::edit() does; nothing without one.
 void editSelectedCut(session::Document& document, const Selection& selection, const std::string& label,
                      const std::function<void(scene::Cut&)>& change, bool merge = false);

@@ -5,6 +5,7 @@
 #include <QVBoxLayout>
 
 #include "gui/kit/Length.h"
+#include "gui/service/EditField.h"
 #include "session/command/Command.h"
 #include "session/command/StructureCommands.h"
 #include "session/document/StructureShapes.h"
@@ -114,16 +115,15 @@ QGridLayout* StructurePanel::makeShares(QWidget* head) {
   mTint = add(tr("Tint"), "labelTint", tr("How far structures take their own colour rather than the volume's, %"));
   mUnlabelled = add(tr("Unlabelled"), "labelUnlabelled", tr("Opacity of all that belongs to no structure, %"));
   mOnSections = add(tr("On sections"), "labelOnSections", tr("Opacity of the structures' colours on the sections, %"));
-  driveShare(mTint, "Change tint", [](scene::Scene& s) -> double& { return s.labels.tint; });
-  driveShare(mUnlabelled, "Fade what has no label", [](scene::Scene& s) -> double& { return s.labels.unlabelled; });
-  driveShare(mOnSections, "Labels on sections", [](scene::Scene& s) -> double& { return s.sections.labelOpacity; });
+  driveShare(mTint, "Change tint", "labels.tint");
+  driveShare(mUnlabelled, "Fade what has no label", "labels.unlabelled");
+  driveShare(mOnSections, "Labels on sections", "sections.labelOpacity");
   return grid;
 }
 
-void StructurePanel::driveShare(NumberRow* row, const char* label, std::function<double&(scene::Scene&)> field) {
-  connect(row, &NumberRow::changed, this, [this, label, field](double percent) {
-    mDocument.edit(
-        label, [&](scene::Scene& scene) { field(scene) = percent / 100.0; }, true);
+void StructurePanel::driveShare(NumberRow* row, const char* step, const char* field) {
+  connect(row, &NumberRow::changed, this, [this, step, field](double percent) {
+    setField(mDocument, field, QString::number(percent / 100.0, 'g', 17).toStdString(), step, true);
   });
   connect(row, &NumberRow::settled, this, [this] { mDocument.endMerge(); });
 }

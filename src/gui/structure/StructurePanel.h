@@ -38,7 +38,7 @@ class StructurePanel : public QWidget {
   QWidget* makeSearch();
   QWidget* makeFoot();
   QWidget* makeDetail();
-  void driveShare(NumberRow* row, const char* label, std::function<double&(scene::Scene&)> field);
+  void driveShare(NumberRow* row, const char* step, const char* field);
   void showSelected();
   void showSmoothing(const scene::Structure* structure);
   void showCount();

@@ -6,6 +6,8 @@
 
 #include "core/Assert.h"
 #include "gui/kit/Theme.h"
+#include "session/command/Command.h"
+#include "session/command/LookCommands.h"
 #include "session/section/TypedWindow.h"
 
 namespace velum::gui {
@@ -27,7 +29,7 @@ QString greyWindowTitle(const scene::GreyWindow& window) {
 }
 
 void setGreyWindow(session::Document& document, std::string_view name) {
-  document.edit(kStep, [name](scene::Scene& scene) { scene::applyGreyWindow(scene.volume, name); });
+  session::edit(document, session::ChooseWindow{std::string(name)});
 }
 
 void drawOverTissue(QPainter& painter, const QRectF& box, int flags, const QString& text, int alpha) {
@@ -114,7 +116,7 @@ void GreyWindowCorner::take() {
     mark(true);
     return QToolTip::showText(mField->mapToGlobal(QPoint(0, 0)), mField->toolTip(), mField);
   }
-  mDocument.edit(kStep, [window](scene::Scene& scene) { scene::setWindow(scene.volume, window->x, window->y); });
+  session::edit(mDocument, session::ChooseWindow{mField->text().toStdString()});
   parentWidget()->setFocus();
 }
 

@@ -12,6 +12,8 @@
 #include "gui/kit/Widgets.h"
 #include "gui/view/GreyWindowCorner.h"
 #include "gui/view/ViewChange.h"
+#include "session/command/Command.h"
+#include "session/command/LookCommands.h"
 #include "session/section/InstanceOutlines.h"
 
 namespace velum::gui {
@@ -37,9 +39,8 @@ void addWindowMenu(QMenu& menu, SectionView& view, session::Document& document) 
   if (!windows->isEmpty()) windows->addSeparator();
   QAction* whole = windows->addAction(SectionView::tr("&Whole range"));
   whole->setToolTip(SectionView::tr("From the smallest value to the largest"));
-  QObject::connect(whole, &QAction::triggered, &view, [&document] {
-    document.edit("Change window", [](scene::Scene& scene) { scene::setWindow(scene.volume, 0.0, 0.0); });
-  });
+  QObject::connect(whole, &QAction::triggered, &view,
+                   [&document] { session::edit(document, session::ChooseWindow{"whole"}); });
   QAction* typed = windows->addAction(SectionView::tr("&Type it...\tW"));
   typed->setToolTip(SectionView::tr("Width and level as numbers, or a name"));
   QObject::connect(typed, &QAction::triggered, &view, [&view] { GreyWindowCorner::of(view).startTyping(); });

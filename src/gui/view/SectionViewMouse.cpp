@@ -10,6 +10,8 @@
 #include "gui/kit/Preferences.h"
 #include "gui/view/SectionView.h"
 #include "gui/view/ViewChange.h"
+#include "session/command/Command.h"
+#include "session/command/LookCommands.h"
 #include "session/section/SectionTool.h"
 
 namespace velum::gui {
@@ -80,8 +82,10 @@ void SectionView::dragTo(glm::dvec2 place) {
       const auto& volume = mDragScene.volume;
       if (!mHasMoved || !volume.data || volume.data->isColor) break;
       glm::dvec2 window = session::draggedWindow(scene::effectiveWindow(volume), way);
-      mDocument.edit(
-          "Change window", [&](scene::Scene& scene) { scene::setWindow(scene.volume, window.x, window.y); }, true);
+      session::edit(
+          mDocument,
+          session::ChooseWindow{QString("%1 %2").arg(window.y, 0, 'g', 17).arg(window.x, 0, 'g', 17).toStdString()},
+          true);
       break;
     }
     case Drag::None:

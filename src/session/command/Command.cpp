@@ -87,9 +87,11 @@ void commit(Document& document, const Edit& edit, const Call& call, bool merge) 
       edit.step, [&](scene::Scene& scene) { scene = edit.after; }, merge, call.line());
 }
 
-void edit(Document& document, const Call& call, bool merge) {
+void edit(Document& document, const Call& call, bool merge, const std::string& step) {
   Progress progress;
-  commit(document, editOf(document.scene(), call, progress), call, merge);
+  Edit made = editOf(document.scene(), call, progress);
+  if (!step.empty()) made.step = step;
+  commit(document, made, call, merge);
 }
 
 std::vector<std::string> run(Session& session, const Call& call, Progress& progress, bool merge) {

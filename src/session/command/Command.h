@@ -88,8 +88,9 @@ bool isLong(const scene::Scene& scene, const Call& call);
 /// Makes it an undo step, which a script can do again by the call's line. The session's thread.
 /// @param merge  as of Document::edit()
 void commit(Document& document, const Edit& edit, const Call& call, bool merge = false);
-/// Both, for a call that is not long. @throw as editOf(); then nothing has changed
-void edit(Document& document, const Call& call, bool merge = false);
+/// Both, for a call that is not long. @param step  another name of the undo step than the command's
+/// @throw as editOf(); then nothing has changed
+void edit(Document& document, const Call& call, bool merge = false, const std::string& step = {});
 
 /// Does it, with all that follows. Where it changes the scene, that is one undo step. The session's thread; long
 /// commands take as long as they take: a window makes the edit in a job where isLong().

@@ -22,6 +22,10 @@ scene::Cut& cutOf(scene::Scene& scene, const std::string& key) {
   return const_cast<scene::Cut&>(cutOf(std::as_const(scene), key));
 }
 
+PlaceCut placeOf(const scene::Cut& cut, const std::string& key) {
+  return {cut.centre, cut.axis, cut.size, cut.spinDeg, key};
+}
+
 namespace detail {
 
 namespace {
@@ -56,6 +60,16 @@ void duplicate(Scene& scene, const DuplicateCut& a) {
   copy.id = scene::nextCutId(scene);
   copy.name = fmt::format("{} copy", cut.name.empty() ? fmt::format("Cut {}", place + 1) : cut.name);
   scene.cuts.insert(scene.cuts.begin() + place + 1, copy);
+}
+
+/// What was pulled out of the cut goes along.
+void place(Scene& scene, const PlaceCut& a) {
+  Cut moved = cutOf(std::as_const(scene), a.cut);
+  moved.centre = a.centre;
+  moved.axis = a.axis;
+  moved.size = a.size;
+  moved.spinDeg = a.spinDeg;
+  moveCut(scene, std::move(moved));
 }
 
 void moveInList(Scene& scene, const MoveCutInList& a) {
@@ -97,6 +111,8 @@ std::vector<Command> cutCommands() {
                          }),
       editRow<DuplicateCut>("Adds a copy of a cut, right behind it.", "cut.duplicate \"Plane 1\"", "Duplicate cut",
                             duplicate),
+      editRow<PlaceCut>("Puts a cut elsewhere, with what was pulled out of it.",
+                        "cut.place 0,0,40 0,0,1 cut=\"Plane 1\"", "Move cut", place),
       editRow<FlipCut>("Lets a cut take away the other side.", "cut.flip", "Flip cut",
                        changeCut<FlipCut>([](Cut& cut, const FlipCut&) { cut.invert = !cut.invert; })),
       editRow<EnableCut>(

@@ -2,6 +2,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/Fields.h"
 #include "scene/Cut.h"
 #include "scene/SceneFwd.h"
 
@@ -68,6 +69,23 @@ struct RenameCut {
     visit("name", o.name, FieldInfo{"", {}, "What it is to be called."});
   }
 };
+
+struct PlaceCut {
+  static constexpr std::string_view kName = "cut.place";
+  glm::dvec3 centre{0.0}, axis{0.0, -1.0, 0.0}, size{100.0};
+  double spinDeg = 0.0;
+  std::string cut;
+  static void fields(auto& o, auto& visit) {
+    visit("centre", o.centre,
+          FieldInfo{kLength, {}, "A point of the plane; middle of other shapes, apex of the cone."});
+    visit("axis", o.axis, FieldInfo{"", {}, "Normal of the plane, axis of the others."});
+    visit("size", o.size, FieldInfo{kLength, {0, 1e9}, "Edges; diameter first and length third of round shapes."});
+    visit("spinDeg", o.spinDeg, FieldInfo{"deg", {-360, 360}, "Turn of a box about its axis."});
+    visit("cut", o.cut, kCutInfo);
+  }
+};
+/// The frame of a cut as it is. @param key  of the cut, see cutKey()
+PlaceCut placeOf(const scene::Cut& cut, const std::string& key);
 
 struct MoveCutInList {
   static constexpr std::string_view kName = "cut.moveInList";

@@ -32,7 +32,46 @@ struct ChooseWindow {
   static constexpr std::size_t kTakesRest = 1;
   std::string window;
   static void fields(auto& o, auto& visit) {
-    visit("window", o.window, FieldInfo{"", {}, "Width and level in the values' unit, 400 50, or a name: bone, lung."});
+    visit("window", o.window,
+          FieldInfo{"", {}, "Width and level in the values' unit, 400 50, or a name: bone, lung, whole."});
+  }
+};
+
+struct ShowThis {
+  static constexpr std::string_view kName = "look.showThis";
+  glm::dvec3 place{0.0};
+  bool hidden = false, added = false;
+  static void fields(auto& o, auto& visit) {
+    visit("place", o.place, FieldInfo{kLength, {}, "In the material that is meant, world."});
+    visit("hidden", o.hidden, FieldInfo{"", {}, "On: the material is hidden instead."});
+    visit("added", o.added, FieldInfo{"", {}, "On: all else stays as it is."});
+  }
+};
+
+struct ShowChannelAlone {
+  static constexpr std::string_view kName = "look.channelAlone";
+  int channel = 0;
+  static void fields(auto& o, auto& visit) {
+    visit("channel", o.channel, FieldInfo{"", {0, 1e9}, "From 0; of the one that is alone already: all are shown."});
+  }
+};
+
+struct ColorChannel {
+  static constexpr std::string_view kName = "look.channelColor";
+  int channel = 0;
+  glm::vec3 color{1.0f};
+  static void fields(auto& o, auto& visit) {
+    visit("channel", o.channel, FieldInfo{"", {0, 1e9}, "From 0."});
+    visit("color", o.color, FieldInfo{"", {0, 1}, "sRGB."});
+  }
+};
+
+struct ChooseLitSphere {
+  static constexpr std::string_view kName = "look.litSphere";
+  static constexpr std::size_t kTakesRest = 1;
+  std::string sphere;
+  static void fields(auto& o, auto& visit) {
+    visit("sphere", o.sphere, FieldInfo{"", {}, "A name, or the file of a painted sphere of one's own."});
   }
 };
 

@@ -6,6 +6,7 @@
 #include "session/command/CommandRow.h"
 #include "session/command/CutCommands.h"
 #include "session/cut/CutEdit.h"
+#include "session/model/ClipState.h"
 #include "session/model/TypesAt.h"
 #include "session/model/WhatHides.h"
 
@@ -114,6 +115,11 @@ std::vector<Command> modelCommands() {
             return (a.field == "share" ? "Leave of " : "Change " + a.field + " of ") + rowsLabel(a.types);
           },
           leaveBy),
+      editRow<ShowUncut>("Turns all cuts off: no instance is removed.", "model.showUncut", "Show whole",
+                         [](Scene& scene, const ShowUncut&) { showWhole(scene); }),
+      editRow<ShowUnthinned>("Gives up shares and falloffs: where an instance is decides whether it is drawn.",
+                             "model.showUnthinned", "Show cut",
+                             [](Scene& scene, const ShowUnthinned&) { showCut(scene); }),
       editRow<KeepInView>(
           "Clears away what hides a type or compartment, or lets it be hidden again.", "model.keepInView root.capsid",
           [](const Scene&, const KeepInView& a) {

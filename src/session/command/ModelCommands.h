@@ -110,6 +110,16 @@ struct LeaveTypesBy {
   }
 };
 
+struct ShowUncut {
+  static constexpr std::string_view kName = "model.showUncut";
+  static void fields(auto&, auto&) {}
+};
+
+struct ShowUnthinned {
+  static constexpr std::string_view kName = "model.showUnthinned";
+  static void fields(auto&, auto&) {}
+};
+
 struct KeepInView {
   static constexpr std::string_view kName = "model.keepInView";
   std::string type;

@@ -167,12 +167,9 @@ void FieldForm::set(const Row& row, const std::string& value, bool merge) {
   std::string path = pathOf(row);
   if (path.empty()) return;
   session::Call call = row.text.call ? row.text.call(value) : session::Call(session::SetField{path, value});
-  Progress progress;
-  session::Edit edit = session::editOf(mDocument.scene(), call, progress);
   bool isOff = value == "false" && !row.text.stepOff.isEmpty();
   const QString& step = isOff ? row.text.stepOff : row.text.step;
-  if (!step.isEmpty()) edit.step = step.toStdString();
-  session::commit(mDocument, edit, call, merge);
+  session::edit(mDocument, call, merge, step.toStdString());
 }
 
 void FieldForm::show(const Row& row, const std::string& value) {

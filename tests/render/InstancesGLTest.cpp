@@ -1,5 +1,4 @@
 // Instances of a model: exact spheres, the cuts' fold instance by instance, copies.
-#include <cstdlib>
 #include <random>
 
 #include "InstancesFixture.h"
@@ -7,7 +6,6 @@
 #include "gpu/GpuError.h"
 #include "plateSurface.h"
 #include "render/kept/KeptInstances.h"
-#include "scene/Scene.h"
 
 namespace velum {
 namespace {

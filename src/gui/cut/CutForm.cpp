@@ -12,7 +12,6 @@
 #include "session/command/CutCommands.h"
 #include "session/cut/CutEdit.h"
 #include "session/cut/ShapeTraits.h"
-#include "session/extrusion/Pull.h"
 #include "session/membrane/FirstPlace.h"
 
 namespace velum::gui {
@@ -20,7 +19,6 @@ namespace velum::gui {
 namespace {
 
 constexpr double kFar = 1e9;
-
 void setQuietly(NumberField* spin, double value) {
   const QSignalBlocker quiet(spin);
   spin->setValue(value);
@@ -60,11 +58,8 @@ QLabel* CutForm::addRow(const QString& name, QWidget* control) {
   return label;
 }
 
-/// @param change  of where the cut is
 void CutForm::editCut(const char* label, const std::function<void(scene::Cut&)>& change, bool merge) {
-  const scene::Cut* cut = selectedCut(mDocument, mSelection);
-  if (!cut) return;
-  scene::Cut placed = *cut;
+  scene::Cut placed = mShown;
   change(placed);
   placeCut(mDocument, placed, label, merge);
 }
@@ -237,10 +232,8 @@ void CutForm::makeFace() {
        .stepOff = tr("Part cuts"),
        .isEnabled = [this] { return scene::cutPlace(mDocument.scene(), mShown.id) > 0 && !scene::isInlay(mShown); }});
   addRow(tr("Joined"), joined);
-  connect(mFlip, &QPushButton::clicked, this, [this] {
-    if (const scene::Cut* cut = selectedCut(mDocument, mSelection))
-      session::edit(mDocument, session::FlipCut{session::cutKey(mDocument.scene(), cut->id)});
-  });
+  connect(mFlip, &QPushButton::clicked, this,
+          [this] { session::edit(mDocument, session::FlipCut{session::cutKey(mDocument.scene(), mShown.id)}); });
 }
 
 void CutForm::showDirections() {

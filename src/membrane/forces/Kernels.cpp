@@ -6,14 +6,12 @@
 #include <mutex>
 #include <optional>
 
-#include "membrane/forces/Pieces.h"
-#include "membrane/forces/StrengthRows.h"
-#include "membrane/forces/TypeGrid.h"
-
 #include "core/Assert.h"
 #include "core/Parallel.h"
 #include "membrane/forces/Denoise.h"
-#include "scene/Scene.h"
+#include "membrane/forces/Pieces.h"
+#include "membrane/forces/StrengthRows.h"
+#include "membrane/forces/TypeGrid.h"
 #include "scene/Shown.h"
 
 namespace velum::membrane {

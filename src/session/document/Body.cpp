@@ -6,7 +6,6 @@
 #include <set>
 #include <type_traits>
 #include <utility>
-#include <vector>
 
 #include "core/Error.h"
 #include "core/Parallel.h"

@@ -51,6 +51,15 @@ TEST(NamedField, AStructureIsReachedByNameOrId) {
   EXPECT_EQ(scene.labels.structures[0].name, "Aorta");
 }
 
+/// Types of a model are no structures, whatever their paths.
+TEST(NamedField, WhatACutLeavesOfAModelIsSaidByPaths) {
+  Scene scene;
+  addCut(scene, {});
+  setField(scene, "cuts.0.model.spares", "root.blood");
+  ASSERT_EQ(scene.cuts[0].model.spares.size(), 1u);
+  EXPECT_EQ(scene.cuts[0].model.spares[0].type, "root.blood");
+}
+
 TEST(NamedField, WhatACutSparesIsSaidByNameOrId) {
   Scene scene = organs();
   setField(scene, "cuts.0.spares", "aorta, V. cava [inf]");

@@ -15,7 +15,8 @@ namespace {
 /// "aorta,left kidney" as ids, where structures of those names are there; what else the value is stays as it is.
 std::string withIdsOfStructures(const Scene& scene, std::string_view path, std::string_view value) {
   std::string_view field = path.substr(0, path.find_last_not_of("+.0123456789") + 1);
-  bool isSpares = path.starts_with("cuts") && (field.ends_with(".spares") || field.ends_with(".structure"));
+  bool isSpares = path.starts_with("cuts") &&
+                  ((field.ends_with(".spares") && !field.ends_with(".model.spares")) || field.ends_with(".structure"));
   if (!isSpares || value.empty() || value.front() == '[' || value.front() == '{') return std::string(value);
   std::string ids;
   for (std::size_t begin = 0; begin <= value.size();) {

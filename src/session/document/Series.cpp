@@ -67,7 +67,7 @@ Loaded readSeries(const std::string& path, const std::string& uid, const fs::pat
   scene::Source source;
   source.path = path;
   source.series = uid;
-  Loaded loaded = readAs(source, progress, policy);
+  Loaded loaded = read({source}, progress, policy);
   if (labels.empty()) return loaded;
   scene::Source segments;
   segments.path = labels.string();

@@ -45,7 +45,7 @@ void setExtrusion(scene::Cut& cut, int structure, double distance) {
   if (!(distance > 0.0)) return;
   auto after =
       std::find_if(cut.spares.begin(), cut.spares.end(), [&](const auto& s) { return s.structure > structure; });
-  cut.spares.insert(after, {structure, distance, 1.0});
+  cut.spares.insert(after, {structure, distance});
 }
 
 void resetExtrusions(scene::Scene& scene) {

@@ -47,7 +47,7 @@ bool isSeed(const scene::Scene& scene, int structure, glm::ivec3 voxel) {
 
 std::vector<scene::Growth> growthsNow(const scene::Scene& scene) {
   std::vector<scene::Growth> steps = scene.labels.growths;
-  if (const auto& volume = scene.volume.data)
+  if (scene.volume.data)
     for (auto& step : steps) step.timeStep = scene::shownTimeStep(scene.volume);
   return steps;
 }

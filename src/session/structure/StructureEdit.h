@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "scene/SceneFwd.h"
+#include "scene/Scene.h"
 
 namespace velum::session {
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "gui/service/Job.h"
+#include "scene/Scene.h"
 #include "session/extrusion/PulledPicture.h"
 
 namespace velum::gui {

@@ -168,7 +168,8 @@ render::Renderer& Session::renderer() {
 
 Image Session::picture(const PictureOptions& options, Progress& progress) {
   scene::Scene drawn = settled(progress);
-  return drawPicture(renderer(), drawn, options, mContext->limits(), progress);
+  render::Renderer& draws = renderer();
+  return drawPicture(draws, drawn, options, mContext->limits(), progress);
 }
 
 std::vector<std::filesystem::path> Session::film(const FilmOptions& options, const std::filesystem::path& path,

@@ -5,7 +5,7 @@
 #include "session/Session.h"
 #include "session/command/CommandRow.h"
 #include "session/document/SetFields.h"
-#include "session/picture/Picture.h"
+#include "session/picture/Film.h"
 
 namespace velum::session {
 
@@ -46,11 +46,7 @@ Lines add(Session& session, const AddFile& arguments, Progress& progress) {
 }
 
 Lines makePicture(Session& session, const MakePicture& arguments, Progress& progress) {
-  PictureOptions options = optionsOf(arguments);
-  std::string path = wholePath(arguments.path);
-  expectPictureFile(path);
-  session.settle(progress);
-  savePicture(session.picture(options, progress), session.scene(), options, path);
+  session.film({optionsOf(arguments)}, wholePath(arguments.path), progress);
   return {};
 }
 
@@ -80,7 +76,7 @@ std::vector<Command> documentCommands() {
           "Sets a field of the scene, with all that follows from it.", "set rayCast.mode mip",
           [](const scene::Scene&, const SetField& arguments) { return "Set " + arguments.path; },
           [](scene::Scene& scene, const SetField& arguments) {
-            if (arguments.path.empty() || arguments.value.empty()) throw ArgumentError("set wants a field and a value");
+            if (arguments.value.empty()) throw ArgumentError("set wants a field and a value");
             setField(scene, arguments.path, arguments.value);
           }),
       answering(actRow<GetField>("Tells what a field of the scene is, as set takes it.", "get camera.eye",

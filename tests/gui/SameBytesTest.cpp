@@ -1,5 +1,7 @@
 // A document is one picture: the window, velum-batch, a script and a session without a window draw the same bytes of
 // it.
+#include <fmt/format.h>
+
 #include <fstream>
 #include <functional>
 

@@ -151,13 +151,35 @@ scene::Scene exampleScene(scene::CutShape shape) {
   return scene;
 }
 
+TEST(Commands, AChannelIsShownAloneThenAllAgainAndHasAColour) {
+  Document document;
+  scene::Scene scene = exampleScene(scene::CutShape::Plane);
+  scene.volume.channels.resize(3);
+  document.replace(scene);
+  auto visible = [&] {
+    std::vector<bool> all;
+    for (const auto& look : document.scene().volume.channels) all.push_back(look.visible);
+    return all;
+  };
+  edit(document, parseCall("look.channelAlone 1"));
+  EXPECT_EQ(visible(), (std::vector<bool>{false, true, false}));
+  edit(document, parseCall("look.channelAlone 1"));
+  EXPECT_EQ(visible(), (std::vector<bool>{true, true, true}));
+  edit(document, parseCall("look.channelColor 2 0.25,0.5,1"));
+  EXPECT_EQ(document.scene().volume.channels[2].color, glm::vec3(0.25f, 0.5f, 1.0f));
+  EXPECT_THROW(edit(document, parseCall("look.channelAlone 3")), ArgumentError);
+  EXPECT_THROW(edit(document, parseCall("look.channelColor 3 1,1,1")), ArgumentError);
+}
+
 TEST(Commands, EachEditIsOneStepThatUndoTakesBackAndRedoBringsAgain) {
-  const std::set<std::string_view> kOfModels{"look.model",    "model.show",      "model.color",  "model.paletteColor",
-                                             "model.reset",   "model.ghosts",    "model.target", "model.leave",
-                                             "model.leaveBy", "model.keepInView"};
+  const std::set<std::string_view> kOfModels{
+      "look.model",   "model.show",  "model.color",   "model.paletteColor", "model.reset",        "model.ghosts",
+      "model.target", "model.leave", "model.leaveBy", "model.keepInView",   "model.showUnthinned"};
+  const std::set<std::string_view> kOfChannels{"look.channelAlone", "look.channelColor"};
   int done = 0;
   for (const Command& command : commands()) {
-    if (!command.change || kOfModels.count(command.name) || command.name == "look.import") continue;
+    if (!command.change || kOfModels.count(command.name) || kOfChannels.count(command.name)) continue;
+    if (command.name == "look.import") continue;
     std::string why;
     bool isDone = false;
     for (auto shape : {scene::CutShape::Plane, scene::CutShape::Membrane, scene::CutShape::Everywhere}) {

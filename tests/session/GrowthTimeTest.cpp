@@ -34,7 +34,7 @@ void pullAt(Session& session, glm::dvec3 place, double distance) {
 void settle(
     Session& session, const std::function<void()>& seen = [] {}) {
   while (!session.isSettled()) {
-    session.advance(5.0);
+    session.collect();
     seen();
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
@@ -198,7 +198,7 @@ TEST(GrowthTime, SmoothedItIsTheSameHoweverTheHandGoes) {
   for (int move = 0; move < 12; ++move) {
     session.document().edit(
         "Pull", [&](scene::Scene& s) { pullTo(s, *again, 2.0 + double(random() % 20)); }, true);
-    for (int i = int(random() % 4); i > 0; --i) session.advance(2.0);
+    for (int i = int(random() % 4); i > 0; --i) session.collect();
     if (move % 5 == 4) {
       settle(session);
       EXPECT_EQ(differences(session.scene()), 0u);

@@ -36,7 +36,7 @@ scene::Scene leakScene(int deep = 12) {
 
 void settle(Session& session) {
   while (!session.isSettled()) {
-    session.advance(5.0);
+    session.collect();
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
 }
@@ -79,7 +79,7 @@ TEST(GrowthWorker, HoweverTheHandGoesTheLabelsAreThoseOfTheSteps) {
     for (int move = 0; move < 12; ++move) {
       document.edit(
           "Pull", [&](scene::Scene& s) { pullTo(s, *pull, 1.0 + double(random() % 30)); }, true);
-      for (int i = int(random() % 3); i > 0; --i) session.advance(2.0);
+      for (int i = int(random() % 3); i > 0; --i) session.collect();
     }
     document.endMerge();
     if (drag == 2) document.edit("Move", [](scene::Scene& s) { s.cuts[0].centre.y = 40.0; });
@@ -228,7 +228,7 @@ TEST(GrowthWorker, WhatIsStoppedStaysAsItIs) {
   auto pull = beginPull(session.scene(), session.scene().cuts[0].id, {32, 32, 32}, 0);
   ASSERT_TRUE(pull);
   session.document().edit("Pull", [&](scene::Scene& s) { pullTo(s, *pull, 30.0); });
-  session.advance(1.0);
+  session.collect();
   if (auto reached = session.growth().stop())
     session.document().edit("Stop", [&](scene::Scene& s) { holdGrowth(s, *reached); });
   settle(session);

@@ -27,7 +27,7 @@ scene::Scene leakScene() {
 
 void settle(Session& session) {
   while (!session.isSettled()) {
-    session.advance(5.0);
+    session.collect();
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
 }
@@ -132,7 +132,7 @@ TEST_F(OthersEdit, HoldHoweverTheHandPullsOn) {
   std::mt19937 random(3);
   for (int move = 0; move < 25; ++move) {
     pull(5.0 + double(random() % 26));
-    for (int i = int(random() % 3); i > 0; --i) mSession.advance(2.0);
+    for (int i = int(random() % 3); i > 0; --i) mSession.collect();
   }
   settle(mSession);
   EXPECT_TRUE(isAsItsSteps());

@@ -114,7 +114,7 @@ class RealPulls : public testing::TestWithParam<Press> {
   }
   void settle() {
     while (!mSession.isSettled()) {
-      mSession.advance(5.0);
+      mSession.collect();
       std::this_thread::yield();
     }
   }

@@ -72,7 +72,7 @@ void notThis(Scene& scene, const NotThis& a) {
 std::vector<Command> growthCommands() {
   return {
       actRow<GrowStructure>("Grows a structure out of the volume, from places on it.",
-                            "growth.grow seeds=[[12,-40,80]] range=200,3000 name=bone", grow),
+                            "growth.grow [[12.0,-40.0,80.0]] 200,3000 name=bone", grow),
       editRow<PullAt>("Pulls out of a cut what is in a place of its face; what has no label grows from there.",
                       "growth.pullAt 12,-40,80 30", "Pull out", pullAt),
       editRow<AddSeed>("Lets a structure that was grown go on from another place.",

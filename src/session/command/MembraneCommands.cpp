@@ -61,7 +61,7 @@ void moveToKeep(Scene& scene, const MoveToKeep& a, Progress& progress) {
 std::vector<Command> membraneCommands() {
   return {
       editRow<HangMembrane>("Adds a membrane that leaves whole what is said, where it can.",
-                            "membrane.hang values=200,3000 axis=0,-1,0", "Add membrane",
+                            "membrane.hang 200,3000 axis=0,-1,0", "Add membrane",
                             [](Scene& scene, const HangMembrane& a, Progress& progress) {
                               if (scene.cuts.size() >= scene::kMostCuts)
                                 throw ArgumentError(fmt::format("a scene has at most {} cuts", scene::kMostCuts));

@@ -204,8 +204,9 @@ std::vector<FieldForm::Told> FieldForm::rows() const {
   for (const Row& row : mRows) {
     Told& one = told.emplace_back(Told{mRoot + row.path, row.control, {}});
     double shown = inPercent(row.facts, row.text) ? 100.0 : 1.0;
-    if (auto* control = qobject_cast<NumberRow*>(row.control))
-      one.offered = {control->spin()->minimum() / shown, control->spin()->maximum() / shown};
+    auto* control = qobject_cast<NumberRow*>(row.control);
+    if (control) one.offered = {control->spin()->minimum() / shown, control->spin()->maximum() / shown};
+    if (control && row.text.range) one.offered = row.text.range();  // also of rows that have not been shown yet
   }
   return told;
 }

@@ -55,7 +55,9 @@ FileLoads::FileLoads(const WindowParts& parts) : QObject(&parts.window), mParts(
   });
 }
 
-session::DataPolicy FileLoads::policy() const { return {session::recentFolders(session::recentList()), !mUnattended}; }
+session::DataPolicy FileLoads::policy() const {
+  return {.folders = session::recentFolders(session::recentList()), .keepsWithoutData = !mUnattended};
+}
 
 void FileLoads::start(const QString& what, Read read, bool add, const QString& path) {
   auto loaded = std::make_shared<session::Loaded>();

@@ -11,7 +11,6 @@
 #include "session/Session.h"
 #include "session/command/Command.h"
 #include "session/document/Open.h"
-#include "session/picture/Film.h"
 
 namespace velum::gui {
 namespace {
@@ -70,21 +69,21 @@ class KindsAtDoors : public Window {
 };
 
 TEST_F(KindsAtDoors, EachOpensToTheSame) {
-  expectEverywhere("phantom.nrrd", "volume millimetre");
-  expectEverywhere("phantom_labels.seg.nrrd", "labels millimetre");
+  expectEverywhere("phantom.nrrd", "volume mm");
+  expectEverywhere("phantom_labels.seg.nrrd", "labels mm");
   scene::Source source;
   source.path = text("phantom.nrrd");
   Volume slices = io::readVolume(source, mProgress);
   slices.type = SampleType::Int16;
   slices.voxels.assign(timeStepBytes(slices), std::byte{1});
   ASSERT_TRUE(writeDicomSeries(slices, text("dicom")));
-  expectEverywhere("dicom", "volume millimetre");
+  expectEverywhere("dicom", "volume mm");
   Mesh mesh;
   mesh.positions = {{0, 0, 0}, {10, 0, 0}, {0, 10, 0}, {0, 0, 10}};
   mesh.normals.assign(4, {0, 0, 1});
   mesh.indices = {0, 1, 2, 0, 1, 3, 0, 2, 3, 1, 2, 3};
   io::writeMesh(mesh, text("surface.stl"));
-  expectEverywhere("surface.stl", "surface millimetre");
+  expectEverywhere("surface.stl", "surface mm");
   std::ofstream(text("model.pdb"))
       << "ATOM      1  CA  ALA A   1      11.104   6.134  -6.504  1.00  0.00           C\n"
          "ATOM      2  CB  ALA A   1      12.104   7.134  -5.504  1.00  0.00           C\n";
@@ -93,14 +92,16 @@ TEST_F(KindsAtDoors, EachOpensToTheSame) {
   session::Session session;
   session.file().open(session::readPaths({text("phantom.nrrd")}, mProgress, {}), text("phantom.nrrd"));
   session::runScript(session, "cut.add box\n", "script", mProgress, [](auto&&...) {});
+  session::runScript(session, "set lighting.shadow 0\nset lighting.occlusion 0\n", "script", mProgress,
+                     [](auto&&...) {});
   session.file().save(text("scene.json"));
-  expectEverywhere("scene.json", "volume cut millimetre");
+  expectEverywhere("scene.json", "volume cut mm");
   for (const char* name : {"picture.png", "picture.tif", "picture.exr"}) {
-    session.film({{{16, 12}, 1, false, false, 0}}, text(name), mProgress);
-    expectEverywhere(name, "volume cut millimetre");
+    runBatch({"render", path("scene.json"), "-o", path(name), "--size", "16x12", "--samples", "1"});
+    expectEverywhere(name, "volume cut mm");
   }
   std::filesystem::copy_file(text("picture.tif"), text("OTHER.TIF"));
-  expectEverywhere("OTHER.TIF", "volume cut millimetre");
+  expectEverywhere("OTHER.TIF", "volume cut mm");
 }
 
 TEST_F(KindsAtDoors, WhatIsNoDataIsRefusedByEach) {

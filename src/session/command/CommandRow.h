@@ -128,7 +128,12 @@ std::string writeArguments(const std::any& arguments) {
     std::string& line = hasPlace ? placed : named;
     if (!line.empty()) line += ' ';
     if (!hasPlace) line += std::string(name) + "=";
-    line += isRest ? scene::detail::valueText(scene::detail::write(member)) : quoted(wordOf(member));
+    if (!isRest)
+      line += quoted(wordOf(member));
+    else if constexpr (std::is_same_v<Member, std::string>)
+      line += wordOf(member);
+    else
+      line += scene::detail::valueText(scene::detail::write(member));
   };
   Arguments::fields(std::any_cast<const Arguments&>(arguments), visit);
   bool isNamedFirst = restOf<Arguments>() > 0;

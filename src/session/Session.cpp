@@ -179,13 +179,14 @@ std::vector<std::filesystem::path> Session::film(const FilmOptions& options, con
   scene::Scene whole = settled(progress);
   if (!options.section) renderer();
   Film film(scene(), options);
+  bool hasMotion = options.motion.has_value();
+  if (hasMotion && hasMembranes(scene())) bindContext();
+  // Of several frames it is told which is drawn, not how far each is.
+  Progress quiet([&](double, const std::string&) { progress.throwIfCancelled(); });
+  Progress& heard = hasMotion ? quiet : progress;
   for (int i = 0; i < int(paths.size()); ++i) {
-    if (options.motion)
+    if (hasMotion)
       progress.report(double(i) / double(paths.size()), fmt::format("Frame {} of {}", i + 1, paths.size()));
-    Progress quiet([&](double, const std::string&) { progress.throwIfCancelled(); });
-    Progress& heard = options.motion ? quiet : progress;
-    bool hasMotion = options.motion.has_value();
-    if (hasMotion && hasMembranes(scene())) bindContext();
     Film::Frame frame = hasMotion ? film.at(i, heard) : Film::Frame{scene(), whole};
     Image image = options.section ? drawSectionPicture(frame.drawn, *options.section, options.picture)
                                   : drawPicture(*mRenderer, frame.drawn, options.picture, mContext->limits(), heard);

@@ -11,6 +11,7 @@
 #include "growth/Grower.h"
 #include "growth/LabelsFor.h"
 #include "session/Session.h"
+#include "session/command/Command.h"
 #include "session/document/Open.h"
 #include "session/extrusion/Pull.h"
 
@@ -145,8 +146,9 @@ TEST(GrowthWorker, WhatLeaksIsHeldAndSaidAndMayGoOn) {
   EXPECT_LT(voxelsOf(session.scene(), 1), 1000u) << "the picture is not flooded";
   EXPECT_EQ(session.scene().labels.growths.back().distance, leak->distance);
   EXPECT_EQ(extrusionOf(session.scene().cuts[0], 1), 25.0) << "it stays pulled as far as the hand has";
-  session.growth().trust(1);
-  session.document().edit("Grow on", [](scene::Scene& s) { growOn(s, 1); });
+  // As a line of a script does it, so that the commands so far lead there again.
+  Progress progress;
+  run(session, parseCall("growth.growOn 1"), progress);
   settle(session);
   EXPECT_FALSE(session.growth().status().leak);
   EXPECT_GT(voxelsOf(session.scene(), 1), 20000u);

@@ -5,6 +5,9 @@
 #include <QVBoxLayout>
 
 #include "gui/kit/Length.h"
+#include "session/command/Command.h"
+#include "session/command/GrowthCommands.h"
+#include "session/command/StructureCommands.h"
 #include "session/structure/StructureEdit.h"
 
 namespace velum::gui {
@@ -43,12 +46,9 @@ LeakBox::LeakBox(session::Session& session, QWidget* parent)
 }
 
 void LeakBox::goOn() {
-  session::GrowthWorker& player = mSession.growth();
-  if (auto leak = player.status().leak) {
-    player.trust(leak->structure);
-    mSession.document().edit(tr("Grow on").toStdString(),
-                             [&](scene::Scene& scene) { session::growOn(scene, leak->structure); });
-  }
+  Progress progress;
+  if (auto leak = mSession.growth().status().leak)
+    session::run(mSession, session::GrowOn{session::structureNames(mSession.scene(), {leak->structure})[0]}, progress);
   refresh();
 }
 

@@ -55,6 +55,16 @@ std::vector<std::string> grow(Session& session, const GrowStructure& a, Progress
   return {};
 }
 
+/// Who lets it go on has seen where it leaks.
+std::vector<std::string> growFurther(Session& session, const GrowOn& a, Progress&) {
+  int id = grownOf(session.scene(), a.structure);
+  session.growth().trust(id);
+  session.document().edit(
+      structureLabel(session.scene(), "Grow on:", {id}), [id](Scene& scene) { growOn(scene, id); }, false,
+      Call(a).line());
+  return {};
+}
+
 void addSeed(Scene& scene, const AddSeed& a) {
   int id = grownOf(scene, a.structure);
   if (addSeeds(scene, id, std::span(&a.place, 1)) == 0)
@@ -79,9 +89,8 @@ std::vector<Command> growthCommands() {
                        "growth.addSeed \"structure 1\" 12,-40,80", stepBy<AddSeed>("Add to"), addSeed),
       editRow<NotThis>("Says of a place that it is not of a structure that was grown.",
                        "growth.notThis \"structure 1\" 12,-40,80", stepBy<NotThis>("Not this:"), notThis),
-      editRow<GrowOn>("Lets a structure that was held grow as far as it is pulled.", "growth.growOn \"structure 1\"",
-                      stepBy<GrowOn>("Grow on:"),
-                      [](Scene& scene, const GrowOn& a) { growOn(scene, grownOf(scene, a.structure)); }),
+      actRow<GrowOn>("Lets a structure that was held grow as far as it is pulled, and minds no leak of it any more.",
+                     "growth.growOn \"structure 1\"", growFurther),
       editRow<ForgetGrown>("Forgets a structure that was grown.", "growth.forget \"structure 1\"",
                            stepBy<ForgetGrown>("Forget"),
                            [](Scene& scene, const ForgetGrown& a) { removeGrown(scene, grownOf(scene, a.structure)); }),

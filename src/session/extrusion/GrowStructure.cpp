@@ -7,11 +7,11 @@
 #include <sstream>
 
 #include "core/Error.h"
-#include "core/Text.h"
 #include "growth/GrowRule.h"
 #include "growth/LabelsFor.h"
 #include "scene/Scene.h"
 #include "scene/Shown.h"
+#include "session/TypedPlace.h"
 #include "session/extrusion/MaterialRange.h"
 #include "session/extrusion/Pull.h"
 #include "session/growth/Growths.h"
@@ -34,18 +34,10 @@ std::vector<glm::dvec3> pathOf(const Volume& volume, const char* field, const st
   std::istringstream points(text);
   for (std::string point; std::getline(points, point, ';');) {
     std::string_view rest = point;
-    glm::dvec3 place(0.0);
-    bool isOne = true;
-    for (int axis = 0; axis < 3; ++axis) {
-      if (axis > 0 && std::exchange(rest, rest.substr(std::min<std::size_t>(rest.size(), 1))).substr(0, 1) != ",")
-        isOne = false;
-      auto number = takeNumber(rest);
-      isOne = isOne && number && std::isfinite(*number);
-      place[axis] = number.value_or(0.0);
-    }
-    if (!isOne || !rest.empty()) throw ArgumentError(fmt::format("{} {}: give x,y,z", field, point));
-    expectInside(volume, field, place, point);
-    path.push_back(place);
+    auto place = takePlace(rest);
+    if (!place || !rest.empty()) throw ArgumentError(fmt::format("{} {}: give x,y,z", field, point));
+    expectInside(volume, field, *place, point);
+    path.push_back(*place);
   }
   return path;
 }
@@ -162,8 +154,7 @@ void addGrowth(scene::Scene& scene, const scene::Growth& step, const std::string
   scene::Structure row = newStructure(scene, step.structure, 0.5 * (step.low + step.high));
   if (!name.empty()) row.name = name;
   markGiven(scene.labels);
-  auto& rows = scene.labels.structures;
-  rows.insert(std::find_if(rows.begin(), rows.end(), [&](const auto& other) { return other.id > row.id; }), row);
+  addStructure(scene.labels, row);
   scene.labels.growths.push_back(step);
 }
 

@@ -104,12 +104,6 @@ std::optional<Pull> newPull(const scene::Scene& scene, const scene::Cut& cut, gl
   return Pull{cut.id, *id, newStructure(scene, *id, valueNear(scene.volume, growth.seeds[0])), growth};
 }
 
-void addRow(scene::LabelLayer& labels, const scene::Structure& row) {
-  auto after =
-      std::find_if(labels.structures.begin(), labels.structures.end(), [&](const auto& s) { return s.id >= row.id; });
-  if (after == labels.structures.end() || after->id != row.id) labels.structures.insert(after, row);
-}
-
 /// True when a step begins where another ended.
 bool goesOn(const scene::Growth& step, scene::Growth wanted) {
   wanted.distance = step.distance;
@@ -191,6 +185,12 @@ scene::Structure newStructure(const scene::Scene& scene, int id, double value) {
   return structure;
 }
 
+void addStructure(scene::LabelLayer& labels, const scene::Structure& row) {
+  auto after =
+      std::find_if(labels.structures.begin(), labels.structures.end(), [&](const auto& s) { return s.id >= row.id; });
+  if (after == labels.structures.end() || after->id != row.id) labels.structures.insert(after, row);
+}
+
 std::optional<Pull> beginPull(const scene::Scene& scene, int cutId, glm::dvec3 world, int structure) {
   HistogramMemo histograms;
   return beginPull(scene, cutId, world, structure, histograms);
@@ -223,7 +223,7 @@ void pullTo(scene::Scene& scene, const Pull& pull, double distance) {
   scene::Cut* cut = scene::findCut(scene, pull.cut);
   if (!cut) return;
   setExtrusion(*cut, pull.structure, distance);
-  if (pull.added && distance > 0.0) addRow(scene.labels, *pull.added);
+  if (pull.added && distance > 0.0) addStructure(scene.labels, *pull.added);
   if (!pull.growth || !(distance > 0.0)) return;
   markGiven(scene.labels);
   scene.labels.visible = true;

@@ -22,6 +22,8 @@ struct Pull {
 /// The row of a structure that is grown: it keeps the transfer function's colours until it gets one of its own.
 /// @param value  of its material, the volume's unit
 scene::Structure newStructure(const scene::Scene& scene, int id, double value);
+/// Adds the row of a structure that has none yet.
+void addStructure(scene::LabelLayer& labels, const scene::Structure& row);
 
 /// What a click on a place of a cut's face, or of what stands out of it, is about to pull. Measures the material there
 /// where it has no label ([ACS] 4.2).

@@ -8,6 +8,7 @@
 #include "core/Error.h"
 #include "core/Text.h"
 #include "scene/Scene.h"
+#include "session/TypedPlace.h"
 #include "session/cut/CutEdit.h"
 #include "session/membrane/DefaultField.h"
 #include "session/membrane/FirstPlace.h"
@@ -55,27 +56,19 @@ scene::Stroke strokeOf(const std::string& text, const char* field) {
   };
   scene::Stroke stroke;
   std::string_view rest = text;
-  auto number = [&] {
-    double value = takeNumber(rest).value_or(std::nan(""));
-    if (!std::isfinite(value)) refuse("a number is missing");
-    return value;
-  };
   auto take = [&](char mark) {
     bool isNext = rest.starts_with(mark);
     if (isNext) rest.remove_prefix(1);
     return isNext;
   };
   do {
-    glm::dvec3 point(0.0);
-    for (int axis = 0; axis < 3; ++axis) {
-      if (axis > 0 && !take(',')) refuse("a point has three numbers");
-      point[axis] = number();
-    }
-    stroke.path.push_back(point);
+    auto point = takePlace(rest);
+    if (!point) refuse("a point has three numbers");
+    stroke.path.push_back(*point);
   } while (take(':'));
   if (take('@')) {
-    stroke.radius = number();
-    if (!(stroke.radius > 0)) refuse("the radius must be more than 0");
+    stroke.radius = takeNumber(rest).value_or(0.0);
+    if (!(stroke.radius > 0) || !std::isfinite(stroke.radius)) refuse("the radius must be more than 0");
   }
   if (!rest.empty()) refuse("it goes on after its end");
   return stroke;

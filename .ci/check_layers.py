@@ -80,6 +80,8 @@ def violations(root):
             if there and there[0] == module and there[1] != room and room in rooms:
                 if there[1] not in rooms[room].split():
                     yield f"{path}:{number}: {module}/{room} may not include {module}/{there[1]}"
+            if module in ("gui", "app") and re.search(r"[dD]ocument(\(\))?(\.|->)edit\(", line):
+                yield f"{path}:{number}: {module} changes a scene by commands: session::edit, or editByHand for what a hand drags"
             for pattern, homes in ONLY_IN.items():
                 if re.match(r"\s*#\s*include\s*" + pattern, line) and module not in homes.split():
                     yield f"{path}:{number}: {pattern} belongs to {homes} only"

@@ -10,6 +10,7 @@
 #include "core/Log.h"
 #include "core/Text.h"
 #include "scene/Scene.h"
+#include "session/command/Command.h"
 #include "session/model/TypesAt.h"
 
 namespace velum::app {
@@ -65,13 +66,13 @@ std::optional<session::TargetsReport> settleTargets(session::Session& session, c
     for (scene::TypeTarget& target : targets) target.visible.reset();
   std::vector<int> cuts = session::cutsToSet(wanted);
   constexpr const char* kStep = "Meet numbers";
-  session.document().edit(kStep, [&](scene::Scene& scene) { scene = wanted; });
+  session::editByHand(session.document(), kStep, [&](scene::Scene& scene) { scene = wanted; });
   Progress& progress = consoleProgress();
   if (counter) wanted = session.settled(progress);
   auto picture = [counter](const scene::Scene& of) { return counter->count(of); };
   session::TargetsReport report = session::solveTargets(wanted, cuts, targets, picture, {}, aspect);
   progress.report(1.0, "");
-  session.document().edit(kStep, [&](scene::Scene& scene) {
+  session::editByHand(session.document(), kStep, [&](scene::Scene& scene) {
     for (scene::Cut& cut : scene.cuts) cut.model = scene::findCut(report.scene, cut.id)->model;
   });
   for (const session::TargetReport& target : report.targets)

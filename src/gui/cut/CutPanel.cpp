@@ -137,7 +137,7 @@ void CutPanel::addCut(scene::Cut cut, const char* label) {
   if (!hasData() || !hasRoom()) return;
   if (cut.name.empty()) cut.name = session::newCutName(mDocument.scene(), cut.shape);
   int id = 0;
-  mDocument.edit(label, [&](scene::Scene& scene) { id = scene::addCut(scene, cut); });
+  session::editByHand(mDocument, label, [&](scene::Scene& scene) { id = scene::addCut(scene, cut); });
   mSelection.setCut(id);
 }
 

@@ -161,9 +161,7 @@ void TypeSpareList::showMenu(QPoint place) {
   if (paths.empty()) return;
   QMenu menu(this);
   menu.addAction(tr("As what it is in"), this, [this, paths] {
-    editCut("Leave " + session::rowsLabel(paths) + " as above", [&](scene::Cut& cut) {
-      for (const std::string& path : paths) session::removeTypeSpare(cut, path);
-    });
+    session::edit(mDocument, session::LeaveAsAbove{paths, session::cutKey(mDocument.scene(), mCut.id)});
   });
   menu.exec(mView->viewport()->mapToGlobal(place));
 }

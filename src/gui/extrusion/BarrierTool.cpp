@@ -7,7 +7,11 @@
 #include "gui/kit/Theme.h"
 #include "gui/tool/StrokePaint.h"
 #include "scene/SectionPlane.h"
+#include "session/command/Command.h"
+#include "session/command/GrowthCommands.h"
+#include "session/command/StructureCommands.h"
 #include "session/extrusion/Pull.h"
+#include "session/growth/Growths.h"
 #include "session/membrane/Sketch.h"
 
 namespace velum::gui {
@@ -69,9 +73,10 @@ void BarrierTool::release(const PointerEvent& event) {
   goOn(event.at);
   scene::Barrier barrier = *std::exchange(mDraft, std::nullopt);
   barrier.path = session::simplifiedPath(barrier.path, kPathTolerance * barrier.radius);
-  mDocument.edit("Draw barrier", [&](scene::Scene& scene) {
-    session::changeGrowth(scene, mSelection.structure(), [&](scene::Growth& g) { g.barriers.push_back(barrier); });
-  });
+  if (session::lastGrowth(mDocument.scene(), mSelection.structure()))
+    session::edit(mDocument,
+                  session::DrawBarrier{session::structureNames(mDocument.scene(), {mSelection.structure()})[0],
+                                       barrier.path, barrier.radius});
   mToolbox.repaint();
 }
 

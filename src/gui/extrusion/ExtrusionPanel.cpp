@@ -194,14 +194,15 @@ void ExtrusionPanel::setDistance(double distance) {
   if (!one) return;
   auto pull = session::pullAgain(mDocument.scene(), *one);
   QString name = QString::fromStdString(session::structureName(mDocument.scene(), one->structure));
-  mDocument.edit(
-      tr("Pull out %1").arg(name).toStdString(), [&](scene::Scene& scene) { session::pullTo(scene, pull, distance); },
-      true);
+  session::editByHand(
+      mDocument, tr("Pull out %1").arg(name).toStdString(),
+      [&](scene::Scene& scene) { session::pullTo(scene, pull, distance); }, true);
 }
 
 void ExtrusionPanel::addPlane() {
   std::optional<int> id;
-  mDocument.edit("Second plane", [&](scene::Scene& scene) { id = session::addJoinedPlane(scene, mSelection.cut()); });
+  session::editByHand(mDocument, "Second plane",
+                      [&](scene::Scene& scene) { id = session::addJoinedPlane(scene, mSelection.cut()); });
   if (id)
     mSelection.setCut(*id);
   else

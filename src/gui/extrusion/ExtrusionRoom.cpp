@@ -1,5 +1,8 @@
 #include "gui/extrusion/ExtrusionRoom.h"
 
+#include "session/command/Command.h"
+#include "session/command/GrowthCommands.h"
+
 namespace velum::gui {
 
 ExtrusionRoom::ExtrusionRoom(const WindowParts& parts)
@@ -56,9 +59,8 @@ void ExtrusionRoom::tell() {
 
 /// What has grown so far stays.
 void ExtrusionRoom::stopGrowing() {
-  auto reached = mParts.session.growth().stop();
-  if (!reached) return;
-  mParts.document().edit("Stop growing", [&](scene::Scene& scene) { session::holdGrowth(scene, *reached); });
+  if (!mParts.session.growth().isGrowing()) return;
+  mParts.jobs.run(session::StopGrowing{});
   mParts.messages.showNote(tr("Growing has stopped; what was found so far stays."));
 }
 

@@ -1,5 +1,7 @@
 #include "gui/extrusion/GrowthForm.h"
 
+#include <fmt/format.h>
+
 #include <QLocale>
 #include <QSignalBlocker>
 #include <algorithm>
@@ -7,6 +9,9 @@
 
 #include "gui/kit/Length.h"
 #include "scene/SectionPlane.h"
+#include "session/command/Command.h"
+#include "session/command/GrowthCommands.h"
+#include "session/command/StructureCommands.h"
 #include "session/growth/Growths.h"
 
 namespace velum::gui {
@@ -25,6 +30,9 @@ QString limitsOf(const scene::Growth& grown) {
   return limits.join(GrowthForm::tr(" and "));
 }
 
+/// A number as commands take it.
+std::string textOf(double value) { return std::isfinite(value) ? fmt::format("{}", value) : "null"; }
+
 }  // namespace
 
 GrowthForm::GrowthForm(session::Session& session, QWidget* parent) : QWidget(parent), mSession(session) {
@@ -36,15 +44,17 @@ GrowthForm::GrowthForm(session::Session& session, QWidget* parent) : QWidget(par
   grid->setVerticalSpacing(8);
   mLow = addNumber("growLow", tr("Smallest value that belongs to it"),
                    tr("Smallest value that belongs to the structure: it grows anew as it changes"),
-                   tr("Change its values"), [](scene::Growth& g, double value) { g.low = std::min(value, g.high); });
-  mHigh = addNumber("growHigh", tr("Largest value that belongs to it"),
-                    tr("Largest value that belongs to the structure: it grows anew as it changes"),
-                    tr("Change its values"), [](scene::Growth& g, double value) { g.high = std::max(value, g.low); });
+                   tr("Change its values"), "low",
+                   [](const scene::Growth& g, double value) { return std::min(value, g.high); });
+  mHigh =
+      addNumber("growHigh", tr("Largest value that belongs to it"),
+                tr("Largest value that belongs to the structure: it grows anew as it changes"), tr("Change its values"),
+                "high", [](const scene::Growth& g, double value) { return std::max(value, g.low); });
   mSteepest = addNumber("growSteepest", tr("Gradient at which it stops"),
                         tr("Growing stops where the values change by more than this from voxel to voxel; at 0 it does "
                            "not ask.\nOf use where two structures of like values touch"),
-                        tr("Stop at edges"), [](scene::Growth& g, double value) {
-                          g.steepest = value > 0.0 ? value : scene::Growth::kEndless;
+                        tr("Stop at edges"), "steepest", [](const scene::Growth&, double value) {
+                          return value > 0.0 ? value : scene::Growth::kEndless;
                         });
   mSteepest->setSpecialValueText(tr("off"));
   mBarrier = new QPushButton(tr("Barrier"), this);
@@ -54,15 +64,14 @@ GrowthForm::GrowthForm(session::Session& session, QWidget* parent) : QWidget(par
       addNumber("growClosing", tr("How far gaps are closed in it"),
                 tr("What has grown is closed: pores and gaps that no ball of this radius gets into become part of "
                    "it, whatever lies there"),
-                tr("Close gaps"), [](scene::Growth& g, double value) { g.closing = value; });
+                tr("Close gaps"), "closing", [](const scene::Growth&, double value) { return value; });
   mClosing->setSpecialValueText(tr("off"));
   mFillHoles = new QCheckBox(tr("Fill holes"), this);
   mFillHoles->setObjectName("growFillHoles");
   mFillHoles->setToolTip(tr("What the structure encloses becomes part of it, as marrow of its bone"));
   connect(mFillHoles, &QCheckBox::toggled, this, [this](bool on) {
-    mSession.document().edit("Fill holes", [&](scene::Scene& scene) {
-      session::changeGrowth(scene, mStructure, [on](scene::Growth& g) { g.fillHoles = on; });
-    });
+    change(tr("Fill holes"), "fillHoles", on ? "true" : "false");
+    mSession.document().endMerge();
   });
   mText = new QLabel(this);
   mText->setObjectName("growText");
@@ -81,22 +90,23 @@ GrowthForm::GrowthForm(session::Session& session, QWidget* parent) : QWidget(par
 }
 
 NumberField* GrowthForm::addNumber(const char* name, const QString& spoken, const QString& tip, const QString& step,
-                                   const std::function<void(scene::Growth&, double)>& change) {
+                                   const char* field,
+                                   const std::function<double(const scene::Growth&, double)>& allowed) {
   auto* spin = new NumberField(this);
   spin->setObjectName(name);
   spin->setAccessibleName(spoken);
   spin->setToolTip(tip);
-  session::Document& document = mSession.document();
-  connect(spin, &QDoubleSpinBox::valueChanged, this, [this, &document, step, change](double value) {
-    document.edit(
-        step.toStdString(),
-        [&](scene::Scene& scene) {
-          session::changeGrowth(scene, mStructure, [&](scene::Growth& g) { change(g, value); });
-        },
-        true);
+  connect(spin, &QDoubleSpinBox::valueChanged, this, [this, step, field, allowed](double value) {
+    if (const scene::Growth* grown = growth()) change(step, field, textOf(allowed(*grown, value)));
   });
-  connect(spin, &QDoubleSpinBox::editingFinished, this, [&document] { document.endMerge(); });
+  connect(spin, &QDoubleSpinBox::editingFinished, this, [this] { mSession.document().endMerge(); });
   return spin;
+}
+
+void GrowthForm::change(const QString& step, const char* field, const std::string& value) {
+  session::Document& document = mSession.document();
+  std::string name = session::structureNames(document.scene(), {mStructure})[0];
+  session::edit(document, session::ChangeGrowth{name, field, value}, true, step.toStdString());
 }
 
 const scene::Growth* GrowthForm::growth() const {

@@ -25,8 +25,11 @@ class GrowthForm : public QWidget {
   QPushButton& barrierButton() { return *mBarrier; }
 
  private:
+  /// @param field  of scene::Growth  @param allowed  the number that is set for one that was typed
   NumberField* addNumber(const char* name, const QString& spoken, const QString& tip, const QString& step,
-                         const std::function<void(scene::Growth&, double)>& change);
+                         const char* field, const std::function<double(const scene::Growth&, double)>& allowed);
+  /// Joins one undo step until endMerge() of the document.
+  void change(const QString& step, const char* field, const std::string& value);
   const scene::Growth* growth() const;
   void showNumbers(const Volume& volume, const scene::Growth& grown);
 

@@ -9,6 +9,8 @@
 #include "gui/service/SelectedCut.h"
 #include "gui/tool/HandlePaint.h"
 #include "scene/SectionPlane.h"
+#include "session/command/Command.h"
+#include "session/command/CutCommands.h"
 #include "session/cut/CutEdit.h"
 #include "session/extrusion/PulledEnd.h"
 #include "session/growth/Growths.h"
@@ -54,12 +56,8 @@ bool PullTool::start() {
   if (!scene::hasData(scene)) return false;
   mChosen.clear();
   if (hasCutToPullFrom(scene)) return true;
-  int id = 0;
-  mDocument.edit("Cut to pull out of", [&](scene::Scene& s) {
-    scene::Cut plane = session::makeCut(s, scene::CutShape::Plane);
-    plane.name = session::newCutName(s, plane.shape);
-    id = scene::addCut(s, plane);
-  });
+  int id = scene::nextCutId(scene);
+  session::edit(mDocument, session::AddCut{scene::CutShape::Plane, {}}, false, "Cut to pull out of");
   mSelection.setCut(id);
   return true;
 }
@@ -230,8 +228,8 @@ void PullTool::pullTo(const ViewPoint& at) {
 void PullTool::setDistances(const std::vector<double>& distances) {
   QString label = mDragged.size() == 1 ? tr("Pull out %1").arg(nameOf(mDragged.front().pull))
                                        : tr("Pull out %n structures", nullptr, int(mDragged.size()));
-  mDocument.edit(
-      label.toStdString(),
+  session::editByHand(
+      mDocument, label.toStdString(),
       [&](scene::Scene& scene) {
         for (std::size_t i = 0; i < mDragged.size(); ++i) session::pullTo(scene, mDragged[i].pull, distances[i]);
       },

@@ -6,6 +6,7 @@
 
 #include "gui/extrusion/PullTool.h"
 #include "scene/SectionPlane.h"
+#include "session/command/Command.h"
 #include "session/growth/Growths.h"
 #include "session/structure/StructureEdit.h"
 
@@ -81,8 +82,8 @@ void PullTool::addPlaces(int structure, const std::vector<glm::dvec3>& places) {
   glm::dvec2 range = mDocument.scene().volume.data->range;
   double low = std::max(last->low, range.x), high = std::min(last->high, range.y);
   std::size_t count = 0;
-  mDocument.edit(tr("Add to %1").arg(name).toStdString(),
-                 [&](scene::Scene& scene) { count = session::addSeeds(scene, structure, places); });
+  session::editByHand(mDocument, tr("Add to %1").arg(name).toStdString(),
+                      [&](scene::Scene& scene) { count = session::addSeeds(scene, structure, places); });
   if (count == 0)
     mParts.messages.showNote(tr("Nothing was added to %1: nothing under the stroke has its values, %2 to %3")
                                  .arg(name, QLocale().toString(low), QLocale().toString(high)));
@@ -92,8 +93,8 @@ void PullTool::addPlaces(int structure, const std::vector<glm::dvec3>& places) {
 void PullTool::takeAway(int structure, const std::vector<glm::dvec3>& places) {
   QString name = QString::fromStdString(session::structureName(mDocument.scene(), structure));
   std::size_t count = 0;
-  mDocument.edit(tr("Not this: %1").arg(name).toStdString(),
-                 [&](scene::Scene& scene) { count = session::addOthers(scene, structure, places); });
+  session::editByHand(mDocument, tr("Not this: %1").arg(name).toStdString(),
+                      [&](scene::Scene& scene) { count = session::addOthers(scene, structure, places); });
   if (count == 0)
     mParts.messages.showNote(
         tr("%1 gives up nothing: it could not grow there. Click on what it has leaked into, away from where it was "

@@ -1,6 +1,7 @@
 #include "gui/look/TransferEditor.h"
 #include "gui/kit/Length.h"
 #include "scene/Shown.h"
+#include "session/command/Command.h"
 
 #include <QColorDialog>
 #include <QGridLayout>
@@ -155,14 +156,14 @@ void TransferEditor::connectCanvas(TransferCanvas* canvas) {
 TransferCanvas* TransferEditor::selected() const { return mGradientsActive ? mGradients : mCanvas; }
 
 void TransferEditor::edit(const QString& label, const scene::TransferFunction& next, bool merge) {
-  mDocument.edit(
-      label.toStdString(), [&](scene::Scene& scene) { scene::currentTransfer(scene.volume) = next; }, merge);
+  session::editByHand(
+      mDocument, label.toStdString(), [&](scene::Scene& scene) { scene::currentTransfer(scene.volume) = next; }, merge);
 }
 
 /// Begins with a curve that changes nothing.
 void TransferEditor::useGradients(bool use) {
   double steep = mGradients->view().high;
-  mDocument.edit(use ? "Use gradient opacity" : "Stop gradient opacity", [&](scene::Scene& scene) {
+  session::editByHand(mDocument, use ? "Use gradient opacity" : "Stop gradient opacity", [&](scene::Scene& scene) {
     auto& curve = scene::currentTransfer(scene.volume).gradientOpacities;
     curve.clear();
     if (use) curve = {{0.0, 1.0}, {0.15 * steep, 1.0}, {steep, 1.0}};

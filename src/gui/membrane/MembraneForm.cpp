@@ -7,8 +7,11 @@
 
 #include "gui/kit/Length.h"
 #include "gui/service/SelectedCut.h"
+#include "session/command/Command.h"
 #include "session/command/CutCommands.h"
 #include "session/command/MembraneCommands.h"
+#include "session/command/ModelCommands.h"
+#include "session/command/StructureCommands.h"
 #include "session/membrane/MembraneEdit.h"
 #include "session/model/ModelEdit.h"
 #include "session/structure/StructureEdit.h"
@@ -78,14 +81,21 @@ MembraneForm::MembraneForm(session::Document& document, Selection& selection, QW
   cloth->hide();
   layout->addWidget(cloth);
   connect(mMore, &QPushButton::toggled, cloth, &QWidget::setVisible);
-  connect(mStructures, &StrengthTable::strengthAsked, this, [this](int id, double strength) {
-    const scene::Scene& scene = mDocument.scene();
-    const char* verb = strength != 0 ? "Force of" : "No force of";
-    std::string label = session::protectsTypes(scene) ? session::typesLabel(scene, verb, {std::uint32_t(id - 1)})
-                                                      : session::structureLabel(scene, verb, {id});
-    editSelectedMembrane(mDocument, mSelection, label,
-                         [&](scene::Membrane& m) { session::protectStructure(m, id, strength); });
-  });
+  connect(mStructures, &StrengthTable::strengthAsked, this, &MembraneForm::setForceOf);
+}
+
+void MembraneForm::setForceOf(int id, double strength) {
+  if (!selectedMembrane(mDocument, mSelection)) return;
+  const scene::Scene& scene = mDocument.scene();
+  const char* verb = strength != 0 ? "Force of" : "No force of";
+  std::string cut = session::cutKey(scene, mSelection.cut());
+  session::TypeNumbers types{std::uint32_t(id - 1)};
+  if (session::protectsTypes(scene))
+    session::edit(mDocument, session::ProtectTypes{session::typeNames(scene, types), strength, cut}, false,
+                  session::typesLabel(scene, verb, types));
+  else
+    session::edit(mDocument, session::ProtectStructures{session::structureNames(scene, {id}), strength, cut}, false,
+                  session::structureLabel(scene, verb, {id}));
 }
 
 QWidget* MembraneForm::makeProtect() {

@@ -43,6 +43,8 @@ class MembraneForm : public QWidget {
   void exportClippedAsked();
 
  private:
+  /// The force on the sheet of a structure, or of a type of a model.
+  void setForceOf(int id, double strength);
   QWidget* makeProtect();
   QWidget* makePlayer();
   QWidget* makeLast();

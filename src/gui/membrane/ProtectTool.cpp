@@ -2,6 +2,10 @@
 
 #include "core/Text.h"
 #include "gui/service/SelectedCut.h"
+#include "session/command/Command.h"
+#include "session/command/CutCommands.h"
+#include "session/command/ModelCommands.h"
+#include "session/command/StructureCommands.h"
 #include "session/membrane/MembraneEdit.h"
 #include "session/structure/StructureEdit.h"
 
@@ -28,13 +32,19 @@ void ProtectTool::click(const PointerEvent& event) {
   bool isType = session::protectsTypes(scene) && event.at.type() >= 0;
   if (isType) structure = event.at.type() + 1;
   bool isStructure = isType || (structure > 0 && scene.labels.visible);
-  editSelectedMembrane(mDocument, mSelection, mLetThrough ? "Let sheet through" : "Protect from sheet",
-                       [&](scene::Membrane& membrane) {
-                         if (isStructure)
-                           session::protectStructure(membrane, structure, strength);
-                         else
-                           tissue = session::protectTissue(membrane, scene.volume, *place, strength);
-                       });
+  std::string cut = session::cutKey(scene, mSelection.cut()),
+              step = mLetThrough ? "Let sheet through" : "Protect from sheet";
+  if (isType)
+    session::edit(mDocument,
+                  session::ProtectTypes{session::typeNames(scene, {std::uint32_t(structure - 1)}), strength, cut},
+                  false, step);
+  else if (isStructure)
+    session::edit(mDocument, session::ProtectStructures{session::structureNames(scene, {structure}), strength, cut},
+                  false, step);
+  else
+    editSelectedMembrane(mDocument, mSelection, step, [&](scene::Membrane& membrane) {
+      tissue = session::protectTissue(membrane, scene.volume, *place, strength);
+    });
   QString what;
   if (isType)
     what = QString::fromStdString(scene.model.data->types[std::size_t(event.at.type())].name);

@@ -1,9 +1,14 @@
 #include "gui/model/Equalizer.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <memory>
 
+#include "session/command/Command.h"
+#include "session/command/CutCommands.h"
+#include "session/command/ModelCommands.h"
 #include "session/model/CountPictures.h"
 #include "session/model/ModelEdit.h"
 #include "session/model/RenderedSolver.h"
@@ -106,14 +111,17 @@ void Equalizer::giveUp() {
 void Equalizer::findSeen(const session::Bar::Wish& wish) {
   double ratio = mViewport.devicePixelRatioF();
   glm::ivec2 size(std::lround(mViewport.width() * ratio), std::lround(mViewport.height() * ratio));
-  auto make = [wish, path = mHeldPath, size](const scene::Scene& scene, Progress& progress) {
-    session::Solved solved =
-        session::findVisible(scene, wish.cuts, path, double(wish.seen), glm::max(size, 1), progress);
-    return session::Edit{wish.label, scene, std::move(solved.scene), {solved.words}};
+  std::vector<std::string> cuts;
+  for (int id : wish.cuts) cuts.push_back(session::cutKey(mSession.scene(), id));
+  session::Call call = session::LetSee{mHeldPath, double(wish.seen), cuts,
+                                       fmt::format("{}x{}", std::max(size.x, 1), std::max(size.y, 1))};
+  auto make = [call, step = wish.label](const scene::Scene& scene, Progress& progress) {
+    session::Edit edit = session::editOf(scene, call, progress);
+    edit.step = step;
+    return edit;
   };
-  auto commit = [this](const session::Edit& edit) {
-    mSession.document().edit(
-        edit.step, [&](scene::Scene& scene) { scene.cuts = edit.after.cuts; }, true);
+  auto commit = [this, call](const session::Edit& edit) {
+    session::commitCuts(mSession.document(), edit, call, true);
     emit told(QString::fromStdString(edit.told.front()));
   };
   // One that cannot begin, is cancelled or fails leaves what the handle has come to.

@@ -79,7 +79,7 @@ void EqualizerBar::goToState(int state) {
     if (wanted == session::ClipState::Whole) session::edit(mDocument, session::ShowUncut{});
     if (wanted == session::ClipState::Cut) session::edit(mDocument, session::ShowUnthinned{});
     if (wanted == session::ClipState::Thinned && !mThinned.empty())
-      mDocument.edit("Show thinned", [this](scene::Scene& scene) { scene.cuts = mThinned; });
+      session::editByHand(mDocument, "Show thinned", [this](scene::Scene& scene) { scene.cuts = mThinned; });
   }
   showState();
 }

@@ -9,6 +9,7 @@
 
 #include "gui/service/SelectedCut.h"
 #include "session/command/Command.h"
+#include "session/command/CutCommands.h"
 #include "session/command/ModelCommands.h"
 #include "session/membrane/MembraneEdit.h"
 #include "session/model/TypesAt.h"
@@ -30,10 +31,16 @@ void ModelCommands::setVisible(const Types& types, bool visible) {
 
 void ModelCommands::toggleSolo(const Types& types) {
   if (types.empty()) return;
-  bool ends = session::isSolo(mDocument.scene(), types);
-  session::TypeSoloMemory next;
-  mDocument.edit(session::typesLabel(mDocument.scene(), ends ? "End solo of" : "Solo", types),
-                 [&](scene::Scene& scene) { next = session::toggleSoloTypes(scene, mSolo, types); });
+  session::SoloTypes call{named(types), {}};
+  if (session::isSolo(mDocument.scene(), mSolo.alone)) {
+    Types shown;
+    for (std::uint32_t i = 0; i < mSolo.shown.size(); ++i)
+      if (mSolo.shown[i]) shown.push_back(i);
+    call.shown = named(shown);
+  }
+  scene::Scene after = mDocument.scene();
+  session::TypeSoloMemory next = session::toggleSoloTypes(after, mSolo, types);
+  session::edit(mDocument, call);
   mSolo = next;
 }
 
@@ -80,12 +87,9 @@ void ModelCommands::fillMembraneMenu(QMenu& menu, const Types& types) {
   action->setCheckable(true);
   action->setChecked(isProtected);
   connect(action, &QAction::triggered, this, [this, types](bool on) {
-    const char* verb = on ? "Protect by membrane:" : "No force of";
-    editSelectedMembrane(mDocument, mSelection, session::typesLabel(mDocument.scene(), verb, types),
-                         [&](scene::Membrane& membrane) {
-                           for (std::uint32_t type : types)
-                             session::protectStructure(membrane, int(type) + 1, on ? session::kProtectStrength : 0.0);
-                         });
+    if (!selectedMembrane(mDocument, mSelection)) return;
+    session::edit(mDocument, session::ProtectTypes{named(types), on ? session::kProtectStrength : 0.0,
+                                                   session::cutKey(mDocument.scene(), mSelection.cut())});
   });
   menu.addSeparator();
 }
@@ -95,8 +99,7 @@ void ModelCommands::setInView(const std::string& path, bool kept) {
 }
 
 void ModelCommands::setGhosts(const Types& types, std::optional<scene::Ghosts> ghosts) {
-  mDocument.edit(session::typesLabel(mDocument.scene(), "Ghosts of", types),
-                 [&](scene::Scene& scene) { session::setTypesGhosts(scene, types, ghosts); });
+  session::edit(mDocument, session::SetTypeGhosts{named(types), ghosts.value_or(scene::Ghosts::None), !ghosts});
 }
 
 void ModelCommands::setTarget(const std::string& path, std::optional<double> visible) {

@@ -1,8 +1,12 @@
 #include "gui/model/ModelRoom.h"
 
+#include <fmt/format.h>
+
 #include <memory>
 #include <numeric>
 
+#include "session/command/Command.h"
+#include "session/command/ModelCommands.h"
 #include "session/model/CountPictures.h"
 
 namespace velum::gui {
@@ -122,15 +126,10 @@ void ModelRoom::meetTargets() {
     return mParts.messages.showNote(tr("No type has a number to be seen: give one in its menu."));
   const Viewport& viewport = mParts.views.viewport();
   glm::ivec2 size(glm::round(glm::dvec2(viewport.width(), viewport.height()) * viewport.devicePixelRatioF()));
-  auto make = [size](const scene::Scene& scene, Progress& progress) {
-    session::TargetsReport report = session::findTargets(scene, glm::max(size, 1), progress);
-    session::Edit edit{"Meet numbers to be seen", scene, std::move(report.scene), {}};
-    for (const session::TargetReport& target : report.targets)
-      if (!target.isMet) edit.told.push_back(target.words);
-    return edit;
-  };
-  auto commit = [this](const session::Edit& edit) {
-    mParts.document().edit(edit.step, [&](scene::Scene& scene) { scene.cuts = edit.after.cuts; });
+  session::Call call = session::MeetTargets{fmt::format("{}x{}", std::max(size.x, 1), std::max(size.y, 1))};
+  auto make = [call](const scene::Scene& scene, Progress& progress) { return session::editOf(scene, call, progress); };
+  auto commit = [this, call](const session::Edit& edit) {
+    session::commitCuts(mParts.document(), edit, call);
     mParts.messages.showNote(edit.told.empty() ? tr("All numbers are met.") : tr("As near as can be"), edit.told);
   };
   mParts.jobs.edit(tr("Meeting the numbers to be seen"), {JobRunner::Beside::Ground::Cuts, make, commit});

@@ -23,8 +23,8 @@ void placeCut(session::Document& document, const scene::Cut& placed, const std::
 void editSelectedCut(session::Document& document, const Selection& selection, const std::string& label,
                      const std::function<void(scene::Cut&)>& change, bool merge) {
   if (!selectedCut(document, selection)) return;
-  document.edit(
-      label,
+  session::editByHand(
+      document, label,
       [&](scene::Scene& scene) {
         scene::Cut& cut = *scene::findCut(scene, selection.cut());
         scene::Cut before = cut;

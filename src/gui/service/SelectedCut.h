@@ -16,7 +16,8 @@ const scene::Cut* selectedMembrane(const session::Document& document, const Sele
 /// @param step  its name for people  @param merge  as of Document::edit()
 void placeCut(session::Document& document, const scene::Cut& placed, const std::string& step, bool merge = false);
 
-/// Changes the selected cut as Document::edit() does; nothing without one.
+/// Changes the selected cut as session::editByHand() does, and what was pulled out of it goes along; nothing without
+/// one.
 void editSelectedCut(session::Document& document, const Selection& selection, const std::string& label,
                      const std::function<void(scene::Cut&)>& change, bool merge = false);
 /// The same for what is its own of a membrane; nothing where another cut is selected.

@@ -39,10 +39,14 @@ void StructureCommands::invertVisible(const Ids& ids) {
 
 void StructureCommands::toggleSolo(int id) {
   if (!session::findStructure(mDocument.scene(), id)) return;
-  bool ends = session::soloStructure(mDocument.scene()) == id;
-  session::SoloMemory next;
-  mDocument.edit(session::structureLabel(mDocument.scene(), ends ? "End solo of" : "Solo", {id}),
-                 [&](scene::Scene& scene) { next = session::toggleSolo(scene, mSolo, id); });
+  session::SoloStructure call{named({id})[0]};
+  if (mSolo.structure > 0 && session::soloStructure(mDocument.scene()) == mSolo.structure) {
+    call.shown = named(mSolo.visible);
+    call.unlabelled = mSolo.unlabelled;
+  }
+  scene::Scene after = mDocument.scene();
+  session::SoloMemory next = session::toggleSolo(after, mSolo, id);
+  session::edit(mDocument, call);
   mSolo = next;
 }
 

@@ -6,6 +6,9 @@
 #include "gui/kit/Length.h"
 #include "gui/window/RawDialog.h"
 #include "gui/window/VoxelSizeDialog.h"
+#include "scene/json/Paths.h"
+#include "session/command/Command.h"
+#include "session/command/DocumentCommands.h"
 #include "session/command/LookCommands.h"
 #include "session/document/LabelPlace.h"
 #include "session/document/WorkFile.h"
@@ -52,13 +55,16 @@ void VolumeCommands::refresh(const session::Session& session) {
 }
 
 void VolumeCommands::reread(const QString& step, const scene::Source& source) {
-  auto make = [source, name = step.toStdString()](const scene::Scene& scene, Progress& progress) {
-    session::Edit edit{name, scene, scene, {}};
-    session::rereadVolume(edit.after, source, progress);
+  scene::Scene wanted = mParts.session.scene();
+  wanted.volume.source = source;
+  session::Call call = session::SetField{"volume.source", scene::getField(wanted, "volume.source")};
+  auto make = [call, name = step.toStdString()](const scene::Scene& scene, Progress& progress) {
+    session::Edit edit = session::editOf(scene, call, progress);
+    edit.step = name;
     return edit;
   };
-  auto commit = [this](const session::Edit& edit) {
-    mParts.document().edit(edit.step, [&](scene::Scene& scene) { scene = edit.after; });
+  auto commit = [this, call](const session::Edit& edit) {
+    session::commit(mParts.document(), edit, call);
     std::string misplaced = session::misplacedLabels(mParts.session.scene());
     if (!misplaced.empty()) mParts.messages.showError(QString::fromStdString(misplaced));
   };

@@ -94,6 +94,22 @@ void edit(Document& document, const Call& call, bool merge, const std::string& s
   commit(document, made, call, merge);
 }
 
+void editByHand(Document& document, const std::string& step, const std::function<void(scene::Scene&)>& change,
+                bool merge) {
+  auto changeAndFollow = [&change](scene::Scene& scene) {
+    scene::Scene before = scene;
+    Progress progress;
+    change(scene);
+    followFields(scene, before, progress);
+  };
+  document.edit(step, changeAndFollow, merge);
+}
+
+void commitCuts(Document& document, const Edit& edit, const Call& call, bool merge) {
+  document.edit(
+      edit.step, [&](scene::Scene& scene) { scene.cuts = edit.after.cuts; }, merge, call.line());
+}
+
 std::vector<std::string> run(Session& session, const Call& call, Progress& progress, bool merge) {
   if (call.command().act) return call.command().act(session, call.arguments(), progress);
   Edit edit = editOf(session.scene(), call, progress);

@@ -91,6 +91,12 @@ void commit(Document& document, const Edit& edit, const Call& call, bool merge =
 /// Both, for a call that is not long. @param step  another name of the undo step than the command's
 /// @throw as editOf(); then nothing has changed
 void edit(Document& document, const Call& call, bool merge = false, const std::string& step = {});
+/// The same of what a hand drags or draws, for which there is no command: a script does it again by a `set` line for
+/// each field that has changed. @throw as followFields() and the change do; then nothing has changed
+void editByHand(Document& document, const std::string& step, const std::function<void(scene::Scene&)>& change,
+                bool merge = false);
+/// As commit(), of the cuts alone: what else has changed since the edit was worked out stays as it is.
+void commitCuts(Document& document, const Edit& edit, const Call& call, bool merge = false);
 
 /// Does it, with all that follows. Where it changes the scene, that is one undo step. The session's thread; long
 /// commands take as long as they take: a window makes the edit in a job where isLong().

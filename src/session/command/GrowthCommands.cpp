@@ -1,6 +1,6 @@
 #include "session/command/GrowthCommands.h"
 
-#include <span>
+#include <algorithm>
 
 #include "scene/StructureAt.h"
 #include "session/Session.h"
@@ -65,16 +65,44 @@ std::vector<std::string> growFurther(Session& session, const GrowOn& a, Progress
   return {};
 }
 
+/// What has grown so far stays.
+std::vector<std::string> stopGrowing(Session& session, const StopGrowing& a, Progress&) {
+  if (auto reached = session.growth().stop())
+    session.document().edit(
+        "Stop growing", [&](Scene& scene) { holdGrowth(scene, *reached); }, false, Call(a).line());
+  return {};
+}
+
+template <class Arguments>
+std::vector<glm::dvec3> placesOf(const Arguments& a) {
+  std::vector<glm::dvec3> places{a.place};
+  places.insert(places.end(), a.more.begin(), a.more.end());
+  return places;
+}
+
 void addSeed(Scene& scene, const AddSeed& a) {
-  int id = grownOf(scene, a.structure);
-  if (addSeeds(scene, id, std::span(&a.place, 1)) == 0)
+  if (addSeeds(scene, grownOf(scene, a.structure), placesOf(a)) == 0)
     throw ArgumentError(fmt::format("growth.addSeed {}: the value there is none of its range", textOf(a.place)));
 }
 
 void notThis(Scene& scene, const NotThis& a) {
-  int id = grownOf(scene, a.structure);
-  if (addOthers(scene, id, std::span(&a.place, 1)) == 0)
+  if (addOthers(scene, grownOf(scene, a.structure), placesOf(a)) == 0)
     throw ArgumentError(fmt::format("growth.notThis {}: it does not grow there", textOf(a.place)));
+}
+
+void drawBarrier(Scene& scene, const DrawBarrier& a) {
+  if (a.path.empty()) throw ArgumentError("growth.barrier wants the points of a stroke: [[X,Y,Z],[X,Y,Z]]");
+  changeGrowth(scene, grownOf(scene, a.structure), [&](scene::Growth& growth) {
+    growth.barriers.push_back({a.path, a.radius});
+  });
+}
+
+void change(Scene& scene, const ChangeGrowth& a) {
+  constexpr std::string_view kFields[] = {"low", "high", "steepest", "closing", "fillHoles"};
+  if (std::ranges::find(kFields, a.field) == std::end(kFields))
+    throw ArgumentError(fmt::format("growth.change changes {}, not '{}'", fmt::join(kFields, ", "), a.field));
+  changeGrowth(scene, grownOf(scene, a.structure),
+               [&](scene::Growth& growth) { scene::detail::assignMember(growth, a.field, a.value, "growths"); });
 }
 
 }  // namespace
@@ -91,6 +119,15 @@ std::vector<Command> growthCommands() {
                        "growth.notThis \"structure 1\" 12,-40,80", stepBy<NotThis>("Not this:"), notThis),
       actRow<GrowOn>("Lets a structure that was held grow as far as it is pulled, and minds no leak of it any more.",
                      "growth.growOn \"structure 1\"", growFurther),
+      actRow<StopGrowing>("Ends what is growing: what has grown so far stays.", "growth.stop", stopGrowing),
+      editRow<DrawBarrier>("Draws a stroke that a structure does not grow through.",
+                           "growth.barrier \"structure 1\" [[12,-40,80],[18,-40,80]] 3", "Draw barrier", drawBarrier),
+      editRow<ChangeGrowth>(
+          "Changes how a structure grows: it grows anew.", "growth.change \"structure 1\" closing 1.5",
+          [](const Scene& scene, const ChangeGrowth& a) {
+            return structureLabel(scene, "Change growth of", structureIds(scene, {a.structure}));
+          },
+          change),
       editRow<ForgetGrown>("Forgets a structure that was grown.", "growth.forget \"structure 1\"",
                            stepBy<ForgetGrown>("Forget"),
                            [](Scene& scene, const ForgetGrown& a) { removeGrown(scene, grownOf(scene, a.structure)); }),

@@ -2,6 +2,7 @@
 #include <glm/glm.hpp>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/Fields.h"
 
@@ -26,9 +27,11 @@ struct AddSeed {
   static constexpr std::string_view kName = "growth.addSeed";
   std::string structure;
   glm::dvec3 place{0.0};
+  std::vector<glm::dvec3> more;
   static void fields(auto& o, auto& visit) {
     visit("structure", o.structure, kGrownInfo);
     visit("place", o.place, FieldInfo{kLength, {}, "From where it goes on, world."});
+    visit("more", o.more, FieldInfo{kLength, {}, "More such places: of a stroke."});
   }
 };
 
@@ -36,9 +39,11 @@ struct NotThis {
   static constexpr std::string_view kName = "growth.notThis";
   std::string structure;
   glm::dvec3 place{0.0};
+  std::vector<glm::dvec3> more;
   static void fields(auto& o, auto& visit) {
     visit("structure", o.structure, kGrownInfo);
     visit("place", o.place, FieldInfo{kLength, {}, "In what it has leaked into, world."});
+    visit("more", o.more, FieldInfo{kLength, {}, "More such places: of a stroke."});
   }
 };
 
@@ -46,6 +51,34 @@ struct GrowOn {
   static constexpr std::string_view kName = "growth.growOn";
   std::string structure;
   static void fields(auto& o, auto& visit) { visit("structure", o.structure, kGrownInfo); }
+};
+
+struct StopGrowing {
+  static constexpr std::string_view kName = "growth.stop";
+  static void fields(auto&, auto&) {}
+};
+
+struct DrawBarrier {
+  static constexpr std::string_view kName = "growth.barrier";
+  std::string structure;
+  std::vector<glm::dvec3> path;
+  double radius = 3.0;
+  static void fields(auto& o, auto& visit) {
+    visit("structure", o.structure, kGrownInfo);
+    visit("path", o.path, FieldInfo{kLength, {}, "Points along the stroke, world."});
+    visit("radius", o.radius, FieldInfo{kLength, {0, 1e9}, "Half its width."});
+  }
+};
+
+/// Any of the fields by which scene::Growth says how a structure grows.
+struct ChangeGrowth {
+  static constexpr std::string_view kName = "growth.change";
+  std::string structure, field, value;
+  static void fields(auto& o, auto& visit) {
+    visit("structure", o.structure, kGrownInfo);
+    visit("field", o.field, FieldInfo{"", {}, "Of `growths.N`: low, high, steepest, closing, fillHoles."});
+    visit("value", o.value, FieldInfo{"", {}, "What it is to be."});
+  }
 };
 
 struct ForgetGrown {

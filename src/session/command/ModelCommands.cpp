@@ -6,9 +6,13 @@
 #include "session/command/CommandRow.h"
 #include "session/command/CutCommands.h"
 #include "session/cut/CutEdit.h"
+#include "session/membrane/MembraneEdit.h"
 #include "session/model/ClipState.h"
+#include "session/model/CountPictures.h"
+#include "session/model/TargetSolver.h"
 #include "session/model/TypesAt.h"
 #include "session/model/WhatHides.h"
+#include "session/picture/Picture.h"
 
 namespace velum::session {
 
@@ -49,6 +53,7 @@ namespace detail {
 
 namespace {
 
+using scene::Cut;
 using scene::Scene;
 
 template <class Arguments>
@@ -64,9 +69,48 @@ void leaveBy(Scene& scene, const LeaveTypesBy& a) {
     scene::detail::assignMember(ownTypeSpare(cutOf(scene, a.cut), path), a.field, a.value, "model.spares");
 }
 
-}  // namespace
+void solo(Scene& scene, const SoloTypes& a) {
+  TypeSoloMemory memory;
+  if (!a.shown.empty() && scene.model.data) {
+    std::vector<bool> now = visibleTypes(scene.model);
+    for (std::uint32_t i = 0; i < now.size(); ++i)
+      if (now[i]) memory.alone.push_back(i);
+    memory.shown.assign(now.size(), false);
+    for (std::uint32_t type : typeNumbers(scene, a.shown)) memory.shown[type] = true;
+  }
+  toggleSoloTypes(scene, memory, typeNumbers(scene, a.types));
+}
 
-std::vector<Command> modelCommands() {
+void protectTypes(Scene& scene, const ProtectTypes& a) {
+  Cut& cut = cutOf(scene, a.cut);
+  if (!scene::isMembrane(cut)) throw ArgumentError("model.protect: the cut is no membrane");
+  if (!protectsTypes(scene)) throw ArgumentError("model.protect: membranes go around types where no volume is open");
+  for (std::uint32_t type : typeNumbers(scene, a.types)) protectStructure(*cut.membrane, int(type) + 1, a.strength);
+}
+
+/// @return what could not be met
+std::vector<std::string> meetTargets(Scene& scene, const MeetTargets& a, Progress& progress) {
+  if (scene.model.targets.empty()) throw ArgumentError("no type has a number to be seen; model.target gives one");
+  TargetsReport report = findTargets(scene, parsePictureSize(a.size, 0), progress);
+  scene = std::move(report.scene);
+  std::vector<std::string> told;
+  for (const TargetReport& target : report.targets)
+    if (!target.isMet) told.push_back(target.words);
+  return told;
+}
+
+std::vector<std::string> letSee(Scene& scene, const LetSee& a, Progress& progress) {
+  typeNumbers(scene, {a.type});  // says where there is none
+  std::vector<int> cuts;
+  for (const std::string& key : a.cuts) cuts.push_back(cutOf(std::as_const(scene), key).id);
+  if (cuts.empty()) cuts = cutsToSet(scene);
+  Solved solved = findVisible(scene, cuts, a.type, a.visible, parsePictureSize(a.size, 0), progress);
+  scene = std::move(solved.scene);
+  return {solved.words};
+}
+
+/// How types look, and which show.
+std::vector<Command> lookRows() {
   return {
       editRow<ShowTypes>(
           "Shows types of a model, or hides them.", "model.show root.blood false",
@@ -88,10 +132,32 @@ std::vector<Command> modelCommands() {
       editRow<ResetTypes>("Shows types as if nothing had been said of them.", "model.reset root",
                           stepBy<ResetTypes>("Reset"),
                           [](Scene& scene, const ResetTypes& a) { resetTypes(scene, typeNumbers(scene, a.types)); }),
-      editRow<SetTypeGhosts>(
-          "Says how instances of types show that cuts have removed.", "model.ghosts root.blood contour",
-          stepBy<SetTypeGhosts>("Ghosts of"),
-          [](Scene& scene, const SetTypeGhosts& a) { setTypesGhosts(scene, typeNumbers(scene, a.types), a.ghosts); }),
+      editRow<SetTypeGhosts>("Says how instances of types show that cuts have removed.",
+                             "model.ghosts root.blood contour", stepBy<SetTypeGhosts>("Ghosts of"),
+                             [](Scene& scene, const SetTypeGhosts& a) {
+                               setTypesGhosts(scene, typeNumbers(scene, a.types),
+                                              a.asModel ? std::nullopt : std::optional(a.ghosts));
+                             }),
+      editRow<SoloTypes>(
+          "Shows types alone; where they are alone already, what was shown before.", "model.solo root.capsid",
+          [](const Scene& scene, const SoloTypes& a) {
+            TypeNumbers types = typeNumbers(scene, a.types);
+            return typesLabel(scene, isSolo(scene, types) ? "End solo of" : "Solo", types);
+          },
+          solo),
+      editRow<ProtectTypes>(
+          "Lets a membrane's sheet go around types of a model, or draws it to them.", "model.protect root.capsid 60",
+          [](const Scene& scene, const ProtectTypes& a) {
+            return typesLabel(scene, a.strength != 0.0 ? "Protect by membrane:" : "No force of",
+                              typeNumbers(scene, a.types));
+          },
+          protectTypes),
+  };
+}
+
+/// How many instances show, and what cuts leave.
+std::vector<Command> numberRows() {
+  return {
       editRow<SetTypeTarget>(
           "Says how many instances of a type or compartment are to be seen.", "model.target root.blood.albumin 400",
           [](const Scene&, const SetTypeTarget& a) {
@@ -100,6 +166,12 @@ std::vector<Command> modelCommands() {
           [](Scene& scene, const SetTypeTarget& a) {
             setVisibleTarget(scene, a.type, a.isAny ? std::nullopt : std::optional(a.visible));
           }),
+      editRow<MeetTargets>("Lets cuts leave as many instances as are to be seen of all types that have such a number.",
+                           "model.meetTargets 1280x960", "Meet numbers to be seen", meetTargets),
+      editRow<LetSee>(
+          "Lets cuts leave so many instances of a type that a number of them is seen.", "model.letSee root.capsid 200",
+          [](const Scene&, const LetSee& a) { return fmt::format("Number of {} to be seen", shortName(a.type)); },
+          letSee),
       editRow<LeaveTypes>(
           "Lets a cut leave a share of the instances of types.", "model.leave root.blood 0.25",
           [](const Scene& scene, const LeaveTypes& a) {
@@ -115,6 +187,14 @@ std::vector<Command> modelCommands() {
             return (a.field == "share" ? "Leave of " : "Change " + a.field + " of ") + rowsLabel(a.types);
           },
           leaveBy),
+      editRow<LeaveAsAbove>(
+          "Lets a cut leave of types what it leaves of the compartment that they are in.",
+          "model.leaveAsAbove root.blood",
+          [](const Scene&, const LeaveAsAbove& a) { return "Leave " + rowsLabel(a.types) + " as above"; },
+          [](Scene& scene, const LeaveAsAbove& a) {
+            typeNumbers(scene, a.types);  // says which are none
+            for (const auto& path : a.types) removeTypeSpare(cutOf(scene, a.cut), path);
+          }),
       editRow<ShowUncut>("Turns all cuts off: no instance is removed.", "model.showUncut", "Show whole",
                          [](Scene& scene, const ShowUncut&) { showWhole(scene); }),
       editRow<ShowUnthinned>("Gives up shares and falloffs: where an instance is decides whether it is drawn.",
@@ -133,6 +213,14 @@ std::vector<Command> modelCommands() {
               endKeepInView(scene, a.type);
           }),
   };
+}
+
+}  // namespace
+
+std::vector<Command> modelCommands() {
+  std::vector<Command> rows = lookRows(), more = numberRows();
+  rows.insert(rows.end(), more.begin(), more.end());
+  return rows;
 }
 
 }  // namespace detail

@@ -61,13 +61,36 @@ struct ResetTypes {
   static void fields(auto& o, auto& visit) { visit("types", o.types, kTypesInfo); }
 };
 
+struct SoloTypes {
+  static constexpr std::string_view kName = "model.solo";
+  std::vector<std::string> types, shown;
+  static void fields(auto& o, auto& visit) {
+    visit("types", o.types, kTypesInfo);
+    visit("shown", o.shown, FieldInfo{"", {}, "Types that show again where they were alone; nothing: all."});
+  }
+};
+
 struct SetTypeGhosts {
   static constexpr std::string_view kName = "model.ghosts";
   std::vector<std::string> types;
   scene::Ghosts ghosts = scene::Ghosts::None;
+  bool asModel = false;
   static void fields(auto& o, auto& visit) {
     visit("types", o.types, kTypesInfo);
     visit("ghosts", o.ghosts, FieldInfo{"", {}, "How instances show that cuts have removed."});
+    visit("asModel", o.asModel, FieldInfo{"", {}, "On: as the whole model's do."});
+  }
+};
+
+struct ProtectTypes {
+  static constexpr std::string_view kName = "model.protect";
+  std::vector<std::string> types;
+  double strength = 100.0;
+  std::string cut;
+  static void fields(auto& o, auto& visit) {
+    visit("types", o.types, kTypesInfo);
+    visit("strength", o.strength, FieldInfo{"", {-1000, 1000}, "Below 0 it draws the sheet to them; 0 ends it."});
+    visit("cut", o.cut, FieldInfo{"", {}, "Name or number of the membrane; nothing: the only cut."});
   }
 };
 
@@ -80,6 +103,28 @@ struct SetTypeTarget {
     visit("type", o.type, FieldInfo{"", {}, "Path of a type or compartment."});
     visit("visible", o.visible, FieldInfo{"", {0, 1e9}, "So many of its instances are to be seen."});
     visit("isAny", o.isAny, FieldInfo{"", {}, "On: any number will do again."});
+  }
+};
+
+struct MeetTargets {
+  static constexpr std::string_view kName = "model.meetTargets";
+  std::string size = "1280x960";
+  static void fields(auto& o, auto& visit) {
+    visit("size", o.size, FieldInfo{"", {}, "Of the pictures in which instances are counted, WIDTHxHEIGHT in pixels."});
+  }
+};
+
+struct LetSee {
+  static constexpr std::string_view kName = "model.letSee";
+  std::string type;
+  double visible = 0.0;
+  std::vector<std::string> cuts;
+  std::string size = "1280x960";
+  static void fields(auto& o, auto& visit) {
+    visit("type", o.type, FieldInfo{"", {}, "Path of a type or compartment."});
+    visit("visible", o.visible, FieldInfo{"", {0, 1e9}, "So many of its instances are to be seen."});
+    visit("cuts", o.cuts, FieldInfo{"", {}, "Cuts that leave more or fewer; nothing: all that are on."});
+    visit("size", o.size, FieldInfo{"", {}, "Of the pictures in which instances are counted, WIDTHxHEIGHT in pixels."});
   }
 };
 
@@ -106,6 +151,16 @@ struct LeaveTypesBy {
     visit("field", o.field,
           FieldInfo{"", {}, "Of `cuts.N.model.spares.N`: share, falloff, amount, exponent, aperture."});
     visit("value", o.value, FieldInfo{"", {}, "What it is to be."});
+    visit("cut", o.cut, FieldInfo{"", {}, "Name or number of the cut; nothing: the only one."});
+  }
+};
+
+struct LeaveAsAbove {
+  static constexpr std::string_view kName = "model.leaveAsAbove";
+  std::vector<std::string> types;
+  std::string cut;
+  static void fields(auto& o, auto& visit) {
+    visit("types", o.types, kTypesInfo);
     visit("cut", o.cut, FieldInfo{"", {}, "Name or number of the cut; nothing: the only one."});
   }
 };

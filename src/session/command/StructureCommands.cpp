@@ -55,6 +55,18 @@ void setSphere(Scene& scene, const SetStructureSphere& arguments) {
   if (scene.finish.litSphere == 0.0) scene.finish.litSphere = 0.5;
 }
 
+std::string soloStep(const Scene& scene, const SoloStructure& a) {
+  std::vector<int> ids = structureIds(scene, {a.structure});
+  return structureLabel(scene, soloStructure(scene) == ids[0] ? "End solo of" : "Solo", ids);
+}
+
+void solo(Scene& scene, const SoloStructure& a) {
+  SoloMemory memory;
+  if (!a.shown.empty()) memory = {soloStructure(scene).value_or(0), structureIds(scene, a.shown), a.unlabelled};
+  std::sort(memory.visible.begin(), memory.visible.end());
+  toggleSolo(scene, memory, structureIds(scene, {a.structure})[0]);
+}
+
 }  // namespace
 
 std::vector<Command> structureCommands() {
@@ -73,12 +85,8 @@ std::vector<Command> structureCommands() {
           "Shows those that are hidden and hides those that are shown.", "structure.invert aorta,heart",
           "Invert what is shown",
           changeEach<InvertStructures>([](Structure& s, const auto&) { s.visible = !s.visible; })),
-      editRow<SoloStructure>(
-          "Shows a structure alone; where it is alone already, all.", "structure.solo heart",
-          [](const Scene& scene, const SoloStructure& a) {
-            return structureLabel(scene, "Solo", structureIds(scene, {a.structure}));
-          },
-          [](Scene& scene, const SoloStructure& a) { toggleSolo(scene, {}, structureIds(scene, {a.structure})[0]); }),
+      editRow<SoloStructure>("Shows a structure alone; where it is alone already, what was shown before.",
+                             "structure.solo heart", soloStep, solo),
       editRow<ColorStructures>("Gives structures a colour of their own.", "structure.color aorta 0.8,0.1,0.1",
                                stepBy<ColorStructures>("Colour"),
                                [](Scene& scene, const ColorStructures& a) {

@@ -43,8 +43,12 @@ struct InvertStructures {
 struct SoloStructure {
   static constexpr std::string_view kName = "structure.solo";
   std::string structure;
+  std::vector<std::string> shown;
+  double unlabelled = 1.0;
   static void fields(auto& o, auto& visit) {
     visit("structure", o.structure, FieldInfo{"", {}, "Its name or number."});
+    visit("shown", o.shown, FieldInfo{"", {}, "Structures that show again where it was alone; nothing: all."});
+    visit("unlabelled", o.unlabelled, FieldInfo{"", {0, 1}, "Opacity that what has no label gets back then."});
   }
 };
 

@@ -39,12 +39,19 @@ function(velum_plugin module name)
   target_compile_options(velum-${module}-${name} PRIVATE ${VELUM_OWN_CALLS})
   target_link_libraries(velum-${module}-${name} PRIVATE velum_${module} ${P_PRIVATE} velum_warnings)
   set_target_properties(velum-${module}-${name} PROPERTIES INSTALL_RPATH "$ORIGIN/.."
-    LIBRARY_OUTPUT_DIRECTORY "${CMAKE_LIBRARY_OUTPUT_DIRECTORY}/velum")
+    LIBRARY_OUTPUT_DIRECTORY "${CMAKE_LIBRARY_OUTPUT_DIRECTORY}/velum" UNITY_BUILD OFF)  # minutes each: side by side
   if(NOT TARGET velum-plugins)
     add_custom_target(velum-plugins)
   endif()
   add_dependencies(velum-plugins velum-${module}-${name})
   install(TARGETS velum-${module}-${name} LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}/velum" COMPONENT library)
+endfunction()
+
+# velum_alone(<name> ...): sources of the folder that it is called in, of the module <name>, that are compiled one by one. All others
+# are compiled several together, so that the headers that they share are read once: what is in their anonymous namespaces
+# then needs names that differ from their neighbours'. Those named here have names alike by design, as readers do.
+function(velum_alone name)
+  set_source_files_properties(${ARGN} TARGET_DIRECTORY velum_${name} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()
 
 # velum_room(<name> [HEADERS ...] [SOURCES ...]): adds the folder that it is called in to the module <name>; HEADERS and SOURCES are

@@ -41,16 +41,16 @@ std::vector<scene::Cut> membranesOf(const scene::Scene& scene) {
 }
 
 /// Which options the fields of a new membrane are.
-const Words kOptions{{"membrane.hang values", "--protect"},
-                     {"membrane.hang place", "--protect-at"},
-                     {"membrane.hang structures", "--protect-structure"},
-                     {"membrane.hang types", "--protect-type"},
-                     {"membrane.hang sketch: it fits the curve to its strokes: leave values and place out",
-                      "--sketch fits the curve to its strokes: leave --protect and --protect-at out"},
-                     {"membrane.hang sketch", "--sketch"},
-                     {"membrane.hang avoid", "--avoid"},
-                     {"membrane.hang axis", "--axis"},
-                     {"membrane.hang leastPiece", "--least-piece"}};
+const Words kMembraneWords{{"membrane.hang values", "--protect"},
+                           {"membrane.hang place", "--protect-at"},
+                           {"membrane.hang structures", "--protect-structure"},
+                           {"membrane.hang types", "--protect-type"},
+                           {"membrane.hang sketch: it fits the curve to its strokes: leave values and place out",
+                            "--sketch fits the curve to its strokes: leave --protect and --protect-at out"},
+                           {"membrane.hang sketch", "--sketch"},
+                           {"membrane.hang avoid", "--avoid"},
+                           {"membrane.hang axis", "--axis"},
+                           {"membrane.hang leastPiece", "--least-piece"}};
 
 session::HangMembrane newMembrane(const MembraneOptions& options) {
   session::HangMembrane asked;
@@ -124,7 +124,7 @@ void hangWhatIsAsked(session::Session& session, const MembraneOptions& options) 
   if (!options.axis.empty() && glm::dvec3(options.axis[0], options.axis[1], options.axis[2]) == glm::dvec3(0.0))
     throw ArgumentError("--axis 0,0,0 has no direction");
   if (isAsked || !isThere)
-    run(session, newMembrane(options), kOptions);
+    run(session, newMembrane(options), kMembraneWords);
   else
     placeAnew(session, options);
   putHandsOn(session, options);

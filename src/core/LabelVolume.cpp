@@ -11,10 +11,12 @@ namespace velum {
 
 namespace {
 
-constexpr int kSize = LabelVolume::kBrickSize;
-constexpr std::size_t kBrickVoxels = std::size_t(kSize) * kSize * kSize;
+constexpr int kEdge = LabelVolume::kBrickSize;
+constexpr std::size_t kBrickVoxels = std::size_t(kEdge) * kEdge * kEdge;
 
-std::size_t inBrick(glm::ivec3 v) { return (std::size_t(v.z) * kSize + std::size_t(v.y)) * kSize + std::size_t(v.x); }
+std::size_t placeInBrick(glm::ivec3 v) {
+  return (std::size_t(v.z) * kEdge + std::size_t(v.y)) * kEdge + std::size_t(v.x);
+}
 
 }  // namespace
 
@@ -22,7 +24,7 @@ LabelVolume::LabelVolume(glm::ivec3 dims, const glm::dmat4& worldFromVoxel, Leng
     : mDims(dims), mWorldFromVoxel(worldFromVoxel), mLengthUnit(unit) {
   if (dims.x < 1 || dims.y < 1 || dims.z < 1)
     throw ArgumentError("a label volume needs at least one voxel along each axis");
-  mBrickGrid = (dims + kSize - 1) / kSize;
+  mBrickGrid = (dims + kEdge - 1) / kEdge;
   Shared<Brick> zero(Brick{0});
   mBricks.assign(std::size_t(mBrickGrid.x) * std::size_t(mBrickGrid.y) * std::size_t(mBrickGrid.z), zero);
 }
@@ -46,8 +48,8 @@ void LabelVolume::setLengthUnit(LengthUnit unit) {
 
 std::uint16_t LabelVolume::at(glm::ivec3 v) const {
   if (v.x < 0 || v.y < 0 || v.z < 0 || v.x >= mDims.x || v.y >= mDims.y || v.z >= mDims.z) return 0;
-  const Brick& b = brick(v / kSize);
-  return b.size() == 1 ? b[0] : b[inBrick(v % kSize)];
+  const Brick& b = brick(v / kEdge);
+  return b.size() == 1 ? b[0] : b[placeInBrick(v % kEdge)];
 }
 
 void LabelVolume::write(glm::ivec3 origin, glm::ivec3 size, std::span<const std::uint16_t> ids) {
@@ -57,30 +59,30 @@ void LabelVolume::write(glm::ivec3 origin, glm::ivec3 size, std::span<const std:
   if (ids.size() < std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z))
     throw ArgumentError("too few labels for the box to write");
   if (size.x < 1 || size.y < 1 || size.z < 1) return;
-  glm::ivec3 first = origin / kSize, last = (end - 1) / kSize;
+  glm::ivec3 first = origin / kEdge, last = (end - 1) / kEdge;
   for (int bz = first.z; bz <= last.z; ++bz)
     for (int by = first.y; by <= last.y; ++by)
       for (int bx = first.x; bx <= last.x; ++bx) {
         // Unfold the brick, overwrite the part inside the box, fold it again if one id is left.
-        glm::ivec3 corner = glm::ivec3(bx, by, bz) * kSize;
+        glm::ivec3 corner = glm::ivec3(bx, by, bz) * kEdge;
         auto& slot = mBricks[brickIndex({bx, by, bz})];
         Brick b = slot->size() == 1 ? Brick(kBrickVoxels, (*slot)[0]) : *slot;
-        glm::ivec3 low = glm::max(origin, corner), high = glm::min(end, corner + kSize);
+        glm::ivec3 low = glm::max(origin, corner), high = glm::min(end, corner + kEdge);
         for (int z = low.z; z < high.z; ++z)
           for (int y = low.y; y < high.y; ++y) {
             std::size_t from =
                 (std::size_t(z - origin.z) * std::size_t(size.y) + std::size_t(y - origin.y)) * std::size_t(size.x) +
                 std::size_t(low.x - origin.x);
             std::copy_n(ids.data() + from, high.x - low.x,
-                        b.begin() + std::ptrdiff_t(inBrick(glm::ivec3(low.x, y, z) - corner)));
+                        b.begin() + std::ptrdiff_t(placeInBrick(glm::ivec3(low.x, y, z) - corner)));
           }
         // Voxels of an edge brick that lie outside the grid take the brick's first id, so that they never keep it
         // unfolded.
-        glm::ivec3 inside = glm::min(mDims - corner, glm::ivec3(kSize));
+        glm::ivec3 inside = glm::min(mDims - corner, glm::ivec3(kEdge));
         bool uniform = true;
         for (int z = 0; z < inside.z && uniform; ++z)
           for (int y = 0; y < inside.y && uniform; ++y) {
-            auto row = b.begin() + std::ptrdiff_t(inBrick({0, y, z}));
+            auto row = b.begin() + std::ptrdiff_t(placeInBrick({0, y, z}));
             uniform = std::all_of(row, row + inside.x, [&](std::uint16_t id) { return id == b[0]; });
           }
         if (uniform) b = Brick{b[0]};
@@ -99,13 +101,13 @@ void LabelVolume::read(glm::ivec3 origin, glm::ivec3 size, std::span<std::uint16
       std::size_t to =
           (std::size_t(z - origin.z) * std::size_t(size.y) + std::size_t(y - origin.y)) * std::size_t(size.x);
       for (int x = origin.x; x < end.x;) {
-        glm::ivec3 index = glm::ivec3(x, y, z) / kSize;
-        int run = std::min(end.x, (index.x + 1) * kSize) - x;
+        glm::ivec3 index = glm::ivec3(x, y, z) / kEdge;
+        int run = std::min(end.x, (index.x + 1) * kEdge) - x;
         const Brick& b = brick(index);
         if (b.size() == 1)
           std::fill_n(ids.begin() + std::ptrdiff_t(to), run, b[0]);
         else
-          std::copy_n(b.begin() + std::ptrdiff_t(inBrick(glm::ivec3(x, y, z) - index * kSize)), run,
+          std::copy_n(b.begin() + std::ptrdiff_t(placeInBrick(glm::ivec3(x, y, z) - index * kEdge)), run,
                       ids.begin() + std::ptrdiff_t(to));
         to += std::size_t(run);
         x += run;
@@ -127,10 +129,10 @@ std::vector<std::uint16_t> LabelVolume::idsInUse() const {
       for (int bx = 0; bx < mBrickGrid.x; ++bx) {
         const Brick& b = brick({bx, by, bz});
         glm::ivec3 inside =
-            b.size() == 1 ? glm::ivec3(1) : glm::min(mDims - glm::ivec3(bx, by, bz) * kSize, glm::ivec3(kSize));
+            b.size() == 1 ? glm::ivec3(1) : glm::min(mDims - glm::ivec3(bx, by, bz) * kEdge, glm::ivec3(kEdge));
         for (int z = 0; z < inside.z; ++z)
           for (int y = 0; y < inside.y; ++y)
-            for (int x = 0; x < inside.x; ++x) used->set(b.size() == 1 ? b[0] : b[inBrick({x, y, z})]);
+            for (int x = 0; x < inside.x; ++x) used->set(b.size() == 1 ? b[0] : b[placeInBrick({x, y, z})]);
       }
   std::vector<std::uint16_t> ids;
   for (int id = 1; id < 65536; ++id)

@@ -61,7 +61,14 @@ struct Cut {
   std::vector<Spare> spares;         ///< what this cut leaves of structures
   ModelCut model;                    ///< what it does with the instances of a model
   std::optional<Membrane> membrane;  ///< what a membrane is beside its rest plane; other shapes have none
-  bool operator==(const Cut&) const = default;
+  // Compiled once, in Cut.cpp: nearly every file copies some.
+  Cut();
+  Cut(const Cut&);
+  Cut(Cut&&) noexcept;
+  Cut& operator=(const Cut&);
+  Cut& operator=(Cut&&) noexcept;
+  ~Cut();
+  bool operator==(const Cut&) const;
   static void fields(auto& o, auto& visit) {
     visit("id", o.id,
           FieldInfo{"", {0, kMostCutId}, "Number by which the cut is known, unique in a scene; 0: a new one."});

@@ -16,7 +16,7 @@ constexpr double kMostOfFaces = 0.6;  ///< that may be opaque
 constexpr int kFaceVoxels = 3;        ///< behind a place of a face, which make it opaque or not
 constexpr int kLeastSide = 16;        ///< voxels; what has a shorter side is a slab
 constexpr int kSolidCells = 64;       ///< along the longest side, in which it is asked whether something is solid
-constexpr double kSkin = 0.05;        ///< of the mean side, that cells and fibres are hardly thicker than to both sides
+constexpr double kThin = 0.05;        ///< of the mean side, that cells and fibres are hardly thicker than to both sides
 constexpr double kSeen = 0.1;         ///< opacity of what is about a tenth as bright as what is brightest
 constexpr float kMostAbout = 0.8f;    ///< of the cells about one of something solid, that are seen
 constexpr double kSolid = 0.5;        ///< of what is seen, that is within something solid in tissue
@@ -135,7 +135,7 @@ void smear(Cells& cells, int axis, int reach) {
 /// less of cells, next to nothing of fibres.
 double solidShare(const Volume& volume, const TransferFunction& transfer) {
   Cells seen = seenCells(volume, transfer), about = seen;
-  int reach = std::max(1, int(std::lround(kSkin * std::cbrt(double(seen.values.size())))));
+  int reach = std::max(1, int(std::lround(kThin * std::cbrt(double(seen.values.size())))));
   for (int axis = 0; axis < 3; ++axis)
     if (volume.dims[axis] >= kLeastSide) smear(about, axis, reach);  // a slab is a cut through it
   double all = 0, solid = 0;

@@ -6,7 +6,7 @@ namespace {
 
 constexpr glm::vec3 kPaperWhite(0.98f, 0.97f, 0.94f), kInk(0.09f, 0.08f, 0.10f), kUmber(0.27f, 0.18f, 0.13f);
 
-constexpr LitSphereRow kTable[] = {
+constexpr LitSphereRow kSpheres[] = {
     // What pictures are drawn with.
     {.sphere = {"pencil", "Pencil"},
      .dark = {0.36f, 0.36f, 0.38f},
@@ -293,7 +293,7 @@ constexpr LitSphereRow kTable[] = {
 }  // namespace
 
 const NamedTable<LitSphereRow, LitSphereName>& litSphereTable() {
-  static const NamedTable all("lit sphere", std::span<const LitSphereRow>(kTable), &LitSphereRow::sphere);
+  static const NamedTable all("lit sphere", std::span<const LitSphereRow>(kSpheres), &LitSphereRow::sphere);
   return all;
 }
 

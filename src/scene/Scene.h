@@ -111,7 +111,14 @@ struct Scene {
   Background background;
   Finish finish;
   bool showBounds = false;  ///< thin outlines of the volume's box and of the cuts
-  bool operator==(const Scene&) const = default;
+  // Compiled once, in Scene.cpp: nearly every file copies some.
+  Scene();
+  Scene(const Scene&);
+  Scene(Scene&&) noexcept;
+  Scene& operator=(const Scene&);
+  Scene& operator=(Scene&&) noexcept;
+  ~Scene();
+  bool operator==(const Scene&) const;
   static void fields(auto& o, auto& visit) {
     visit("unit", o.unit, FieldInfo{"", {}, "What lengths are in: mm, or angstrom for molecules."});
     visit("volume", o.volume, FieldInfo{"", {}, "The volume and how it is shown."});

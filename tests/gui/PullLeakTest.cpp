@@ -11,7 +11,7 @@ namespace velum::gui {
 
 namespace {
 
-constexpr int kEdge = 64, kMazeEdge = 320;
+constexpr int kLeakEdge = 64, kMazeEdge = 320;
 
 /// A bar along y that opens into a block at y < 16, which is a little brighter.
 int barAndBlock(int x, int y, int z) {
@@ -34,7 +34,7 @@ class PullLeak : public PullFixture {
 
   static void SetUpTestSuite() {
     Window::SetUpTestSuite();
-    writeVoxels(*sFolder / "leak.nrrd", kEdge, barAndBlock);
+    writeVoxels(*sFolder / "leak.nrrd", kLeakEdge, barAndBlock);
     writeVoxels(*sFolder / "maze.nrrd", kMazeEdge, maze);
   }
 

@@ -8,7 +8,7 @@ namespace velum::gui {
 
 namespace {
 
-constexpr int kEdge = 64;
+constexpr int kNotThisEdge = 64;
 constexpr double kPlane = 40.0, kFar = 36.0;
 
 /// A bar along y that opens into a block at y < 16, and a bar of its own beside it.
@@ -27,7 +27,7 @@ class PullNotThis : public PullFixture {
  protected:
   static void SetUpTestSuite() {
     Window::SetUpTestSuite();
-    writeVoxels(*sFolder / "not.nrrd", kEdge, barAndBlock);
+    writeVoxels(*sFolder / "not.nrrd", kNotThisEdge, barAndBlock);
   }
   void SetUp() override {
     PullFixture::SetUp();

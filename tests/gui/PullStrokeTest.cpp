@@ -6,8 +6,8 @@ namespace velum::gui {
 
 namespace {
 
-constexpr int kEdge = 64;
-constexpr double kPlane = 40.0, kOut = 14.0;
+constexpr int kStrokeEdge = 64;
+constexpr double kStrokePlane = 40.0, kStrokeOut = 14.0;
 constexpr int kBars[] = {14, 32, 50}, kValues[] = {150, 150, 230};
 
 bool isBar(int i, double x, double z) { return std::abs(x - kBars[i]) < 5 && std::abs(z - 32) < 5; }
@@ -25,7 +25,7 @@ class PullStroke : public PullFixture {
  protected:
   static void SetUpTestSuite() {
     Window::SetUpTestSuite();
-    writeVoxels(*sFolder / "bars.nrrd", kEdge, bars);
+    writeVoxels(*sFolder / "bars.nrrd", kStrokeEdge, bars);
   }
   /// With a plane across the bars, seen obliquely; the first one is pulled out.
   void pullTheFirst() {
@@ -39,7 +39,7 @@ class PullStroke : public PullFixture {
       s.camera = scene::frameCamera(s, scene::StandardView::Oblique, 1.0);
     });
     takeUp();
-    pull(pixelOf(onBar(0)), onBar(0), cut(), kOut);
+    pull(pixelOf(onBar(0)), onBar(0), cut(), kStrokeOut);
     ASSERT_TRUE(settle());
     ASSERT_EQ(scene().labels.growths.size(), 1u);
     mStructure = scene().labels.growths[0].structure;
@@ -50,7 +50,7 @@ class PullStroke : public PullFixture {
     });
     ASSERT_TRUE(settle());
   }
-  static glm::dvec3 onBar(int i) { return {kBars[i], kPlane, 32}; }
+  static glm::dvec3 onBar(int i) { return {kBars[i], kStrokePlane, 32}; }
   void strokeFromTo(glm::dvec3 from, glm::dvec3 to) {
     drag(pixelOf(from), pixelOf(to), Qt::LeftButton, Qt::ControlModifier);
     ASSERT_TRUE(settle());
@@ -90,7 +90,7 @@ TEST_F(PullStroke, AddsWhatIsJoinedToItAsFarAsTheStructureIsPulledInOneStep) {
   EXPECT_EQ(voxelsOf(mStructure), onlyBar(0) + onlyBar(1));
   auto out = session::extrusionsOf(scene());
   ASSERT_EQ(out.size(), 1u) << "it is one structure";
-  auto pick = viewport().pickAt(pixelOf(onBar(1) + 0.5 * kOut * session::pullDirection(cut(), onBar(1))));
+  auto pick = viewport().pickAt(pixelOf(onBar(1) + 0.5 * kStrokeOut * session::pullDirection(cut(), onBar(1))));
   ASSERT_TRUE(pick && pick->hit);
   EXPECT_EQ(pick->structure, mStructure) << "and is seen";
   EXPECT_GT(session::depthInCut(cut(), pick->world), 0.5);

@@ -5,10 +5,10 @@ namespace velum::gui {
 
 namespace {
 
-constexpr int kEdge = 64, kSteps = 4;
-constexpr double kPlane = 32.0, kRadius = 9.3, kOut = 7.0;
+constexpr int kTimeEdge = 64, kSteps = 4;
+constexpr double kTimePlane = 32.0, kRadius = 9.3, kTimeOut = 7.0;
 
-glm::dvec3 middleOf(int timeStep) { return {14.0 + 11.0 * timeStep, kPlane, 32.0}; }
+glm::dvec3 middleOf(int timeStep) { return {14.0 + 11.0 * timeStep, kTimePlane, 32.0}; }
 
 /// A ball that is somewhere else at each time step: it shares a little of its place with the step before.
 int ball(int x, int y, int z, int t) { return glm::distance(glm::dvec3(x, y, z), middleOf(t)) < kRadius ? 150 : 20; }
@@ -19,19 +19,20 @@ class PullTime : public PullFixture {
  protected:
   static void SetUpTestSuite() {
     Window::SetUpTestSuite();
-    writeSeries(*sFolder / "series.nii", kEdge, kSteps, ball);
+    writeSeries(*sFolder / "series.nii", kTimeEdge, kSteps, ball);
   }
   /// Voxels of the ball at a time step in front of the plane, as far as it is pulled.
   std::size_t out(int t, double distance) {
     std::size_t count = 0;
-    for (int z = 0; z < kEdge; ++z)
-      for (int y = 0; y < kEdge; ++y)
-        for (int x = 0; x < kEdge; ++x) count += y < kPlane && kPlane - y <= distance && ball(x, y, z, t) == 150;
+    for (int z = 0; z < kTimeEdge; ++z)
+      for (int y = 0; y < kTimeEdge; ++y)
+        for (int x = 0; x < kTimeEdge; ++x)
+          count += y < kTimePlane && kTimePlane - y <= distance && ball(x, y, z, t) == 150;
     return count;
   }
   /// What is seen out of the middle of the ball's place at a time step; 0: the structure does not stand out there.
   int seenOut(int t) {
-    auto pick = viewport().pickAt(pixelOf(middleOf(t) + 0.6 * kOut * session::pullDirection(cut(), middleOf(t))));
+    auto pick = viewport().pickAt(pixelOf(middleOf(t) + 0.6 * kTimeOut * session::pullDirection(cut(), middleOf(t))));
     bool standsOut = pick && pick->hit && session::depthInCut(cut(), pick->world) > 0.5;
     return standsOut ? pick->structure : 0;
   }
@@ -49,12 +50,12 @@ TEST_F(PullTime, WhatIsOutStaysOutAtEveryTimeStepWhereverItIsThen) {
     s.camera = scene::frameCamera(s, scene::StandardView::Oblique, 1.0);
   });
   takeUp();
-  pull(pixelOf(middleOf(0)), middleOf(0), cut(), kOut);
+  pull(pixelOf(middleOf(0)), middleOf(0), cut(), kTimeOut);
   ASSERT_TRUE(settle());
   ASSERT_EQ(scene().labels.growths.size(), 1u);
   int structure = scene().labels.growths[0].structure;
   double distance = session::extrusionOf(cut(), structure);
-  ASSERT_NEAR(distance, kOut, 1.0);
+  ASSERT_NEAR(distance, kTimeOut, 1.0);
   auto* list = child<QListWidget>("extrusionList");
   QString row = list->item(0)->text();
   auto expectOut = [&](int t) {

@@ -24,12 +24,12 @@ double opacityAt(const Scene& scene, double value) {
 
 double radius(glm::ivec3 v, int n) { return glm::length(glm::dvec3(v) - (n - 1) * 0.5) / (0.5 * n); }
 
-constexpr int kSize = 40;
+constexpr int kPresetEdge = 40;
 
 /// Air, fat, muscle, contrast and bone in shells, with a lung inside.
 Volume ctPhantom() {
-  Volume v = makeVolume({kSize, kSize, kSize}, SampleType::Int16, [](glm::ivec3 p) {
-    double r = radius(p, kSize), noise = 10.0 * hashNoise(p);
+  Volume v = makeVolume({kPresetEdge, kPresetEdge, kPresetEdge}, SampleType::Int16, [](glm::ivec3 p) {
+    double r = radius(p, kPresetEdge), noise = 10.0 * hashNoise(p);
     return noise + (r > 0.9 ? -1000 : r > 0.8 ? -100 : r > 0.6 ? 50 : r > 0.5 ? 1200 : r > 0.4 ? 350 : -850);
   });
   v.modality = Modality::CT;
@@ -38,8 +38,8 @@ Volume ctPhantom() {
 
 /// A dark background and a bright object of a tenth of the volume; values of any size.
 Volume relativePhantom(double dark, double bright) {
-  return makeVolume({kSize, kSize, kSize}, SampleType::Float32, [=](glm::ivec3 p) {
-    double r = radius(p, kSize);
+  return makeVolume({kPresetEdge, kPresetEdge, kPresetEdge}, SampleType::Float32, [=](glm::ivec3 p) {
+    double r = radius(p, kPresetEdge);
     double v = r < 0.35 ? 1.0 : r < 0.6 ? 0.5 : 0.0;
     return dark + (bright - dark) * (v + 0.02 * hashNoise(p));
   });
@@ -47,7 +47,7 @@ Volume relativePhantom(double dark, double bright) {
 
 /// Layers of both signs round zero, as a seismic cube has them.
 Volume seismicPhantom() {
-  return makeVolume({kSize, kSize, kSize}, SampleType::Float32, [](glm::ivec3 p) {
+  return makeVolume({kPresetEdge, kPresetEdge, kPresetEdge}, SampleType::Float32, [](glm::ivec3 p) {
     double wave = std::sin(p.z * 0.9);
     return 3000.0 * wave * wave * wave * (0.5 + 0.5 * hashNoise(p));
   });
@@ -171,9 +171,9 @@ TEST(ChoosePreset, ShowsSomethingOfEveryKindOfVolume) {
   volumes.push_back(ctPhantom());
   volumes.back().modality = Modality::Unknown;
   // Two values; one bright voxel in a thousand; mostly noise.
-  volumes.push_back(makeVolume({kSize, kSize, kSize}, SampleType::UInt8,
-                               [](glm::ivec3 p) { return radius(p, kSize) < 0.5 ? 1.0 : 0.0; }));
-  volumes.push_back(makeVolume({kSize, kSize, kSize}, SampleType::UInt8,
+  volumes.push_back(makeVolume({kPresetEdge, kPresetEdge, kPresetEdge}, SampleType::UInt8,
+                               [](glm::ivec3 p) { return radius(p, kPresetEdge) < 0.5 ? 1.0 : 0.0; }));
+  volumes.push_back(makeVolume({kPresetEdge, kPresetEdge, kPresetEdge}, SampleType::UInt8,
                                [](glm::ivec3 p) { return p.x == 20 && p.y == 20 ? 255.0 : 4.0 * hashNoise(p); }));
   for (std::size_t i = 0, own = volumes.size(); i < own; ++i)
     for (int modality = 1; modality < 8 && i < 6; ++modality) {
@@ -204,8 +204,8 @@ TEST(ChoosePreset, AConstantVolumeDoesNoHarm) {
 TEST(Channels, EachHasTheCurveAndTheWindowOfItsOwnValues) {
   auto lookOf = [](double first, double second) {
     auto valueAt = [=](glm::ivec3 p) { return (p.x % 2 ? second : first) * (p.x / 2 + p.y * p.z % 7); };
-    Volume v = makeVolume({2 * kSize, kSize, kSize}, SampleType::UInt16, valueAt);
-    v.dims.x = kSize, v.channels = 2;
+    Volume v = makeVolume({2 * kPresetEdge, kPresetEdge, kPresetEdge}, SampleType::UInt16, valueAt);
+    v.dims.x = kPresetEdge, v.channels = 2;
     computeRange(v);
     VolumeLayer layer;
     layer.data = Shared<Volume>(std::move(v));

@@ -13,7 +13,7 @@ namespace velum::session {
 
 namespace {
 
-constexpr int kEdge = 48, kSteps = 8;
+constexpr int kSeriesEdge = 48, kSteps = 8;
 
 double middleOf(int timeStep) { return 12.0 + 3.5 * timeStep; }
 bool isInBall(glm::ivec3 v, int timeStep) {
@@ -21,7 +21,7 @@ bool isInBall(glm::ivec3 v, int timeStep) {
 }
 
 scene::Scene ballScene() {
-  return growthScene(kEdge, kSteps, [](glm::ivec3 v, int t) { return isInBall(v, t) ? 150 : 20; });
+  return growthScene(kSeriesEdge, kSteps, [](glm::ivec3 v, int t) { return isInBall(v, t) ? 150 : 20; });
 }
 
 void pullAt(Session& session, glm::dvec3 place, double distance) {
@@ -48,9 +48,9 @@ void goTo(Session& session, int timeStep) {
 template <class IsIn>
 std::size_t differences(const scene::Scene& scene, int structure, const IsIn& isIn) {
   std::size_t wrong = 0;
-  for (int z = 0; z < kEdge; ++z)
-    for (int y = 0; y < kEdge; ++y)
-      for (int x = 0; x < kEdge; ++x)
+  for (int z = 0; z < kSeriesEdge; ++z)
+    for (int y = 0; y < kSeriesEdge; ++y)
+      for (int x = 0; x < kSeriesEdge; ++x)
         wrong += (scene.labels.data->at({x, y, z}) == structure) != isIn(glm::ivec3(x, y, z));
   return wrong;
 }
@@ -63,9 +63,10 @@ std::size_t differences(const scene::Scene& scene) {
   Progress progress;
   settleGrowths(fresh, progress);
   std::size_t wrong = 0;
-  for (int z = 0; z < kEdge; ++z)
-    for (int y = 0; y < kEdge; ++y)
-      for (int x = 0; x < kEdge; ++x) wrong += fresh.labels.data->at({x, y, z}) != scene.labels.data->at({x, y, z});
+  for (int z = 0; z < kSeriesEdge; ++z)
+    for (int y = 0; y < kSeriesEdge; ++y)
+      for (int x = 0; x < kSeriesEdge; ++x)
+        wrong += fresh.labels.data->at({x, y, z}) != scene.labels.data->at({x, y, z});
   return wrong;
 }
 
@@ -152,7 +153,7 @@ TEST(GrowthTime, MoreSeedsAreStepsOfTheirOwn) {
   // Two bars of the same values; what lies between has others.
   auto isBar = [](glm::ivec3 v) { return (v.x < 8 || v.x >= 40) && v.y > 4; };
   Session session;
-  session.document().replace(growthScene(kEdge, 1, [&](glm::ivec3 v, int) { return isBar(v) ? 150 : 20; }));
+  session.document().replace(growthScene(kSeriesEdge, 1, [&](glm::ivec3 v, int) { return isBar(v) ? 150 : 20; }));
   pullAt(session, {3, 24, 24}, 10.0);
   settle(session);
   auto one = session.scene().labels.data;
@@ -178,7 +179,7 @@ TEST(GrowthTime, MoreSeedsAreStepsOfTheirOwn) {
 TEST(GrowthTime, SmoothedItIsTheSameHoweverTheHandGoes) {
   // A bone with marrow and pores, and a fork that a closing joins.
   std::mt19937 random(3);
-  auto scene = growthScene(kEdge, 1, [&](glm::ivec3 v, int) {
+  auto scene = growthScene(kSeriesEdge, 1, [&](glm::ivec3 v, int) {
     double r = glm::length(glm::dvec2(v.x, v.z) - 23.5);
     bool isPore = (v.x * 7 + v.y * 3 + v.z * 5) % 11 == 0;
     return r < 12 && r > 6 && !isPore ? 150 : 20;

@@ -11,7 +11,7 @@
 namespace velum::session {
 namespace {
 
-constexpr int kEdge = 64;
+constexpr int kPictureEdge = 64;
 constexpr glm::ivec2 kSize(240, 200);
 const glm::dvec3 kMiddle(31.5);
 
@@ -20,7 +20,7 @@ bool isBall(glm::dvec3 p) { return glm::distance(p, kMiddle) < 20.0; }
 class PulledPictures : public testing::Test {
  protected:
   void SetUp() override {
-    glm::ivec3 dims(kEdge);
+    glm::ivec3 dims(kPictureEdge);
     mScene.volume.data = Shared<Volume>(
         makeVolume(dims, SampleType::Int16, [](glm::ivec3 v) { return isBall(glm::dvec3(v)) ? 900.0 : -900.0; }));
     mScene.volume.transfer.opacities = {{0, 0}, {500, 1}};
@@ -134,7 +134,7 @@ TEST_F(PulledPictures, OfAWedgeShowWhatBothOfItsPlanesRemove) {
 TEST_F(PulledPictures, AreLitAsSurfacesAndNotVoxelByVoxel) {
   // Noise in the values; the end of what is pulled is flat.
   std::uint32_t state = 1;
-  mScene.volume.data = Shared<Volume>(makeVolume(glm::ivec3(kEdge), SampleType::Int16, [&](glm::ivec3 v) {
+  mScene.volume.data = Shared<Volume>(makeVolume(glm::ivec3(kPictureEdge), SampleType::Int16, [&](glm::ivec3 v) {
     state = state * 1664525u + 1013904223u;
     return (isBall(glm::dvec3(v)) ? 900.0 : -900.0) + double(state >> 24) - 128.0;
   }));

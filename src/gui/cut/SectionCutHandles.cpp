@@ -14,7 +14,7 @@ namespace velum::gui {
 
 namespace {
 
-constexpr double kReachPixels = 9.0;
+constexpr double kHandleReach = 9.0;
 
 using session::SectionHandleKind;
 
@@ -116,10 +116,10 @@ bool SectionCutHandles::press(const PointerEvent& event) {
   if (!plane || event.button != Qt::LeftButton || (event.keys & Qt::ControlModifier)) return false;
   glm::dvec2 place = event.at.pixel();
   const scene::Cut* cut = selectedCut(mDocument, mSelection);
-  mHandle = cut ? session::sectionHandleAt(*plane, *cut, place, kReachPixels, shapeOf(*cut)) : session::SectionHandle{};
+  mHandle = cut ? session::sectionHandleAt(*plane, *cut, place, kHandleReach, shapeOf(*cut)) : session::SectionHandle{};
   for (const auto& other : mDocument.scene().cuts) {
     if (mHandle.kind != SectionHandleKind::None) break;
-    auto handle = session::sectionHandleAt(*plane, other, place, 0.5 * kReachPixels, shapeOf(other));
+    auto handle = session::sectionHandleAt(*plane, other, place, 0.5 * kHandleReach, shapeOf(other));
     if (handle.kind != SectionHandleKind::Move || other.id == mSelection.cut()) continue;
     mSelection.setCut(other.id);
     mHandle = handle;
@@ -138,7 +138,7 @@ std::optional<Qt::CursorShape> SectionCutHandles::hover(const ViewPoint& at) {
   const scene::SectionPlane* plane = at.space().section();
   const scene::Cut* cut = selectedCut(mDocument, mSelection);
   auto before = std::exchange(mHandle, {});
-  if (plane && cut) mHandle = session::sectionHandleAt(*plane, *cut, at.pixel(), kReachPixels, shapeOf(*cut));
+  if (plane && cut) mHandle = session::sectionHandleAt(*plane, *cut, at.pixel(), kHandleReach, shapeOf(*cut));
   mView = &at.view();
   if (mHandle != before) mToolbox.repaint(at.view());
   return mHandle.kind == SectionHandleKind::None ? std::nullopt : std::optional(cursor());

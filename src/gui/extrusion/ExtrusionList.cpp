@@ -13,7 +13,7 @@ namespace velum::gui {
 
 namespace {
 
-constexpr int kSwatch = 14;
+constexpr int kSwatchEdge = 14;
 /// Whatever it holds, so that what stands below keeps its place.
 constexpr int kHeight = 150;
 
@@ -30,11 +30,12 @@ class Delegate : public QStyledItemDelegate {
 QIcon swatchOf(const scene::Scene& scene, int structure, const QColor& line) {
   const scene::Structure* row = session::findStructure(scene, structure);
   glm::vec3 color = row ? row->color : glm::vec3(0.6f);
-  QPixmap pixmap(kSwatch, kSwatch);
+  QPixmap pixmap(kSwatchEdge, kSwatchEdge);
   pixmap.fill(Qt::transparent);
   QPainter painter(&pixmap);
   painter.setRenderHint(QPainter::Antialiasing);
-  paintSwatch(painter, QRectF(0.5, 0.5, kSwatch - 1, kSwatch - 1), QColor::fromRgbF(color.r, color.g, color.b), line);
+  paintSwatch(painter, QRectF(0.5, 0.5, kSwatchEdge - 1, kSwatchEdge - 1), QColor::fromRgbF(color.r, color.g, color.b),
+              line);
   return pixmap;
 }
 
@@ -46,7 +47,7 @@ ExtrusionList::ExtrusionList(QWidget* parent) : QListWidget(parent) {
   setToolTip(tr("What stands out of the cuts, and how far"));
   setSelectionMode(QAbstractItemView::ExtendedSelection);
   setUniformItemSizes(true);
-  setIconSize({kSwatch, kSwatch});
+  setIconSize({kSwatchEdge, kSwatchEdge});
   // Of a long row the middle is left out: how far, and out of which cut, stands at the end.
   setItemDelegate(new Delegate(this));
   setTextElideMode(Qt::ElideMiddle);

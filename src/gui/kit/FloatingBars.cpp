@@ -7,7 +7,7 @@ namespace velum::gui {
 
 namespace {
 
-constexpr int kMargin = 10, kSpacing = 6;
+constexpr int kFromEdge = 10, kSpacing = 6;
 constexpr int kWidest = 820;  // longer lines are hard to read
 
 int heightOf(const QWidget& bar, int width) {
@@ -32,8 +32,8 @@ bool FloatingBars::eventFilter(QObject* watched, QEvent* event) {
 
 void FloatingBars::place() {
   QRect page = mPage.geometry();
-  int width = std::min(page.width() - 2 * kMargin, kWidest), left = page.left() + (page.width() - width) / 2;
-  int top = page.top() + kMargin, bottom = page.bottom() + 1 - kMargin;
+  int width = std::min(page.width() - 2 * kFromEdge, kWidest), left = page.left() + (page.width() - width) / 2;
+  int top = page.top() + kFromEdge, bottom = page.bottom() + 1 - kFromEdge;
   auto put = [&](QWidget& bar, int y, int height) {
     bar.setGeometry(left, y, width, height);
     bar.raise();

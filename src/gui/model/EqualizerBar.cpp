@@ -12,7 +12,7 @@ namespace velum::gui {
 
 namespace {
 
-constexpr int kHeight = 26;
+constexpr int kButtonHeight = 26;
 
 }  // namespace
 
@@ -40,7 +40,7 @@ EqualizerBar::EqualizerBar(session::Document& document, Equalizer& equalizer, QW
   mPercent->setAccessibleName(tr("Bars in percent"));
   connect(mPercent, &QToolButton::toggled, this, &EqualizerBar::percentAsked);
   for (QToolButton* button : {mCuts, mPercent}) {
-    button->setFixedHeight(kHeight);
+    button->setFixedHeight(kButtonHeight);
     row->addWidget(button);
   }
   refresh();
@@ -63,7 +63,7 @@ QWidget* EqualizerBar::makeStates() {
     button->setProperty("role", "small");
     button->setCheckable(true);
     button->setToolTip(tip);
-    button->setFixedHeight(kHeight);
+    button->setFixedHeight(kButtonHeight);
     int state = int(mStates.size());
     mStates.push_back(button);
     row->addWidget(button);

@@ -12,7 +12,7 @@ namespace velum::gui {
 
 namespace {
 
-constexpr std::size_t kMostRows = 5;
+constexpr std::size_t kMostHiders = 5;
 constexpr int kBarWidth = 90, kBarHeight = 9;
 
 /// A share as a bar in the colour of the type that has it.
@@ -117,7 +117,7 @@ void HidersBox::showHiding(const session::Hiding& hiding, const scene::ModelLaye
     item->widget()->deleteLater();
     delete item;
   }
-  for (std::size_t i = 0; i < std::min(kMostRows, hiding.hiders.size()); ++i) addRow(hiding.hiders[i], layer);
+  for (std::size_t i = 0; i < std::min(kMostHiders, hiding.hiders.size()); ++i) addRow(hiding.hiders[i], layer);
   setVisible(true);
 }
 

@@ -9,12 +9,12 @@ namespace velum::gui {
 
 namespace {
 
-constexpr int kPatienceMs = 200;  // labels that grow are not counted on their way
+constexpr int kQuietMs = 200;  // labels that grow are not counted on their way
 
 }  // namespace
 
 StructureMeter::StructureMeter(QObject* parent)
-    : QObject(parent), mCounting(kPatienceMs, this), mMeasuring(kPatienceMs, this) {}
+    : QObject(parent), mCounting(kQuietMs, this), mMeasuring(kQuietMs, this) {}
 
 void StructureMeter::measure(const Shared<LabelVolume>& labels) {
   if (labels == mLabels) return;

@@ -17,7 +17,7 @@ namespace velum::gui {
 
 namespace {
 
-constexpr int kSize = 104, kMargin = 8;
+constexpr int kSize = 104, kFromCorner = 8;
 constexpr int kLeastView = 220;     // a smaller view is all picture
 constexpr double kHalfEdge = 28.0;  // pixels: its corners stay within the widget however it is turned
 constexpr double kInner = 0.62;     // half the middle of a face; what is about it belongs to edges and corners
@@ -59,7 +59,7 @@ void ViewCube::setShown(bool shown) {
 
 /// In the upper right corner, where nothing else is written.
 void ViewCube::place() {
-  move(mView.width() - kSize - kMargin, kMargin);
+  move(mView.width() - kSize - kFromCorner, kFromCorner);
   setVisible(mIsShown && std::min(mView.width(), mView.height()) >= kLeastView);
   raise();
 }

@@ -14,7 +14,7 @@ using scene::SectionKind;
 
 namespace {
 
-constexpr int kGap = 4;          // as wide as a hand can hold, and no wider
+constexpr int kHandleWidth = 4;  // as wide as a hand can hold, and no wider
 constexpr int kReach = 3;        // beside it
 constexpr double kLeast = 0.12;  // of the window for each side
 constexpr int kPauseMs = 180;    // the 3D view works on when nothing has been done elsewhere for so long
@@ -121,11 +121,11 @@ void ViewGrid::place(const scene::Sections& sections) {
   };
   std::vector<Part> parts;
   QRect all = rect();
-  auto cut = [](int length, double share) { return int(std::lround((length - kGap) * share)); };
+  auto cut = [](int length, double share) { return int(std::lround((length - kHandleWidth) * share)); };
   if (sections.layout == Layout::FourUp) {
     int x = cut(all.width(), mFourSplit.x), y = cut(all.height(), mFourSplit.y);
-    QRect left(0, 0, x, y), right(x + kGap, 0, all.width() - x - kGap, y);
-    int below = y + kGap, rest = all.height() - below;
+    QRect left(0, 0, x, y), right(x + kHandleWidth, 0, all.width() - x - kHandleWidth, y);
+    int below = y + kHandleWidth, rest = all.height() - below;
     parts = {{&section(SectionKind::Axial), left},
              {mViewport, right},
              {&section(SectionKind::Coronal), QRect(0, below, x, rest)},
@@ -133,7 +133,7 @@ void ViewGrid::place(const scene::Sections& sections) {
   } else if (sections.layout == Layout::VolumeAndSection) {
     int x = cut(all.width(), mBesideSplit);
     parts = {{mViewport, QRect(0, 0, x, all.height())},
-             {&section(sections.beside), QRect(x + kGap, 0, all.width() - x - kGap, all.height())}};
+             {&section(sections.beside), QRect(x + kHandleWidth, 0, all.width() - x - kHandleWidth, all.height())}};
   } else if (sections.layout == Layout::Section) {
     parts = {{&section(sections.beside), all}};
   } else {
@@ -163,8 +163,8 @@ bool ViewGrid::isOnGap(QPoint place, int axis) const {
   if (!four && !(beside && axis == 0)) return false;
   double share = beside ? mBesideSplit : mFourSplit[axis];
   int length = axis == 0 ? width() : height();
-  double middle = (length - kGap) * share + kGap * 0.5;
-  return std::abs((axis == 0 ? place.x() : place.y()) - middle) <= kGap * 0.5 + kReach;
+  double middle = (length - kHandleWidth) * share + kHandleWidth * 0.5;
+  return std::abs((axis == 0 ? place.x() : place.y()) - middle) <= kHandleWidth * 0.5 + kReach;
 }
 
 void ViewGrid::mousePressEvent(QMouseEvent* event) {

@@ -16,7 +16,7 @@ namespace velum::gui {
 
 namespace {
 
-constexpr int kPicture = 84;  // pixels
+constexpr int kThumbnail = 84;  // pixels
 
 QString titleOf(const session::Series& series) {
   QString times = QString::fromUtf8(" \u00d7 ");
@@ -56,13 +56,13 @@ SeriesDialog::SeriesDialog(std::vector<session::Series> series, const QString& f
   layout->addWidget(title);
   mList->setObjectName("seriesList");
   mList->setAccessibleName(tr("Series"));
-  mList->setIconSize(QSize(kPicture, kPicture));
+  mList->setIconSize(QSize(kThumbnail, kThumbnail));
   mList->setSpacing(3);
-  QPixmap empty(kPicture, kPicture);
+  QPixmap empty(kThumbnail, kThumbnail);
   empty.fill(Qt::black);
   for (const auto& one : mSeries) mList->addItem(new QListWidgetItem(QIcon(empty), titleOf(one)));
   mList->setCurrentRow(0);
-  mList->setMinimumSize(520, 4 * (kPicture + 10));
+  mList->setMinimumSize(520, 4 * (kThumbnail + 10));
   layout->addWidget(mList, 1);
   // The segments that go with it.
   auto* row = new QHBoxLayout;
@@ -104,7 +104,7 @@ void SeriesDialog::showLabels() {
 
 /// One by one; one that cannot be read stays black.
 void SeriesDialog::drawPictures() {
-  int pixels = int(kPicture * devicePixelRatioF());
+  int pixels = int(kThumbnail * devicePixelRatioF());
   mJob = new Job(
       [series = mSeries, drawn = mDrawn, pixels](Progress& progress) {
         for (std::size_t i = 0; i < series.size(); ++i) {

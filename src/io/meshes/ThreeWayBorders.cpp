@@ -14,7 +14,7 @@ namespace velum::io {
 
 namespace {
 
-using Points = std::vector<std::uint32_t>;
+using PointNumbers = std::vector<std::uint32_t>;
 using Edge = std::pair<std::uint32_t, std::uint32_t>;
 
 /// A face of a cell, whose corners are the middles of four voxels.
@@ -82,12 +82,12 @@ class Joining {
     auto cells = takeOut();
     for (const auto& [at, corners] : cells) {
       auto [z, y, x] = at;
-      for (const Points& loop : loopsOf(corners)) fill(loop, middleOf({x, y, z}));
+      for (const PointNumbers& loop : loopsOf(corners)) fill(loop, middleOf({x, y, z}));
     }
   }
 
  private:
-  using Cells = std::map<std::tuple<int, int, int>, Points>;
+  using Cells = std::map<std::tuple<int, int, int>, PointNumbers>;
 
   glm::ivec3 cellOf(std::size_t corner) const {
     const auto& i = mShape.indices;
@@ -106,12 +106,12 @@ class Joining {
     });
     Cells cells;
     std::size_t kept = 0;
-    Points& indices = mShape.indices;
+    PointNumbers& indices = mShape.indices;
     for (std::size_t i = 0; i < count; ++i) {
       auto corners = indices.begin() + std::ptrdiff_t(3 * i);
       if (isOut[i]) {
         glm::ivec3 cell = cellOf(3 * i);
-        Points& out = cells[{cell.z, cell.y, cell.x}];
+        PointNumbers& out = cells[{cell.z, cell.y, cell.x}];
         out.insert(out.end(), corners, corners + 3);
       } else {
         std::copy_n(corners, 3, indices.begin() + std::ptrdiff_t(3 * kept++));
@@ -122,15 +122,15 @@ class Joining {
   }
 
   /// Rims of what triangles make up, in their sense of rotation.
-  static std::vector<Points> loopsOf(const Points& corners) {
+  static std::vector<PointNumbers> loopsOf(const PointNumbers& corners) {
     std::map<std::uint32_t, std::uint32_t> next;
     std::map<Edge, bool> edges;
     for (std::size_t i = 0; i < corners.size(); ++i) edges[{corners[i], corners[i % 3 == 2 ? i - 2 : i + 1]}] = true;
     for (const auto& [edge, is] : edges)
       if (!edges.contains({edge.second, edge.first})) next[edge.first] = edge.second;
-    std::vector<Points> loops;
+    std::vector<PointNumbers> loops;
     while (!next.empty()) {
-      Points& loop = loops.emplace_back();
+      PointNumbers& loop = loops.emplace_back();
       for (auto at = next.begin(); at != next.end(); at = next.find(loop.back())) {
         std::uint32_t to = at->second;
         next.erase(at);
@@ -164,8 +164,8 @@ class Joining {
     return known->second;
   }
 
-  void fill(const Points& loop, const glm::dvec3& middle) {
-    Points rim;
+  void fill(const PointNumbers& loop, const glm::dvec3& middle) {
+    PointNumbers rim;
     glm::dvec3 normal(0.0);
     for (std::size_t i = 0; i < loop.size(); ++i) {
       rim.push_back(loop[i]);

@@ -128,7 +128,7 @@ std::vector<std::uint16_t> cornersOf(const Shape& shape) {
   return corners;
 }
 
-Json headOf(const Model& model) {
+GltfJson headOf(const Model& model) {
   double half = std::sqrt(0.5), nanometres = 0.1;
   return {{"asset",
            {{"version", "2.0"},
@@ -137,19 +137,19 @@ Json headOf(const Model& model) {
           {"extensionsUsed", {kInstancing}},
           {"extensionsRequired", {kInstancing}},
           {"scene", 0},
-          {"scenes", Json::array({{{"name", model.name}, {"nodes", {0}}}})},
-          {"nodes", Json::array({{{"name", "model"},
-                                  {"rotation", {-half, 0.0, 0.0, half}},
-                                  {"scale", {nanometres, nanometres, nanometres}},
-                                  {"children", Json::array()}}})},
-          {"meshes", Json::array()},
-          {"materials", Json::array()},
-          {"accessors", Json::array()},
-          {"bufferViews", Json::array()}};
+          {"scenes", GltfJson::array({{{"name", model.name}, {"nodes", {0}}}})},
+          {"nodes", GltfJson::array({{{"name", "model"},
+                                      {"rotation", {-half, 0.0, 0.0, half}},
+                                      {"scale", {nanometres, nanometres, nanometres}},
+                                      {"children", GltfJson::array()}}})},
+          {"meshes", GltfJson::array()},
+          {"materials", GltfJson::array()},
+          {"accessors", GltfJson::array()},
+          {"bufferViews", GltfJson::array()}};
 }
 
 /// A node with the mesh of a molecule and the places of its instances; its bytes come in this order.
-std::size_t addMolecule(Json& gltf, Buffers& buffers, const Molecule& molecule, const Shape& shape,
+std::size_t addMolecule(GltfJson& gltf, Buffers& buffers, const Molecule& molecule, const Shape& shape,
                         const std::string& name, std::size_t material) {
   std::vector<glm::vec3> points = pointsOf(shape);
   std::size_t count = points.size(), positions = buffers.addPositions(points);
@@ -157,20 +157,20 @@ std::size_t addMolecule(Json& gltf, Buffers& buffers, const Molecule& molecule, 
   std::size_t corners = shape.cornerCount();
   std::size_t indices = buffers.add(corners * 2, corners, "SCALAR", kUInt16, kIndices);
   std::size_t mesh = gltf["meshes"].size();
-  Json primitive = {
+  GltfJson primitive = {
       {"attributes", {{"POSITION", positions}, {"NORMAL", normals}}}, {"indices", indices}, {"material", material}};
-  gltf["meshes"].push_back({{"name", name}, {"primitives", Json::array({primitive})}});
+  gltf["meshes"].push_back({{"name", name}, {"primitives", GltfJson::array({primitive})}});
   std::size_t instances = molecule.instanceCount;
   std::size_t places = buffers.add(instances * 12, instances, "VEC3", kFloat, kNoTarget);
   std::size_t rotations = buffers.add(instances * 16, instances, "VEC4", kFloat, kNoTarget);
-  Json attributes = {{"TRANSLATION", places}, {"ROTATION", rotations}};
+  GltfJson attributes = {{"TRANSLATION", places}, {"ROTATION", rotations}};
   gltf["nodes"].push_back(
       {{"name", name}, {"mesh", mesh}, {"extensions", {{kInstancing, {{"attributes", attributes}}}}}});
   return gltf["nodes"].size() - 1;
 }
 
 /// A node for a type; where it is of several molecules these are below it.
-void addType(Json& gltf, Buffers& buffers, const Model& model, const Shapes& shapes, std::size_t number,
+void addType(GltfJson& gltf, Buffers& buffers, const Model& model, const Shapes& shapes, std::size_t number,
              const glm::vec3& color) {
   const MoleculeType& type = model.types[number];
   std::string path = pathOf(model, type);
@@ -209,7 +209,7 @@ void writeInstances(const Model& model, const Molecule& molecule, ReplaceFile& f
 
 void writeModelGltf(const Model& model, const ModelWriting& how, ReplaceFile& file, Progress& progress) {
   Shapes shapes(model, how);
-  Json gltf = headOf(model);
+  GltfJson gltf = headOf(model);
   Buffers buffers(gltf);
   for (std::size_t t = 0; t < model.types.size(); ++t) {
     progress.throwIfCancelled();

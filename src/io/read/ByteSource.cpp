@@ -14,7 +14,7 @@ namespace velum::io {
 
 namespace {
 
-constexpr std::size_t kPiece = 1 << 20;
+constexpr std::size_t kReadPiece = 1 << 20;
 /// Longest tail behind the samples that is read to reach the checksum.
 constexpr std::uint64_t kLongestTail = 64 << 20;
 
@@ -43,7 +43,7 @@ ByteSource::ByteSource(const Path& file) : ByteSource(file, 0, isGzip(file)) {}
 ByteSource::ByteSource(const Path& file, std::uint64_t offset, bool deflated)
     : mState(new State{.file = FileBytes(file), .offset = offset, .deflated = deflated}) {
   if (!deflated) return;
-  mState->input.resize(kPiece / 4);
+  mState->input.resize(kReadPiece / 4);
   // 15 + 32: the largest window, gzip and zlib frames both known by their first bytes.
   if (inflateInit2(&mState->stream, 15 + 32) != Z_OK) refuse(file, "cannot be inflated");
 }
@@ -91,7 +91,7 @@ void ByteSource::read(std::span<std::byte> to) {
 }
 
 std::uint64_t ByteSource::skip(std::uint64_t count) {
-  std::vector<std::byte> scratch(std::min<std::uint64_t>(count, kPiece));
+  std::vector<std::byte> scratch(std::min<std::uint64_t>(count, kReadPiece));
   std::uint64_t done = 0;
   while (done < count) {
     std::size_t now = readSome(std::span(scratch).first(std::min<std::uint64_t>(count - done, scratch.size())));
@@ -103,7 +103,7 @@ std::uint64_t ByteSource::skip(std::uint64_t count) {
 
 void ByteSource::verifyEnd() {
   if (!mState->deflated) return;
-  std::vector<std::byte> scratch(kPiece / 4);
+  std::vector<std::byte> scratch(kReadPiece / 4);
   for (std::uint64_t tail = 0; tail < kLongestTail;) {
     std::size_t now = mState->inflateInto(scratch);
     if (now < scratch.size()) return;

@@ -20,12 +20,12 @@ void writeWords(ReplaceFile& file, Words... words) {
   file.write(std::as_bytes(std::span(all)));
 }
 
-Json listOf(const glm::vec3& v) { return {v.x, v.y, v.z}; }
+GltfJson listOf(const glm::vec3& v) { return {v.x, v.y, v.z}; }
 
 }  // namespace
 
 std::size_t Buffers::add(std::size_t bytes, std::size_t count, const char* type, int component, int target) {
-  Json view = {{"buffer", 0}, {"byteOffset", mSize}, {"byteLength", bytes}};
+  GltfJson view = {{"buffer", 0}, {"byteOffset", mSize}, {"byteLength", bytes}};
   if (target != kNoTarget) view["target"] = target;
   mGltf["bufferViews"].push_back(view);
   mSize += bytes;
@@ -45,7 +45,7 @@ std::size_t Buffers::addPositions(const std::vector<glm::vec3>& points) {
   return positions;
 }
 
-Json materialOf(const std::string& name, const glm::vec3& color, double roughness) {
+GltfJson materialOf(const std::string& name, const glm::vec3& color, double roughness) {
   // Colours of glTF are linear.
   glm::dvec3 linear(linearFromSrgb(double(color.r)), linearFromSrgb(double(color.g)), linearFromSrgb(double(color.b)));
   return {{"name", name},
@@ -55,10 +55,10 @@ Json materialOf(const std::string& name, const glm::vec3& color, double roughnes
             {"roughnessFactor", roughness}}}};
 }
 
-void writeHead(Json& gltf, const Buffers& buffers, ReplaceFile& file, const std::string& tooMuch) {
+void writeHead(GltfJson& gltf, const Buffers& buffers, ReplaceFile& file, const std::string& tooMuch) {
   static_assert(std::endian::native == std::endian::little, "glTF is little-endian");
-  gltf["buffers"] = Json::array({{{"byteLength", buffers.size()}}});
-  std::string text = gltf.dump(-1, ' ', false, Json::error_handler_t::replace);
+  gltf["buffers"] = GltfJson::array({{{"byteLength", buffers.size()}}});
+  std::string text = gltf.dump(-1, ' ', false, GltfJson::error_handler_t::replace);
   text.resize((text.size() + 3) / 4 * 4, ' ');
   std::uint64_t total = 12 + 8 + text.size() + 8 + buffers.size();
   if (total > std::numeric_limits<std::uint32_t>::max()) refuse(file.target(), tooMuch);

@@ -20,7 +20,7 @@ namespace velum::io {
 
 namespace {
 
-constexpr std::size_t kPiece = 1 << 20;
+constexpr std::size_t kPayloadPiece = 1 << 20;
 
 template <class T>
 void storeNumber(double value, std::byte* to) {
@@ -86,7 +86,7 @@ void readBinary(const Payload& part, std::span<std::byte> to, const Layout& layo
   const std::string what = "Reading " + part.file.filename().string();
   while (done < to.size()) {
     // A piece is a multiple of every sample size, and small enough to be still in cache when its bytes are swapped.
-    auto piece = to.subspan(done, std::min(kPiece, to.size() - done));
+    auto piece = to.subspan(done, std::min(kPayloadPiece, to.size() - done));
     std::size_t now = source.readSome(piece);
     done += now;
     if (now < piece.size())
@@ -109,7 +109,8 @@ void readText(const Payload& part, std::span<std::byte> to, const Layout& layout
     auto value = takeNumber(rest);
     if (!value) refuse(part.file, "has too few numbers");
     storeNumber(*value, layout.type, to.data() + i);
-    if (i % kPiece < step) progress.report(double(i) / double(to.size()), "Reading " + part.file.filename().string());
+    if (i % kPayloadPiece < step)
+      progress.report(double(i) / double(to.size()), "Reading " + part.file.filename().string());
   }
 }
 

@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::uint32_t kUndefined = 0xffffffff;
 constexpr std::uint32_t kItem = 0xfffee000, kItemEnd = 0xfffee00d, kSequenceEnd = 0xfffee0dd, kPixels = 0x7fe00010;
-constexpr int kDeepest = 32;
+constexpr int kDeepestSequence = 32;
 constexpr std::size_t kLargestDeflated = 1 << 30;
 
 /// A file as bytes, without a copy.
@@ -127,7 +127,7 @@ Walker::Element Walker::elementAt(std::size_t at, Coding coding) const {
 }
 
 bool Walker::walkElements(std::size_t& at, Stretch stretch, Coding coding, int depth) {
-  if (depth > kDeepest) return false;
+  if (depth > kDeepestSequence) return false;
   while (at < stretch.end) {
     if (stretch.end - at < 8) return false;
     Element e = elementAt(at, coding);
@@ -166,7 +166,7 @@ bool Walker::walkValue(std::size_t& at, const Element& e, std::size_t end, Codin
 }
 
 bool Walker::walkItems(std::size_t& at, Stretch stretch, Coding coding, int depth, bool areFragments) {
-  if (depth > kDeepest) return false;
+  if (depth > kDeepestSequence) return false;
   bool isTable = true;
   while (at < stretch.end) {
     if (stretch.end - at < 8) return false;

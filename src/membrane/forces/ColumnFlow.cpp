@@ -22,7 +22,7 @@ constexpr int kStraight = 5, kSlanted = 4;
 /// Up a column it weighs as many more as there are layers to the rest plane, up to so many. Where all heights cost the
 /// same the edge at the rest plane fills, and no other; else all would at once, each node would lose its way home, and
 /// the flow through solid material took three times as long.
-constexpr int kMostLayers = 1;
+constexpr int kMostFlowLayers = 1;
 
 /// What lies between two nodes across two axes, in halves of pairs: as much as on the better way around the corner.
 int pairsAround(const CutLattice& lattice, glm::ivec3 node, glm::ivec3 step) {
@@ -39,9 +39,9 @@ int pairsAround(const CutLattice& lattice, glm::ivec3 node, glm::ivec3 step) {
                   std::min(between(node, second), between(bySecond, first)));
 }
 
-/// From the rest plane to the edge above a node, up to kMostLayers.
+/// From the rest plane to the edge above a node, up to kMostFlowLayers.
 int layersAway(const CutLattice& lattice, int layer) {
-  return int(std::min(std::abs(layer + 0.5 - lattice.restLayer), double(kMostLayers)));
+  return int(std::min(std::abs(layer + 0.5 - lattice.restLayer), double(kMostFlowLayers)));
 }
 
 /// Nodes visited between two calls of onPhase: about a millisecond.

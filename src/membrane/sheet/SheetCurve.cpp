@@ -9,7 +9,7 @@ namespace velum::membrane {
 
 namespace {
 
-using Edge = std::uint64_t;
+using EdgeKey = std::uint64_t;
 
 /// The segments of the plane's lines on all triangles, by the edges of the mesh that they join.
 class Segments {
@@ -28,7 +28,7 @@ class Segments {
     std::vector<SheetCurve> out;
     // Lines that end on the rim first, from their ends; what is left is closed.
     for (bool isClosed : {false, true})
-      for (Edge edge : mEdges)
+      for (EdgeKey edge : mEdges)
         if ((isClosed || mNext[edge].count == 1) && !mUsed[edge]) out.push_back({follow(edge), isClosed});
     return out;
   }
@@ -36,12 +36,12 @@ class Segments {
  private:
   /// The edges that a line goes on to from an edge: one on the rim, else two.
   struct Next {
-    std::array<Edge, 2> to{};
+    std::array<EdgeKey, 2> to{};
     int count = 0;
   };
-  static Edge edgeOf(std::uint32_t a, std::uint32_t b) { return Edge(std::min(a, b)) << 32 | std::max(a, b); }
+  static EdgeKey edgeOf(std::uint32_t a, std::uint32_t b) { return EdgeKey(std::min(a, b)) << 32 | std::max(a, b); }
   void add(std::array<std::uint32_t, 3> corner) {
-    std::array<Edge, 2> crossed{};
+    std::array<EdgeKey, 2> crossed{};
     std::size_t count = 0;
     for (std::size_t i = 0; i < 3; ++i) {
       std::uint32_t a = corner[i], b = corner[(i + 1) % 3];
@@ -55,11 +55,11 @@ class Segments {
       if (next.count < 2) next.to[std::size_t(next.count++)] = crossed[1 - i];
     }
   }
-  glm::vec3 placeOn(Edge edge) const {
+  glm::vec3 placeOn(EdgeKey edge) const {
     std::size_t a = edge >> 32, b = edge & 0xffffffffu;
     return glm::mix(mShape.places[a], mShape.places[b], mHeights[a] / (mHeights[a] - mHeights[b]));
   }
-  std::vector<glm::vec3> follow(Edge edge) {
+  std::vector<glm::vec3> follow(EdgeKey edge) {
     std::vector<glm::vec3> places;
     for (bool more = true; more;) {
       mUsed[edge] = true;
@@ -74,9 +74,9 @@ class Segments {
 
   const scene::SheetShape& mShape;
   std::vector<float> mHeights;
-  std::vector<Edge> mEdges;  ///< as they were found: the same sheet gives the same lines
-  std::unordered_map<Edge, Next> mNext;
-  std::unordered_map<Edge, bool> mUsed;
+  std::vector<EdgeKey> mEdges;  ///< as they were found: the same sheet gives the same lines
+  std::unordered_map<EdgeKey, Next> mNext;
+  std::unordered_map<EdgeKey, bool> mUsed;
 };
 
 }  // namespace

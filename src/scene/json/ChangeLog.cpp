@@ -15,7 +15,7 @@ namespace velum::scene {
 
 namespace {
 
-using Json = nlohmann::json;
+using LineJson = nlohmann::json;
 
 constexpr std::ptrdiff_t kDeepestPath = 32;  ///< parts of a path; no scene is half as deep
 
@@ -23,11 +23,11 @@ constexpr std::ptrdiff_t kDeepestPath = 32;  ///< parts of a path; no scene is h
 constexpr std::string_view kSumMark = ",\"sum\":\"", kPatchMark = "\",\"patch\":";
 
 /// Parses text that may be hostile. @return discarded when it is no JSON or nests too deep
-Json parseSafely(std::string_view text) {
-  return nestsTooDeep(text) ? Json(Json::value_t::discarded) : Json::parse(text, nullptr, false);
+LineJson parseSafely(std::string_view text) {
+  return nestsTooDeep(text) ? LineJson(LineJson::value_t::discarded) : LineJson::parse(text, nullptr, false);
 }
 
-std::string dumpSafely(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+std::string dumpSafely(const LineJson& json) { return json.dump(-1, ' ', false, LineJson::error_handler_t::replace); }
 
 /// FNV-1a, 64 bits: finds damage, proves nothing.
 std::string checkSum(std::string_view text) {
@@ -36,15 +36,15 @@ std::string checkSum(std::string_view text) {
   return fmt::format("{:016x}", hash);
 }
 
-std::string textOf(const Json& object, const char* name) {
+std::string textOf(const LineJson& object, const char* name) {
   auto found = object.find(name);
   return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
 }
 
 /// Only what we write ourselves: "copy" and "move" would let a small text grow without bound.
-bool isOurs(const Json& patch) {
+bool isOurs(const LineJson& patch) {
   if (!patch.is_array()) return false;
-  return std::all_of(patch.begin(), patch.end(), [](const Json& step) {
+  return std::all_of(patch.begin(), patch.end(), [](const LineJson& step) {
     if (!step.is_object()) return false;
     std::string kind = textOf(step, "op"), path = textOf(step, "path");
     bool known = kind == "add" || kind == "replace" || kind == "remove";
@@ -133,7 +133,7 @@ std::optional<Scene> bestScene(std::string_view autosave, const std::vector<Chan
 // ---- lines
 
 std::string encodeLine(const ChangeLine& line) {
-  Json head = {{"n", line.number}, {"s", std::round(line.seconds * 1000.0) / 1000.0}, {"label", line.label}};
+  LineJson head = {{"n", line.number}, {"s", std::round(line.seconds * 1000.0) / 1000.0}, {"label", line.label}};
   if (!line.title.empty()) head["title"] = line.title;
   if (!line.path.empty()) head["path"] = line.path;
   std::string text = dumpSafely(head);
@@ -151,7 +151,7 @@ std::optional<ChangeLine> decodeLine(std::string_view text) {
   ChangeLine line;
   line.patch = text.substr(patchBegin, text.size() - 1 - patchBegin);
   if (text.substr(sumBegin, patchMark - sumBegin) != checkSum(head + line.patch)) return std::nullopt;
-  Json json = parseSafely(head + "}");
+  LineJson json = parseSafely(head + "}");
   if (!json.is_object()) return std::nullopt;
   auto number = json.find("n"), seconds = json.find("s");
   if (number == json.end() || !number->is_number_integer() || seconds == json.end() || !seconds->is_number())
@@ -167,13 +167,13 @@ std::optional<ChangeLine> decodeLine(std::string_view text) {
 // ---- the mirror
 
 struct SceneMirror::Data {
-  Json json = Json::object();
+  LineJson json = LineJson::object();
 };
 
 SceneMirror::SceneMirror() : mData(std::make_unique<Data>()) {}
 
 SceneMirror::SceneMirror(std::string_view sceneText) : SceneMirror() {
-  Json json = parseSafely(sceneText);
+  LineJson json = parseSafely(sceneText);
   if (!json.is_object()) throw InputError("scene: the text is not a JSON object");
   mData->json = std::move(json);
 }
@@ -183,23 +183,23 @@ SceneMirror::SceneMirror(SceneMirror&&) noexcept = default;
 SceneMirror& SceneMirror::operator=(SceneMirror&&) noexcept = default;
 
 std::string SceneMirror::follow(const Scene& scene) {
-  Json next = Json::parse(toJson(scene));
-  Json patch = Json::diff(mData->json, next);
+  LineJson next = LineJson::parse(toJson(scene));
+  LineJson patch = LineJson::diff(mData->json, next);
   if (patch.empty()) return {};
   mData->json = std::move(next);
   return dumpSafely(patch);
 }
 
 std::string SceneMirror::wholePatch() const {
-  return dumpSafely(Json::array({{{"op", "replace"}, {"path", ""}, {"value", mData->json}}}));
+  return dumpSafely(LineJson::array({{{"op", "replace"}, {"path", ""}, {"value", mData->json}}}));
 }
 
 void SceneMirror::apply(std::string_view patch) {
-  Json json = parseSafely(patch);
+  LineJson json = parseSafely(patch);
   if (!isOurs(json)) throw InputError("journal: a change is not a list of add, replace and remove");
   try {
     mData->json.patch_inplace(json);
-  } catch (const Json::exception& error) {
+  } catch (const LineJson::exception& error) {
     throw InputError(fmt::format("journal: a change does not fit: {}", error.what()));
   }
   if (!mData->json.is_object()) throw InputError("journal: a change leaves no scene");

@@ -7,7 +7,7 @@ namespace velum::session {
 namespace {
 
 /// An arrow shorter than this on screen points at the eye.
-constexpr double kShortArrowPixels = 24.0, kArrowPixels = 96.0;
+constexpr double kShortArrowPixels = 24.0, kLongArrowPixels = 96.0;
 /// Share of a direction that must lie within a section for a drag there to follow it.
 constexpr double kLeastInPlane = 0.25;
 
@@ -22,7 +22,7 @@ double alongLine(glm::dvec3 point, glm::dvec3 direction, const scene::PictureRay
 double dragInPicture(const ViewSpace& space, glm::dvec2 from, glm::dvec2 to, glm::dvec3 place, glm::dvec3 direction) {
   double pixel = space.lengthPerPixel(place);
   auto foot = space.pixelFromWorld(place);
-  auto tip = space.pixelFromWorld(place + direction * (kArrowPixels * pixel));
+  auto tip = space.pixelFromWorld(place + direction * (kLongArrowPixels * pixel));
   if (foot && tip && glm::length(*tip - *foot) >= kShortArrowPixels) {
     auto ray = [&](glm::dvec2 at) { return scene::rayFromPixel(space.camera(), space.size(), at); };
     return alongLine(place, direction, ray(to)) - alongLine(place, direction, ray(from));

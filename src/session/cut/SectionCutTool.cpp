@@ -18,7 +18,7 @@ namespace {
 /// A turning knob stands this far outside of the outline, or at most this far from the middle of a plane's line.
 constexpr double kKnobOutPixels = 26.0, kPlaneKnobPixels = 110.0;
 constexpr double kViewMargin = 24.0;
-constexpr double kSmallestPixels = 4.0;
+constexpr double kLeastEdgePixels = 4.0;
 constexpr int kDiameterSteps = 12;
 
 using scene::CutShape;
@@ -238,7 +238,7 @@ scene::Cut dragSectionCut(const scene::Cut& start, const SectionPlane& plane, co
   scene::Cut cut = start;
   if (from == to) return cut;
   glm::dvec3 a = scene::worldFromSectionPixel(plane, from), b = scene::worldFromSectionPixel(plane, to);
-  double smallest = kSmallestPixels * plane.lengthPerPixel;
+  double smallest = kLeastEdgePixels * plane.lengthPerPixel;
   switch (handle.kind) {
     case SectionHandleKind::None:
       break;

@@ -17,7 +17,7 @@ using scene::SectionPlane;
 
 /// The knobs stand at most this far from the middle of what is seen of the line; ends nearer together have none.
 constexpr double kKnobPixels = 110.0, kLeastLinePixels = 60.0;
-constexpr double kViewMargin = 14.0;
+constexpr double kFrameMargin = 14.0;
 /// A sheet so near to a section that runs along it, in pixels, does not cross it.
 constexpr double kFlatPixels = 0.2;
 
@@ -76,7 +76,7 @@ std::vector<SectionHandle> membraneHandles(const SectionPlane& plane, const scen
   auto line = planeLine(plane, cut);
   if (!ends || !line) return {};
   std::vector<SectionHandle> handles;
-  glm::dvec2 margin = glm::min(glm::dvec2(kViewMargin), plane.size * 0.25), way = ends->second - ends->first;
+  glm::dvec2 margin = glm::min(glm::dvec2(kFrameMargin), plane.size * 0.25), way = ends->second - ends->first;
   double length = glm::length(way);
   auto seen = clipLine(line->point, line->along, margin, plane.size - margin);
   if (!seen || length < 1.0) return {};

@@ -13,12 +13,12 @@ constexpr int kBins = 512, kSmooth = 4;
 /// Of the values so many lie beyond either end of the density.
 constexpr double kEnds = 1e-3;
 /// Two peaks are two where the density between them falls below this share of the lower one.
-constexpr double kValley = 0.6;
+constexpr double kValleyDepth = 0.6;
 /// A population is no smaller than this share, and no narrower than this share of all values' stretch: beside a spike
 /// of one value lie others of the same material, in 8 bits as in air.
 constexpr double kLeastShare = 0.05, kLeastSpread = 1.0 / 60.0;
 /// Of its spread to either side of its middle.
-constexpr double kSpreads = 2.5;
+constexpr double kPeakSpreads = 2.5;
 
 using Density = std::array<double, kBins>;
 
@@ -57,7 +57,7 @@ std::vector<Hill> hillsOf(const Density& density) {
     std::size_t shallowest = 1;
     for (std::size_t i = 2; i < hills.size(); ++i)
       if (depth(i) > depth(shallowest)) shallowest = i;
-    if (depth(shallowest) <= kValley) break;
+    if (depth(shallowest) <= kValleyDepth) break;
     Hill &one = hills[shallowest - 1], &other = hills[shallowest];
     if (at(other.peak) > at(one.peak)) one.peak = other.peak;
     one.last = other.last;
@@ -77,8 +77,8 @@ double halfWidth(const Density& density, const Hill& hill) {
 
 }  // namespace
 
-double Population::upperEnd() const { return middle + kSpreads * spread; }
-double Population::lowerEnd() const { return middle - kSpreads * spread; }
+double Population::upperEnd() const { return middle + kPeakSpreads * spread; }
+double Population::lowerEnd() const { return middle - kPeakSpreads * spread; }
 
 std::vector<Population> populationsOf(std::vector<double> values) {
   std::erase_if(values, [](double value) { return !std::isfinite(value); });

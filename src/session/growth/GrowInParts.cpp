@@ -17,7 +17,7 @@ constexpr double kWorkMs = 40.0;
 constexpr double kFirstSlabs = 2.0, kQuickMs = 8.0;
 
 /// True when a step is another one that has not come so far.
-bool goesOn(const scene::Growth& grown, scene::Growth wanted) {
+bool isContinued(const scene::Growth& grown, scene::Growth wanted) {
   if (!(grown.distance <= wanted.distance)) return false;
   wanted.distance = grown.distance;
   return grown == wanted;
@@ -35,7 +35,7 @@ bool isOnTheWay(const Steps& grown, const Steps& wanted) {
   if (grown.size() > wanted.size()) return false;
   if (grown.empty()) return true;
   return std::equal(grown.begin(), grown.end() - 1, wanted.begin()) &&
-         (grown.back() == wanted[grown.size() - 1] || goesOn(grown.back(), wanted[grown.size() - 1]));
+         (grown.back() == wanted[grown.size() - 1] || isContinued(grown.back(), wanted[grown.size() - 1]));
 }
 
 bool isOnTheWay(const Progressed& now, const Steps& wanted) {

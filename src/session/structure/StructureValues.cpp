@@ -12,7 +12,7 @@ namespace velum::session {
 namespace {
 
 /// Sums over the voxels of one structure, about its first value, so that few digits are lost.
-struct Sum {
+struct ValueSum {
   std::uint64_t voxels = 0;
   double first = 0, sum = 0, squares = 0;
   double least = std::numeric_limits<double>::infinity(), most = -least;
@@ -25,7 +25,7 @@ struct Sum {
     least = std::min(least, value);
     most = std::max(most, value);
   }
-  void join(const Sum& other) {
+  void join(const ValueSum& other) {
     if (other.voxels == 0) return;
     if (voxels == 0) {
       *this = other;
@@ -39,9 +39,9 @@ struct Sum {
     most = std::max(most, other.most);
   }
 };
-using Sums = std::map<int, Sum>;
+using Sums = std::map<int, ValueSum>;
 
-StructureValues valuesOf(const Sum& sum) {
+StructureValues valuesOf(const ValueSum& sum) {
   double count = double(sum.voxels), mean = sum.sum / count;
   return {sum.voxels, sum.first + mean, std::sqrt(std::max(0.0, sum.squares / count - mean * mean)), sum.least,
           sum.most};
@@ -57,7 +57,7 @@ struct PlaneReader {
 
   Sums read(int z) const {
     Sums sums;
-    Sum* here = nullptr;
+    ValueSum* here = nullptr;
     int known = 0;
     for (int y = 0; y < scan.dims.y; ++y)
       for (int x = 0; x < scan.dims.x; ++x) {

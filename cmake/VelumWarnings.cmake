@@ -1,6 +1,12 @@
 # velum_warnings: the warnings that every target of ours is built with, and the sanitizers when asked for.
 add_library(velum_warnings INTERFACE)
-target_compile_options(velum_warnings INTERFACE -Wall -Wextra -Wshadow -Wnon-virtual-dtor -Wno-missing-field-initializers
+# Of sources that are compiled together, names of one are no concern of the next.
+if(CMAKE_UNITY_BUILD)
+  set(shadow -Wshadow=local -Wno-subobject-linkage)
+else()
+  set(shadow -Wshadow)
+endif()
+target_compile_options(velum_warnings INTERFACE -Wall -Wextra ${shadow} -Wnon-virtual-dtor -Wno-missing-field-initializers
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
   $<$<BOOL:${VELUM_WERROR}>:-Werror>)
 if(VELUM_ASAN)

@@ -11,7 +11,7 @@ namespace velum::render {
 
 namespace {
 
-glm::vec4 v4(glm::dvec3 v, double w = 0.0) { return glm::vec4(glm::vec3(v), float(w)); }
+glm::vec4 homogeneous(glm::dvec3 v, double w = 0.0) { return glm::vec4(glm::vec3(v), float(w)); }
 
 /// A projection with the rays of rayThrough(): rows run downwards, depth covers the scene's sphere.
 glm::dmat4 clipFromScene(const Frame& frame, const FrameGrid& grid, const scene::CameraBasis& basis, glm::dvec3 eye,
@@ -79,10 +79,10 @@ shared::FocusView makeFocusView(const scene::Scene& scene, const model::FocusRow
   double wide = lock ? lock->aspect : aspect;
   EyeRays rays = makeEyeRays(lock ? lock->camera : scene.camera, wide, origin, radius);
   shared::FocusView view{};
-  view.eye = v4(rays.eye);
-  view.right = v4(rays.right);
-  view.up = v4(rays.up);
-  view.forward = v4(rays.forward);
+  view.eye = homogeneous(rays.eye);
+  view.right = homogeneous(rays.right);
+  view.up = homogeneous(rays.up);
+  view.forward = homogeneous(rays.forward);
   view.size = {std::clamp(int(std::lround(shared::kFocusRows * wide)), 1, 16 * shared::kFocusRows), shared::kFocusRows};
   view.isOrthographic = rays.isOrthographic ? 1 : 0;
   view.cut = row.cut;
@@ -175,7 +175,7 @@ std::vector<shared::CutData> makeCutData(const scene::Scene& scene, glm::dvec3 o
     shared::CutData data{};
     data.localFromScene = glm::mat4(glm::inverse(sceneFromCut));
     glm::dvec3 half = solidEdges(cut.size) * 0.5;
-    data.halfSize = v4(half, cut.invert ? -1.0 : 1.0);
+    data.halfSize = homogeneous(half, cut.invert ? -1.0 : 1.0);
     int shape = static_cast<int>(cut.shape);
     if (cut.shape == scene::CutShape::Everywhere) {
       shape = shared::kCutSphere;

@@ -36,7 +36,7 @@ std::vector<glm::dvec3> placesOf(const ShownVoxels& voxels) {
 }
 
 /// All but the outermost of some numbers, which are put into another order.
-std::pair<double, double> trimmed(std::vector<double>& numbers) {
+std::pair<double, double> withoutStrays(std::vector<double>& numbers) {
   auto spare = std::ptrdiff_t(double(numbers.size()) * kSpecks);
   auto low = numbers.begin() + spare, high = numbers.end() - 1 - spare;
   std::nth_element(numbers.begin(), low, numbers.end());
@@ -73,9 +73,9 @@ Camera fit(const Scene& scene, Camera camera, std::vector<glm::dvec3> places, do
     places[i] = seenFromWorld * places[i];
     across[i] = places[i].x, along[i] = places[i].y, depths[i] = places[i].z;
   }
-  auto [left, rightmost] = trimmed(across);
-  auto [bottom, top] = trimmed(along);
-  auto [back, front] = trimmed(depths);
+  auto [left, rightmost] = withoutStrays(across);
+  auto [bottom, top] = withoutStrays(along);
+  auto [back, front] = withoutStrays(depths);
   glm::dvec3 middle(0.5 * (left + rightmost), 0.5 * (bottom + top), 0.5 * (back + front));
   double voxel = longestEdge(gridOf(scene));
   // So far that all of them are inside of the pyramid that the eye sees.
@@ -86,7 +86,7 @@ Camera fit(const Scene& scene, Camera camera, std::vector<glm::dvec3> places, do
     double wide = std::max((std::abs(off.x) + voxel) / aspect, std::abs(off.y) + voxel);
     distances[i] = wide * kMargin / tangent + off.z;
   }
-  double distance = trimmed(distances).second;
+  double distance = withoutStrays(distances).second;
   camera.height = 2.0 * kMargin * std::max(0.5 * (top - bottom) + voxel, (0.5 * (rightmost - left) + voxel) / aspect);
   camera.target = glm::transpose(seenFromWorld) * middle;
   camera.eye = camera.target + toEye * distance;
@@ -99,7 +99,7 @@ Bounds boundsOf(const std::vector<glm::dvec3>& places) {
   std::vector<double> numbers(places.size());
   for (int axis = 0; axis < 3; ++axis) {
     for (std::size_t i = 0; i < places.size(); ++i) numbers[i] = places[i][axis];
-    std::tie(box.min[axis], box.max[axis]) = trimmed(numbers);
+    std::tie(box.min[axis], box.max[axis]) = withoutStrays(numbers);
   }
   return box;
 }

@@ -26,7 +26,7 @@ struct Row {
   std::string_view without;  ///< What is left out of every model, in words.
 };
 // A new format is one row.
-constexpr Row kTable[] = {
+constexpr Row kWriters[] = {
     {{"mmCIF (cellPACK)", ".cif .cif.gz"}, writeCif, true, false, ""},
     {{"glTF with instances", ".glb"},
      writeModelGltf,
@@ -38,14 +38,14 @@ constexpr Row kTable[] = {
 };
 
 constexpr auto kFormats = [] {
-  std::array<ModelWriteFormat, std::size(kTable)> formats{};
-  for (std::size_t i = 0; i < formats.size(); ++i) formats[i] = kTable[i].format;
+  std::array<ModelWriteFormat, std::size(kWriters)> formats{};
+  for (std::size_t i = 0; i < formats.size(); ++i) formats[i] = kWriters[i].format;
   return formats;
 }();
 
 const Row* rowOf(const std::filesystem::path& path) {
   std::string extension = lowerExtension(path);
-  for (const Row& row : kTable) {
+  for (const Row& row : kWriters) {
     std::string_view rest = row.format.extensions;
     while (!rest.empty()) {
       std::size_t end = std::min(rest.find(' '), rest.size());

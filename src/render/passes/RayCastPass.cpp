@@ -17,7 +17,7 @@ constexpr double kLongestPieceMs = 40.0;                   ///< Were all of it l
 constexpr double kMostGroups = 32768;                      ///< What every driver takes in one dimension.
 constexpr int kFirstSoftware = 64, kFirstHardware = 4096;  // groups, of which nothing is known yet
 
-RayVariant variantOf(const FrameData& data) {
+RayVariant rayVariantOf(const FrameData& data) {
   RayVariant variant{dataVariantOf(data), false};
   variant.hasGradients = data.volume && data.volume->gradient && usesGradients(variant.data);
   return variant;
@@ -31,10 +31,10 @@ int threadCount() { return std::max(1, int(std::thread::hardware_concurrency()))
 RayCastPass::RayCastPass(Gbuffer& target, bool isSoftware)
     : Pass("RayCast"), mTarget(target), mFirst(isSoftware ? kFirstSoftware : kFirstHardware) {}
 
-bool RayCastPass::isKnown(const FrameData& data) const { return mPrograms.contains(variantOf(data)); }
+bool RayCastPass::isKnown(const FrameData& data) const { return mPrograms.contains(rayVariantOf(data)); }
 
 void RayCastPass::prepare(FrameData& data) {
-  RayVariant variant = variantOf(data);
+  RayVariant variant = rayVariantOf(data);
   mProgram = &mPrograms.find(variant, [&] { return gpu::Program({"render/ray_cast.comp"}, definesOf(variant)); });
   mTarget.resize(data.frame.windowSize, (data.params.flags & shared::kFlagFinish) != 0);
   mPace.begin(data.frame.isPreview ? kPreviewPieceMs : kPieceMs);

@@ -67,7 +67,7 @@ std::string sizeOf(const CountOptions& options, bool hasModel) {
 }
 
 int countInstances(session::Session& session, const CountOptions& options, session::PictureCounter& counter) {
-  if (!options.clearTheWay.empty()) run(session, session::KeepInView{options.clearTheWay});
+  if (!options.clearTheWay.empty()) app::run(session, session::KeepInView{options.clearTheWay});
   Progress& progress = consoleProgress();
   session.settle(progress);
 

@@ -194,7 +194,7 @@ void openFiles(session::Session& session, const InputOptions& input, const std::
   for (const std::string& note : loaded.notes) log::warning(note);
   std::string path = loaded.path;
   session.file().open(std::move(loaded), path);
-  if (!labels.empty()) run(session, session::AddFile{labels, true});
+  if (!labels.empty()) app::run(session, session::AddFile{labels, true});
 }
 
 /// Of the scene's own, or as data is first seen, or from the side that is asked for.
@@ -205,7 +205,7 @@ void placeCamera(session::Session& session, const InputOptions& input, double as
   if (!side && !input.view.empty())
     throw ArgumentError(
         fmt::format("--view {}: not one of {}", input.view, fmt::join(EnumNames<scene::StandardView>::kNames, ", ")));
-  side ? run(session, session::LookFrom{*side, aspect}) : run(session, session::LookFirst{aspect});
+  side ? app::run(session, session::LookFrom{*side, aspect}) : app::run(session, session::LookFirst{aspect});
 }
 
 }  // namespace
@@ -215,18 +215,18 @@ void openInputs(session::Session& session, const InputOptions& input, double asp
   auto sets = splitSets(input.sets);
   openFiles(session, input, sets);
   consoleProgress().report(1.0, "");
-  if (!input.preset.empty()) run(session, session::ChoosePreset{input.preset});
-  if (input.smooth) run(session, session::SetField{"volume.smooth", *input.smooth ? "true" : "false"});
-  if (!input.transfer.empty()) run(session, session::ImportLook{input.transfer});
-  if (input.makesSurface) run(session, session::MakeSurface{});
-  if (input.hidesTable) run(session, session::HideTable{true});
+  if (!input.preset.empty()) app::run(session, session::ChoosePreset{input.preset});
+  if (input.smooth) app::run(session, session::SetField{"volume.smooth", *input.smooth ? "true" : "false"});
+  if (!input.transfer.empty()) app::run(session, session::ImportLook{input.transfer});
+  if (input.makesSurface) app::run(session, session::MakeSurface{});
+  if (input.hidesTable) app::run(session, session::HideTable{true});
   placeCamera(session, input, aspect);
-  if (!input.finish.empty()) run(session, session::ChooseFinish{input.finish});
+  if (!input.finish.empty()) app::run(session, session::ChooseFinish{input.finish});
   for (const auto& [path, value] : sets) {
     if (path == kWindowField)
-      run(session, session::ChooseWindow{value}, {{"look.window", "--window"}});
+      app::run(session, session::ChooseWindow{value}, {{"look.window", "--window"}});
     else
-      run(session, session::SetField{path, value.empty() ? "\"\"" : value});
+      app::run(session, session::SetField{path, value.empty() ? "\"\"" : value});
   }
   for (const std::string& note : session.grow(consoleProgress())) log::warning(note);
   if (!input.finish.empty()) sayWhereLinesLie(session.scene());

@@ -73,8 +73,8 @@ void placeAnew(session::Session& session, const MembraneOptions& options) {
   for (const scene::Cut& cut : membranesOf(session.scene())) {
     std::string size = fmt::format("cuts.{}.size", scene::cutPlace(session.scene(), cut.id));
     if (options.reach)
-      run(session, session::SetField{size, fmt::format("{},{},{}", cut.size.x, cut.size.y, *options.reach)});
-    if (options.move) run(session, session::MoveToKeep{options.reach.has_value(), keyOf(cut)});
+      app::run(session, session::SetField{size, fmt::format("{},{},{}", cut.size.x, cut.size.y, *options.reach)});
+    if (options.move) app::run(session, session::MoveToKeep{options.reach.has_value(), keyOf(cut)});
   }
 }
 
@@ -95,18 +95,20 @@ void putHandsOn(session::Session& session, const MembraneOptions& options) {
       if (!(n[3] > 0.0) || !(std::abs(n[4]) <= 1000.0))
         throw ArgumentError(
             fmt::format("--kernel {}: the radius must be more than 0, the strength within -1000 to 1000", text));
-      run(session, session::PushSheet{{n[0], n[1], n[2]}, n[3], n[4], keyOf(cut)});
+      app::run(session, session::PushSheet{{n[0], n[1], n[2]}, n[3], n[4], keyOf(cut)});
     }
     for (const auto& text : options.pins) {
       auto n = numbersOf("--pin", text, 3, "x,y,z");
-      run(session, session::PinSheet{{n[0], n[1], n[2]}, keyOf(cut)}, {{"membrane.pin", "--pin"}});
+      app::run(session, session::PinSheet{{n[0], n[1], n[2]}, keyOf(cut)}, {{"membrane.pin", "--pin"}});
     }
-    if (auto rule = enumValue<scene::KernelRule>(options.rule)) run(session, session::ChooseRule{*rule, keyOf(cut)});
+    if (auto rule = enumValue<scene::KernelRule>(options.rule))
+      app::run(session, session::ChooseRule{*rule, keyOf(cut)});
     std::string field = fmt::format("cuts.{}.membrane.field.", scene::cutPlace(session.scene(), cut.id));
-    if (!options.side.empty()) run(session, session::SetField{field + "side", options.side});
-    if (options.denoise) run(session, session::SetField{field + "denoise", "true"});
+    if (!options.side.empty()) app::run(session, session::SetField{field + "side", options.side});
+    if (options.denoise) app::run(session, session::SetField{field + "denoise", "true"});
     if (!options.leastPiece.empty())
-      run(session, session::SetField{field + "leastPiece", std::to_string(session::leastPieceOf(options.leastPiece))});
+      app::run(session,
+               session::SetField{field + "leastPiece", std::to_string(session::leastPieceOf(options.leastPiece))});
   }
 }
 
@@ -124,7 +126,7 @@ void hangWhatIsAsked(session::Session& session, const MembraneOptions& options) 
   if (!options.axis.empty() && glm::dvec3(options.axis[0], options.axis[1], options.axis[2]) == glm::dvec3(0.0))
     throw ArgumentError("--axis 0,0,0 has no direction");
   if (isAsked || !isThere)
-    run(session, newMembrane(options), kMembraneWords);
+    app::run(session, newMembrane(options), kMembraneWords);
   else
     placeAnew(session, options);
   putHandsOn(session, options);

@@ -37,7 +37,7 @@ Lines open(Session& session, const OpenFile& arguments, Progress& progress) {
   return notes;
 }
 
-Lines add(Session& session, const AddFile& arguments, Progress& progress) {
+Lines addFile(Session& session, const AddFile& arguments, Progress& progress) {
   std::string path = wholePath(arguments.path);
   Loaded loaded =
       arguments.asLabels ? readLabels(session.scene(), path, progress) : readBeside(session.scene(), {path}, progress);
@@ -64,7 +64,7 @@ void expectStep(bool isThere, const char* what) {
 std::vector<Command> documentCommands() {
   return {
       actRow<OpenFile>("Opens a file or folder in the place of what is open.", "open head.nii.gz", open),
-      actRow<AddFile>("Adds labels, a surface or a model beside what is open.", "add head_labels.seg.nrrd", add),
+      actRow<AddFile>("Adds labels, a surface or a model beside what is open.", "add head_labels.seg.nrrd", addFile),
       actRow<SaveScene>("Writes the scene: what is open, and how it is shown.", "save work.json",
                         [](Session& session, const SaveScene& arguments, Progress&) {
                           session.file().save(wholePath(arguments.path));

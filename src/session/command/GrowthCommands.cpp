@@ -26,7 +26,7 @@ int grownOf(const Scene& scene, const std::string& structure) {
 }
 
 template <class Arguments>
-auto stepBy(const char* verb) {
+auto stepOfGrown(const char* verb) {
   return [verb](const Scene& scene, const Arguments& a) {
     return structureLabel(scene, verb, structureIds(scene, {a.structure}));
   };
@@ -114,9 +114,9 @@ std::vector<Command> growthCommands() {
       editRow<PullAt>("Pulls out of a cut what is in a place of its face; what has no label grows from there.",
                       "growth.pullAt 12,-40,80 30", "Pull out", pullAt),
       editRow<AddSeed>("Lets a structure that was grown go on from another place.",
-                       "growth.addSeed \"structure 1\" 12,-40,80", stepBy<AddSeed>("Add to"), addSeed),
+                       "growth.addSeed \"structure 1\" 12,-40,80", stepOfGrown<AddSeed>("Add to"), addSeed),
       editRow<NotThis>("Says of a place that it is not of a structure that was grown.",
-                       "growth.notThis \"structure 1\" 12,-40,80", stepBy<NotThis>("Not this:"), notThis),
+                       "growth.notThis \"structure 1\" 12,-40,80", stepOfGrown<NotThis>("Not this:"), notThis),
       actRow<GrowOn>("Lets a structure that was held grow as far as it is pulled, and minds no leak of it any more.",
                      "growth.growOn \"structure 1\"", growFurther),
       actRow<StopGrowing>("Ends what is growing: what has grown so far stays.", "growth.stop", stopGrowing),
@@ -129,7 +129,7 @@ std::vector<Command> growthCommands() {
           },
           change),
       editRow<ForgetGrown>("Forgets a structure that was grown.", "growth.forget \"structure 1\"",
-                           stepBy<ForgetGrown>("Forget"),
+                           stepOfGrown<ForgetGrown>("Forget"),
                            [](Scene& scene, const ForgetGrown& a) { removeGrown(scene, grownOf(scene, a.structure)); }),
   };
 }

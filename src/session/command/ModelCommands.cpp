@@ -57,7 +57,7 @@ using scene::Cut;
 using scene::Scene;
 
 template <class Arguments>
-auto stepBy(const char* verb) {
+auto stepOfTypes(const char* verb) {
   return
       [verb](const Scene& scene, const Arguments& a) { return typesLabel(scene, verb, typeNumbers(scene, a.types)); };
 }
@@ -123,17 +123,18 @@ std::vector<Command> lookRows() {
           [](const Scene&, const ShowModel& a) { return std::string(a.visible ? "Show model" : "Hide model"); },
           [](Scene& scene, const ShowModel& a) { scene.model.visible = a.visible; }),
       editRow<ColorTypes>(
-          "Gives types a colour of their own.", "model.color root.capsid 0.9,0.7,0.2", stepBy<ColorTypes>("Colour"),
+          "Gives types a colour of their own.", "model.color root.capsid 0.9,0.7,0.2",
+          stepOfTypes<ColorTypes>("Colour"),
           [](Scene& scene, const ColorTypes& a) { setTypesColor(scene, typeNumbers(scene, a.types), a.color); }),
       editRow<TakePaletteColor>(
           "Gives types the palette's colours again.", "model.paletteColor root.capsid",
-          stepBy<TakePaletteColor>("Palette's colour of"),
+          stepOfTypes<TakePaletteColor>("Palette's colour of"),
           [](Scene& scene, const TakePaletteColor& a) { setTypesColor(scene, typeNumbers(scene, a.types), {}); }),
       editRow<ResetTypes>("Shows types as if nothing had been said of them.", "model.reset root",
-                          stepBy<ResetTypes>("Reset"),
+                          stepOfTypes<ResetTypes>("Reset"),
                           [](Scene& scene, const ResetTypes& a) { resetTypes(scene, typeNumbers(scene, a.types)); }),
       editRow<SetTypeGhosts>("Says how instances of types show that cuts have removed.",
-                             "model.ghosts root.blood contour", stepBy<SetTypeGhosts>("Ghosts of"),
+                             "model.ghosts root.blood contour", stepOfTypes<SetTypeGhosts>("Ghosts of"),
                              [](Scene& scene, const SetTypeGhosts& a) {
                                setTypesGhosts(scene, typeNumbers(scene, a.types),
                                               a.asModel ? std::nullopt : std::optional(a.ghosts));

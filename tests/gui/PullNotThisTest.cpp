@@ -12,7 +12,7 @@ constexpr int kNotThisEdge = 64;
 constexpr double kPlane = 40.0, kFar = 36.0;
 
 /// A bar along y that opens into a block at y < 16, and a bar of its own beside it.
-int barAndBlock(int x, int y, int z) {
+int pullNotThisBarAndBlock(int x, int y, int z) {
   bool isBar = std::abs(x - 32) < 4 && std::abs(z - 32) < 4;
   bool isBlock = y < 16 && x > 2 && x < 62 && z > 2 && z < 62;
   bool isAlone = std::abs(x - 12) < 3 && std::abs(z - 12) < 3 && y > 20;

@@ -11,7 +11,9 @@ constexpr double kTimePlane = 32.0, kRadius = 9.3, kTimeOut = 7.0;
 glm::dvec3 middleOf(int timeStep) { return {14.0 + 11.0 * timeStep, kTimePlane, 32.0}; }
 
 /// A ball that is somewhere else at each time step: it shares a little of its place with the step before.
-int ball(int x, int y, int z, int t) { return glm::distance(glm::dvec3(x, y, z), middleOf(t)) < kRadius ? 150 : 20; }
+int pullTimeBall(int x, int y, int z, int t) {
+  return glm::distance(glm::dvec3(x, y, z), middleOf(t)) < kRadius ? 150 : 20;
+}
 
 }  // namespace
 
@@ -27,7 +29,7 @@ class PullTime : public PullFixture {
     for (int z = 0; z < kTimeEdge; ++z)
       for (int y = 0; y < kTimeEdge; ++y)
         for (int x = 0; x < kTimeEdge; ++x)
-          count += y < kTimePlane && kTimePlane - y <= distance && ball(x, y, z, t) == 150;
+          count += y < kTimePlane && kTimePlane - y <= distance && pullTimeBall(x, y, z, t) == 150;
     return count;
   }
   /// What is seen out of the middle of the ball's place at a time step; 0: the structure does not stand out there.
@@ -64,7 +66,7 @@ TEST_F(PullTime, WhatIsOutStaysOutAtEveryTimeStepWhereverItIsThen) {
     ASSERT_EQ(scene().volume.timeStep, t);
     EXPECT_TRUE(session::isGrown(scene()));
     EXPECT_EQ(voxelsOf(structure), out(t, distance));
-    EXPECT_EQ(voxelsOf(structure, [t](glm::dvec3 p) { return ball(int(p.x), int(p.y), int(p.z), t) == 150; }),
+    EXPECT_EQ(voxelsOf(structure, [t](glm::dvec3 p) { return pullTimeBall(int(p.x), int(p.y), int(p.z), t) == 150; }),
               out(t, distance));
     EXPECT_EQ(session::extrusionOf(cut(), structure), distance);
     EXPECT_EQ(seenOut(t), structure);

@@ -9,7 +9,7 @@
 namespace velum {
 namespace {
 
-constexpr glm::ivec3 kDims(44, 40, 36);
+constexpr glm::ivec3 kChannelsDims(44, 40, 36);
 
 class ChannelsGL : public RenderTest {
  protected:
@@ -18,12 +18,12 @@ class ChannelsGL : public RenderTest {
   /// Channels interleaved, values 0..200.
   static Volume interleaved(const std::vector<ValueOf>& channels, SampleType type = SampleType::UInt8) {
     int count = int(channels.size());
-    Volume wide = makeVolume({kDims.x * count, kDims.y, kDims.z}, type, [&](glm::ivec3 p) {
+    Volume wide = makeVolume({kChannelsDims.x * count, kChannelsDims.y, kChannelsDims.z}, type, [&](glm::ivec3 p) {
       return channels[std::size_t(p.x % count)]({p.x / count, p.y, p.z});
     });
-    wide.dims = kDims;
+    wide.dims = kChannelsDims;
     wide.channels = count;
-    wide.worldFromVoxel = centredFrame(kDims);
+    wide.worldFromVoxel = centredFrame(kChannelsDims);
     wide.range = {0, 200};
     return wide;
   }
@@ -61,7 +61,7 @@ double ballAt(glm::ivec3 p, glm::dvec3 centre, double radius) {
 }
 double left(glm::ivec3 p) { return ballAt(p, {15, 20, 18}, 9); }
 double right(glm::ivec3 p) { return ballAt(p, {28, 20, 18}, 9); }
-double ramp(glm::ivec3 p) { return 200.0 * p.z / (kDims.z - 1); }
+double ramp(glm::ivec3 p) { return 200.0 * p.z / (kChannelsDims.z - 1); }
 
 TEST_F(ChannelsGL, OneVisibleChannelIsTheSameTransferFunctionOnThatChannelAlone) {
   // Texels of a mixture hold the root of the extinction in eight bits, and what lies between two voxels is mixed from
@@ -118,7 +118,7 @@ TEST_F(ChannelsGL, ExtinctionsAddAsInBeersLaw) {
   lookAlong(scene, {0, -1, 0});
   Image image = draw(scene, {33, 33});
   double total = sigma[0] + sigma[1];
-  double alpha = 1 - std::exp(-total * kDims.y);
+  double alpha = 1 - std::exp(-total * kChannelsDims.y);
   glm::dvec3 color = (colors[0] * sigma[0] + colors[1] * sigma[1]) / total;
   glm::vec4 middle = colorOf(image, {16, 16});
   // Eight bits of the root: two thousandths of the extinction, here four of alpha.
@@ -126,7 +126,7 @@ TEST_F(ChannelsGL, ExtinctionsAddAsInBeersLaw) {
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(middle[c], color[c], 0.012) << c;
   for (int shown : {0, 1}) {
     showOnly(scene, {shown});
-    EXPECT_NEAR(colorOf(draw(scene, {33, 33}), {16, 16}).a, 1 - std::exp(-sigma[shown] * kDims.y), 0.008);
+    EXPECT_NEAR(colorOf(draw(scene, {33, 33}), {16, 16}).a, 1 - std::exp(-sigma[shown] * kChannelsDims.y), 0.008);
   }
 }
 

@@ -15,7 +15,7 @@
 namespace velum {
 namespace {
 
-constexpr glm::ivec2 kSize(72, 72);
+constexpr glm::ivec2 kCutsSize(72, 72);
 
 shared::CutData cutDataOf(const scene::Cut& cut) {
   shared::CutData data{};
@@ -67,7 +67,7 @@ class CutsGL : public CutPictures {
  protected:
   void expectAgrees(const scene::Scene& scene, const std::string& what) {
     expectShowsWhatIsKept(
-        scene, kSize, [&](const TestRay& ray, glm::dvec2 box) { return keptLength(scene.cuts, ray, box); },
+        scene, kCutsSize, [&](const TestRay& ray, glm::dvec2 box) { return keptLength(scene.cuts, ray, box); },
         [&](glm::vec3 p) {
           float least = 1e9f;
           for (const auto& cut : scene.cuts) least = std::min(least, shared::cutDistance(cutDataOf(cut), p, {}));
@@ -110,13 +110,13 @@ TEST_F(CutsGL, RaysAlongTheAxesOfTheCutAreNoException) {
       lookAlong(scene, {0, -1, 0});
       scene.cuts = {cutOf(shape, {1, 0.5, 2}, axis, {20, 16, 24})};
       scene.cuts[0].spinDeg = 0;
-      Image image = draw(scene, kSize, kAllLayers);
+      Image image = draw(scene, kCutsSize, kAllLayers);
       int shown = 0, wrong = 0;
-      for (int y = 0; y < kSize.y && wrong < 3; ++y)
-        for (int x = 0; x < kSize.x && wrong < 3; ++x) {
+      for (int y = 0; y < kCutsSize.y && wrong < 3; ++y)
+        for (int x = 0; x < kCutsSize.x && wrong < 3; ++x) {
           // Told by points along the ray, not by intervals: nothing of the box may be left where all points are
           // removed.
-          TestRay ray = rayThrough(scene.camera, kSize, {x + 0.5, y + 0.5});
+          TestRay ray = rayThrough(scene.camera, kCutsSize, {x + 0.5, y + 0.5});
           glm::dvec2 t = boxInterval(*scene.volume.data, ray);
           float furthest = -1.0f;  // largest distance to what is removed
           for (double s = t.x + 0.05; s < t.y; s += 0.1)
@@ -295,11 +295,11 @@ TEST_F(CutsGL, TheFaceOfAPlaneHasItsNormal) {
   scene.lighting.shadow = scene.lighting.occlusion = 0;
   for (glm::dvec3 axis : {glm::dvec3(0, -1, 0), glm::dvec3(0.4, -1, 0.3), glm::dvec3(-0.7, -1, -0.2)}) {
     scene.cuts = {cutOf(scene::CutShape::Plane, {0, -4, 0}, axis, {1, 1, 1})};
-    Image image = draw(scene, kSize, kAllLayers);
+    Image image = draw(scene, kCutsSize, kAllLayers);
     glm::dvec3 unit = glm::normalize(axis);
     int onFace = 0;
-    for (int y = 0; y < kSize.y; ++y)
-      for (int x = 0; x < kSize.x; ++x) {
+    for (int y = 0; y < kCutsSize.y; ++y)
+      for (int x = 0; x < kCutsSize.x; ++x) {
         if (sampleOf(image, {x, y}, "A") == 0.0f) continue;
         glm::dvec3 p(vectorOf(image, {x, y}, "position"));
         // The layers are those of the first sample, up to half a step behind the face.
@@ -330,7 +330,7 @@ TEST_F(CutsGL, TheFaceOfJoinedPlanesIsThatOfThePlaneThatAPlaceLiesOn) {
       plane.face = i == 0 ? scene::CutFace::Section : scene::CutFace::Shaded;
       scene::addCut(scene, plane);
     }
-    Image image = draw(scene, kSize, kAllLayers);
+    Image image = draw(scene, kCutsSize, kAllLayers);
     eachShown(image, [&](glm::ivec2 pixel, glm::vec3 position) {
       glm::dvec3 p(position), inside = 0.5 * glm::dvec3(kDims) * glm::dvec3(1, 1.1, 0.9) - glm::abs(p);
       if (std::min(inside.x, std::min(inside.y, inside.z)) < 1.0) return;
@@ -366,10 +366,10 @@ TEST_F(CutsGL, ASectionFaceShowsTheGreyOfItsVoxels) {
   scene.cuts[0].face = scene::CutFace::Section;
   for (double opacity : {1.0, 0.5}) {
     scene.cuts[0].faceOpacity = opacity;
-    Image image = draw(scene, kSize, kAllLayers);
+    Image image = draw(scene, kCutsSize, kAllLayers);
     int checked = 0;
-    for (int y = 0; y < kSize.y; ++y)
-      for (int x = 0; x < kSize.x; ++x) {
+    for (int y = 0; y < kCutsSize.y; ++y)
+      for (int x = 0; x < kCutsSize.x; ++x) {
         if (sampleOf(image, {x, y}, "A") == 0.0f) continue;
         glm::dvec3 p(vectorOf(image, {x, y}, "position"));
         EXPECT_LT(std::abs(glm::dot(p - scene.cuts[0].centre, glm::normalize(scene.cuts[0].axis))), 1e-3);
@@ -391,9 +391,9 @@ int expectWholeFace(const Image& image, const scene::Scene& scene, const std::st
   const scene::Cut& cut = scene.cuts[0];
   glm::dvec3 axis = glm::normalize(cut.axis);
   int onFace = 0, holes = 0, strays = 0;
-  for (int y = 0; y < kSize.y; ++y)
-    for (int x = 0; x < kSize.x; ++x) {
-      TestRay ray = rayThrough(scene.camera, kSize, glm::dvec2(x + 0.5, y + 0.5));
+  for (int y = 0; y < kCutsSize.y; ++y)
+    for (int x = 0; x < kCutsSize.x; ++x) {
+      TestRay ray = rayThrough(scene.camera, kCutsSize, glm::dvec2(x + 0.5, y + 0.5));
       glm::dvec2 box = boxInterval(*scene.volume.data, ray);
       double t = glm::dot(cut.centre - ray.origin, axis) / glm::dot(ray.direction, axis);
       bool isOnFace = t > box.x + 0.1 && t < box.y - 0.1, isBeside = t < box.x - 0.1 || t > box.y + 0.1;
@@ -432,7 +432,7 @@ TEST_F(CutsGL, ASectionFaceIsWholeWhateverTheValues) {
         scene.cuts[0].face = scene::CutFace::Section;
         if (isSpared) scene.cuts[0].spares = {{9}};  // of which there is nothing
         int onFace = expectWholeFace(
-            draw(scene, kSize), scene,
+            draw(scene, kCutsSize), scene,
             fmt::format("{}{}{}", enumName(mode), isColor ? ", colours" : "", isSpared ? ", spares" : ""));
         EXPECT_GT(onFace, 900);
       }
@@ -447,10 +447,10 @@ TEST_F(CutsGL, WhatACutSparesStaysWhole) {
   scene::completeStructures(scene.labels);
   scene.cuts = {cutOf(scene::CutShape::Plane, {0, 4, 0}, {0, -1, 0}, {1, 1, 1})};
   scene.cuts[0].spares = {{4}};
-  Image image = draw(scene, kSize, kAllLayers);
+  Image image = draw(scene, kCutsSize, kAllLayers);
   int spared = 0, removedShown = 0;
-  for (int y = 0; y < kSize.y; ++y)
-    for (int x = 0; x < kSize.x; ++x) {
+  for (int y = 0; y < kCutsSize.y; ++y)
+    for (int x = 0; x < kCutsSize.x; ++x) {
       if (sampleOf(image, {x, y}, "A") == 0.0f) continue;
       bool inFront = vectorOf(image, {x, y}, "position").y < 3.9f;
       bool isBall = std::lround(sampleOf(image, {x, y}, "id")) == 4;

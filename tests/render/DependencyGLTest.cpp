@@ -7,8 +7,8 @@ namespace velum {
 namespace {
 
 /// Few cells of the light grid, which has as many along the longest axis whatever the size.
-constexpr glm::ivec3 kDims(26, 6, 10);
-constexpr glm::ivec2 kSize(44, 36);
+constexpr glm::ivec3 kDependencyDims(26, 6, 10);
+constexpr glm::ivec2 kDependencySize(44, 36);
 constexpr int kShares = 8;
 
 /// The fields of a scene are shared out, so that no test takes long.
@@ -17,12 +17,12 @@ class DependencyGL : public RenderTest, public testing::WithParamInterface<int> 
   /// A scene in which all that is kept shows: light, empty space, labels, cuts, a sheet, spared structures, a mesh.
   static scene::Scene richScene() {
     scene::Scene scene = sceneOf(makeVolume(
-        kDims, SampleType::Int16,
+        kDependencyDims, SampleType::Int16,
         [](glm::ivec3 p) {
           double r = glm::length(glm::dvec3(p) - glm::dvec3(13, 3, 5));
           return 900.0 - 70 * r + 150 * hashNoise(p);
         },
-        centredFrame(kDims)));
+        centredFrame(kDependencyDims)));
     scene.lighting.shaded = true;
     scene.lighting.shadow = scene.lighting.occlusion = 0.7;
     scene.background.transparent = false;
@@ -31,9 +31,10 @@ class DependencyGL : public RenderTest, public testing::WithParamInterface<int> 
     scene.volume.transfer.gradientOpacities = {{0, 0.5}, {200, 1}};
     scene.rayCast.isoValue = 400;
     scene.labels.data = Shared<LabelVolume>(makeLabels(
-        kDims, [](glm::ivec3 p) { return p.x > 15  ? 2
-                                         : p.z > 5 ? 3
-                                                   : 0; }, scene.volume.data->worldFromVoxel));
+        kDependencyDims, [](glm::ivec3 p) { return p.x > 15  ? 2
+                                                   : p.z > 5 ? 3
+                                                             : 0; },
+        scene.volume.data->worldFromVoxel));
     scene::completeStructures(scene.labels);
     addCuts(scene);
     scene.labels.structures[0].litSphere = "bone";
@@ -73,10 +74,10 @@ class DependencyGL : public RenderTest, public testing::WithParamInterface<int> 
   /// The reference has drawn other data in between: nothing but its programs, which take long to make, can be left of
   /// the scene before.
   void expectAsFresh(const scene::Scene& before, const scene::Scene& after, const std::string& what) {
-    drawWith(renderer(), before, kSize);
-    Image kept = drawWith(renderer(), after, kSize, kAllLayers);
-    drawWith(reference(), mOther, kSize);
-    expectIdentical(kept, drawWith(reference(), after, kSize, kAllLayers), what);
+    drawWith(renderer(), before, kDependencySize);
+    Image kept = drawWith(renderer(), after, kDependencySize, kAllLayers);
+    drawWith(reference(), mOther, kDependencySize);
+    expectIdentical(kept, drawWith(reference(), after, kDependencySize, kAllLayers), what);
   }
 
  private:

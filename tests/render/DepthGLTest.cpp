@@ -7,15 +7,15 @@
 namespace velum {
 namespace {
 
-constexpr glm::ivec3 kDims(48, 48, 40);
+constexpr glm::ivec3 kDepthDims(48, 48, 40);
 
 class DepthGL : public RenderTest {
  protected:
   /// A ball in front on the left, one behind on the right, and a square between them. Seen from the front.
   static scene::Scene ballsAndSquare() {
-    glm::dmat4 frame = centredFrame(kDims);
+    glm::dmat4 frame = centredFrame(kDepthDims);
     scene::Scene scene = sceneOf(makeVolume(
-        kDims, SampleType::UInt8,
+        kDepthDims, SampleType::UInt8,
         [&](glm::ivec3 p) {
           glm::dvec3 world(frame * glm::dvec4(p, 1.0));
           bool front = glm::length(world - glm::dvec3(-11, -13, 0)) < 7.5,

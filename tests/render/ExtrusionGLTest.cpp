@@ -12,8 +12,8 @@
 namespace velum {
 namespace {
 
-constexpr glm::ivec3 kDims(44, 40, 42);
-constexpr glm::ivec2 kSize(56, 56);
+constexpr glm::ivec3 kExtrusionDims(44, 40, 42);
+constexpr glm::ivec2 kExtrusionSize(56, 56);
 constexpr double kStep = 0.2;      // of the search along a ray, in voxels of 1 mm
 constexpr double kTooClose = 0.3;  // to a border of labels, in voxels
 constexpr double kThinnest = 0.5;  // what a march of a quarter of a voxel cannot miss
@@ -25,10 +25,11 @@ class ExtrusionGL : public RenderTest {
   void SetUp() override {
     RenderTest::SetUp();
     mScene = sceneOf(makeVolume(
-        kDims, SampleType::UInt8, [](glm::ivec3) { return 100; }, centredFrame(kDims)));
+        kExtrusionDims, SampleType::UInt8, [](glm::ivec3) { return 100; }, centredFrame(kExtrusionDims)));
     makeSolid(mScene);
     mScene.labels.data = Shared<LabelVolume>(makeLabels(
-        kDims, [](glm::ivec3 p) { return kIds[(p.x / 8 + p.z / 8 * 2) % 4]; }, mScene.volume.data->worldFromVoxel));
+        kExtrusionDims, [](glm::ivec3 p) { return kIds[(p.x / 8 + p.z / 8 * 2) % 4]; },
+        mScene.volume.data->worldFromVoxel));
     scene::completeStructures(mScene.labels);
     mScene.rayCast.stepVoxels = 0.25;
     mScene.camera.projection = scene::Projection::Orthographic;
@@ -44,7 +45,7 @@ class ExtrusionGL : public RenderTest {
   }
   /// Beyond the grid that of its outermost voxel.
   int structureAt(glm::dvec3 world) const {
-    glm::dvec3 voxel = glm::clamp(voxelAt(world), glm::dvec3(0.0), glm::dvec3(kDims) - 1.0);
+    glm::dvec3 voxel = glm::clamp(voxelAt(world), glm::dvec3(0.0), glm::dvec3(kExtrusionDims) - 1.0);
     mField = scene::structureFieldOf(mScene);  // held: one is asked for each place
     return scene::structureAt(mScene, glm::dvec3(mScene.volume.data->worldFromVoxel * glm::dvec4(voxel, 1.0))).id;
   }
@@ -84,11 +85,11 @@ class ExtrusionGL : public RenderTest {
 
   /// Along each ray the first place that the propositions leave is what shows, with its structure.
   void expectPropositions(const std::string& what, bool standsOut = true) {
-    Image image = draw(mScene, kSize, kAllLayers);
+    Image image = draw(mScene, kExtrusionSize, kAllLayers);
     int checked = 0, out = 0;
-    for (int y = 0; y < kSize.y; ++y)
-      for (int x = 0; x < kSize.x; ++x) {
-        TestRay ray = rayThrough(mScene.camera, kSize, {x + 0.5, y + 0.5});
+    for (int y = 0; y < kExtrusionSize.y; ++y)
+      for (int x = 0; x < kExtrusionSize.x; ++x) {
+        TestRay ray = rayThrough(mScene.camera, kExtrusionSize, {x + 0.5, y + 0.5});
         glm::dvec2 box = boxInterval(*mScene.volume.data, ray);
         Found first = findFirst(ray, box);
         if (first.isDoubtful || (!first.t && box.x >= box.y)) continue;
@@ -180,12 +181,12 @@ TEST_F(ExtrusionGL, WhereAnExtrusionEndsThereIsAFaceWithTheNormalOfThePlane) {
     mScene.rayCast.isoValue = 50;
     mScene.lighting.shaded = true;
     mScene.lighting.shadow = mScene.lighting.occlusion = 0;
-    Image image = draw(mScene, kSize, kAllLayers);
+    Image image = draw(mScene, kExtrusionSize, kAllLayers);
     int faces = 0, slanted = 0;
     eachShown(image, [&](glm::ivec2 pixel, glm::vec3 position) {
       double depth = glm::dot(glm::dvec3(position) - mScene.cuts[0].centre, normal);
       if (std::abs(depth - 7.0) > 0.2) return;
-      TestRay ray = rayThrough(mScene.camera, kSize, glm::dvec2(pixel) + 0.5);
+      TestRay ray = rayThrough(mScene.camera, kExtrusionSize, glm::dvec2(pixel) + 0.5);
       // A ray that comes along a wall meets that.
       if (naive(mScene, glm::dvec3(position) - ray.direction * 0.6, structureAt(position)).keeps) return;
       ++faces;
@@ -202,7 +203,7 @@ TEST_F(ExtrusionGL, WhatTwoPlanesShareIsMarkedForWhoEditsIt) {
     for (int id : kIds) cut.spares.push_back({id, 9.0});
   lookAlong(mScene, {-0.6, -1, 0.5});
   Progress progress;
-  render::Frame frame = frameOf(mScene, kSize);
+  render::Frame frame = frameOf(mScene, kExtrusionSize);
   Image plain = render::renderPicture(renderer(), frame, kAllLayers, 4096, progress);
   frame.marksOverlaps = true;
   Image marked = render::renderPicture(renderer(), frame, kAllLayers, 4096, progress);

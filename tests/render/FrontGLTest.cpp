@@ -6,16 +6,16 @@
 namespace velum {
 namespace {
 
-constexpr glm::ivec3 kDims(40, 60, 40);
-constexpr glm::ivec2 kSize(24, 24);
+constexpr glm::ivec3 kFrontDims(40, 60, 40);
+constexpr glm::ivec2 kFrontSize(24, 24);
 const double kHalf = std::log(2.0);
 
 class FrontGL : public RenderTest {
  protected:
   /// A block of one value, of `extinction` a millimetre.
-  static scene::Scene fog(double extinction, const glm::dmat4& frame = centredFrame(kDims)) {
+  static scene::Scene fog(double extinction, const glm::dmat4& frame = centredFrame(kFrontDims)) {
     scene::Scene scene = sceneOf(makeVolume(
-        kDims, SampleType::UInt8, [](glm::ivec3) { return 100.0; }, frame));
+        kFrontDims, SampleType::UInt8, [](glm::ivec3) { return 100.0; }, frame));
     scene.volume.transfer.colors = {{0, {1.0f, 0.5f, 0.25f}}};
     double opacity = 1.0 - std::exp(-extinction);
     scene.volume.transfer.opacities = {{0, opacity}, {200, opacity}};
@@ -33,9 +33,9 @@ class FrontGL : public RenderTest {
   template <class Visit>
   static int eachRay(const scene::Scene& scene, Visit visit) {
     int count = 0;
-    for (int y = 0; y < kSize.y; ++y)
-      for (int x = 0; x < kSize.x; ++x) {
-        TestRay ray = rayThrough(scene.camera, kSize, {x + 0.5, y + 0.5});
+    for (int y = 0; y < kFrontSize.y; ++y)
+      for (int x = 0; x < kFrontSize.x; ++x) {
+        TestRay ray = rayThrough(scene.camera, kFrontSize, {x + 0.5, y + 0.5});
         glm::dvec2 box = boxInterval(*scene.volume.data, ray);
         if (box.y - box.x < 2.0) continue;
         visit(glm::ivec2(x, y), ray, box);
@@ -52,10 +52,10 @@ TEST_F(FrontGL, LiesWhereHalfOfTheLightIsLeft) {
   for (auto projection : {scene::Projection::Orthographic, scene::Projection::Perspective})
     for (double extinction : {0.05, 0.12, 0.6, 4.0})
       for (double turn : {0.0, 0.4}) {
-        scene::Scene scene = fog(extinction, centredFrame(kDims, {1, 1, 1}, turn, {12, -7, 30}));
+        scene::Scene scene = fog(extinction, centredFrame(kFrontDims, {1, 1, 1}, turn, {12, -7, 30}));
         scene.camera.projection = projection;
         lookAlong(scene, {0.2, -1, 0.3}, 200);
-        Image image = draw(scene, kSize, kAllLayers);
+        Image image = draw(scene, kFrontSize, kAllLayers);
         int halves = 0;
         eachRay(scene, [&](glm::ivec2 pixel, const TestRay& ray, glm::dvec2 box) {
           double front = box.x + kHalf / extinction;
@@ -77,7 +77,7 @@ TEST_F(FrontGL, LiesWhereHalfOfTheLightIsLeft) {
 TEST_F(FrontGL, OfWhatNeverIsHalfOpaqueIsWhereItBegins) {
   scene::Scene scene = fog(0.005);
   lookAlong(scene, {0, -1, 0}, 200);
-  Image image = draw(scene, kSize, kAllLayers);
+  Image image = draw(scene, kFrontSize, kAllLayers);
   int rays = eachRay(scene, [&](glm::ivec2 pixel, const TestRay& ray, glm::dvec2 box) {
     ASSERT_LT(sampleOf(image, pixel, "A"), 0.5f);
     ASSERT_NEAR(alongRay(image, pixel, ray), box.x, 2.0 * kRounding);
@@ -91,7 +91,7 @@ TEST_F(FrontGL, IdAndPlaceAreThoseOfTheStructureThatMakesTheHalf) {
   for (double extinction : {0.07, 0.17, 0.5}) {
     scene::Scene scene = fog(extinction);
     scene.labels.data = Shared<LabelVolume>(makeLabels(
-        kDims, [&](glm::ivec3 p) { return p.y / int(kSlab) % 2 == 0 ? 3 : 8; }, centredFrame(kDims)));
+        kFrontDims, [&](glm::ivec3 p) { return p.y / int(kSlab) % 2 == 0 ? 3 : 8; }, centredFrame(kFrontDims)));
     scene::completeStructures(scene.labels);
     scene.labels.structures[0].opacity = 1.0 / 3.0;
     for (double side : {-1.0, 1.0}) {
@@ -110,13 +110,13 @@ TEST_F(FrontGL, IdAndPlaceAreThoseOfTheStructureThatMakesTheHalf) {
       }
       double toBorder = std::abs(place / kSlab - std::round(place / kSlab)) * kSlab;
       ASSERT_GT(toBorder, kRounding) << "the test is not about a border";
-      Image image = draw(scene, kSize, kAllLayers);
+      Image image = draw(scene, kFrontSize, kAllLayers);
       int rays = eachRay(scene, [&](glm::ivec2 pixel, const TestRay& ray, glm::dvec2 box) {
         ASSERT_EQ(sampleOf(image, pixel, "id"), float(id)) << extinction << " from " << side;
         ASSERT_NEAR(alongRay(image, pixel, ray), box.x + place, kRounding) << extinction << " from " << side;
       });
       EXPECT_GT(rays, 300);
-      EXPECT_EQ(renderer().pick(kSize / 2).structure, id);
+      EXPECT_EQ(renderer().pick(kFrontSize / 2).structure, id);
     }
   }
 }
@@ -130,7 +130,7 @@ TEST_F(FrontGL, BehindACutItCountsFromTheFace) {
   cut.centre = {0, -11, 0};
   cut.axis = {0.2, -1, 0.1};
   scene::addCut(scene, cut);
-  Image image = draw(scene, kSize, kAllLayers);
+  Image image = draw(scene, kFrontSize, kAllLayers);
   int rays = eachRay(scene, [&](glm::ivec2 pixel, const TestRay& ray, glm::dvec2) {
     double face = glm::dot(cut.centre - ray.origin, cut.axis) / glm::dot(ray.direction, cut.axis);
     ASSERT_NEAR(alongRay(image, pixel, ray), face + kHalf / extinction, kRounding);

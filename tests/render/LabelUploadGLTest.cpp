@@ -15,7 +15,7 @@ using render::LabelSpace;
 using render::LabelUpload;
 
 /// Neither a whole number of bricks nor of blocks.
-constexpr glm::ivec3 kDims(75, 50, 70);
+constexpr glm::ivec3 kLabelUploadDims(75, 50, 70);
 constexpr std::size_t kBrickBytes = 32 * 32 * 32 * 2;
 
 LabelSpace spaceOf(glm::ivec3 dims, const glm::dmat4& worldFromVoxel) {
@@ -26,10 +26,10 @@ LabelSpace spaceOf(glm::ivec3 dims, const glm::dmat4& worldFromVoxel) {
 
 LabelVolume startLabels(const glm::dmat4& frame) {
   LabelVolume labels = makeLabels(
-      kDims, [](glm::ivec3 p) { return glm::length(glm::dvec3(p) - 30.0) < 18 ? 1
-                                       : p.x > 60 && p.y < 20                 ? 300
-                                                                              : 0; },
-      frame);
+      kLabelUploadDims,
+      [](glm::ivec3 p) { return glm::length(glm::dvec3(p) - 30.0) < 18 ? 1
+                                : p.x > 60 && p.y < 20                 ? 300
+                                                                       : 0; }, frame);
   labels.table = {{1, "ball", {0, 1, 0}, 1.0f}, {300, "bar", {0, 0, 1}, 1.0f}};
   return labels;
 }
@@ -53,7 +53,7 @@ class Edits {
   const Shared<LabelVolume>& next() {
     int kind = pick(5);
     const LabelVolume& now = *mPast.back();
-    glm::ivec3 low(pick(kDims.x), pick(kDims.y), pick(kDims.z));
+    glm::ivec3 low(pick(kLabelUploadDims.x), pick(kLabelUploadDims.y), pick(kLabelUploadDims.z));
     if (kind == 0 && mPast.size() > 2) {
       mPast.pop_back();
     } else if (kind == 1 && now.table.size() > 1) {
@@ -68,10 +68,11 @@ class Edits {
  private:
   int pick(int count) { return int(mRandom() % unsigned(count)); }
   static LabelVolume without(LabelVolume labels, std::uint16_t id) {
-    std::vector<std::uint16_t> ids(std::size_t(kDims.x) * std::size_t(kDims.y) * std::size_t(kDims.z));
-    labels.read({0, 0, 0}, kDims, ids);
+    std::vector<std::uint16_t> ids(std::size_t(kLabelUploadDims.x) * std::size_t(kLabelUploadDims.y) *
+                                   std::size_t(kLabelUploadDims.z));
+    labels.read({0, 0, 0}, kLabelUploadDims, ids);
     std::replace(ids.begin(), ids.end(), id, std::uint16_t(0));
-    labels.write({0, 0, 0}, kDims, ids);
+    labels.write({0, 0, 0}, kLabelUploadDims, ids);
     std::erase_if(labels.table, [&](const LabelInfo& info) { return info.id == id; });
     return labels;
   }
@@ -110,8 +111,9 @@ class LabelUploadGL : public RenderTest {
   /// Labels alone or over a volume, cuts that spare structures of the start and new ones.
   static scene::Scene sceneToEdit(bool isAlone, bool hasSpares, scene::RenderMode mode) {
     scene::Scene scene = sceneOf(makeVolume(
-        kDims, SampleType::UInt8, [](glm::ivec3 p) { return 60 + 60 * std::sin(p.x * 0.2) * std::cos(p.z * 0.15); },
-        centredFrame(kDims)));
+        kLabelUploadDims, SampleType::UInt8,
+        [](glm::ivec3 p) { return 60 + 60 * std::sin(p.x * 0.2) * std::cos(p.z * 0.15); },
+        centredFrame(kLabelUploadDims)));
     scene.volume.transfer.colors = {{0, {1, 0.8f, 0.6f}}};
     scene.volume.transfer.opacities = {{60, 0}, {110, 0.6}};
     scene.rayCast.mode = mode;
@@ -134,9 +136,9 @@ class LabelUploadGL : public RenderTest {
 };
 
 TEST_F(LabelUploadGL, AfterAnyEditsTheGpuHoldsWhatAFreshUploadDoes) {
-  glm::dmat4 frame = centredFrame(kDims);
+  glm::dmat4 frame = centredFrame(kLabelUploadDims);
   const LabelSpace kSpaces[] = {
-      spaceOf(kDims, frame),
+      spaceOf(kLabelUploadDims, frame),
       // A finer grid that is turned against the labels and sticks out, and one that covers a corner of them.
       spaceOf({90, 110, 64}, centredFrame({90, 110, 64}, {0.8, 0.7, 1.1}, 0.5)),
       spaceOf({40, 20, 260}, glm::translate(glm::dmat4(1.0), {20, 15, -40}) * centredFrame({40, 20, 260}, {1, 2, 0.3})),
@@ -194,10 +196,10 @@ TEST_F(LabelUploadGL, OneVoxelIsOneBrickAndSeldomAnotherMap) {
 }
 
 TEST_F(LabelUploadGL, AnotherGridOfCellsCostsNoTexels) {
-  glm::dmat4 frame = centredFrame(kDims);
+  glm::dmat4 frame = centredFrame(kLabelUploadDims);
   Shared<LabelVolume> labels(startLabels(frame));
   LabelUpload upload(context().limits());
-  upload.update(labels, spaceOf(kDims, frame));
+  upload.update(labels, spaceOf(kLabelUploadDims, frame));
   upload.update(labels, spaceOf({20, 20, 20}, centredFrame({20, 20, 20})));
   EXPECT_EQ(upload.bytesSent(), 0u);
   EXPECT_EQ(upload.cells().sets().size(), 5u * 5 * 5);
@@ -208,8 +210,8 @@ TEST_F(LabelUploadGL, LabelsThatAreTooLargeAreRefusedAndTheNextOnesShown) {
   gpu::Limits limits = context().limits();
   limits.texture3d = 64;
   LabelUpload upload(limits);
-  glm::dmat4 frame = centredFrame(kDims);
-  EXPECT_THROW(upload.update(Shared<LabelVolume>(startLabels(frame)), spaceOf(kDims, frame)), gpu::GpuError);
+  glm::dmat4 frame = centredFrame(kLabelUploadDims);
+  EXPECT_THROW(upload.update(Shared<LabelVolume>(startLabels(frame)), spaceOf(kLabelUploadDims, frame)), gpu::GpuError);
   glm::ivec3 small(40, 40, 40);
   upload.update(Shared<LabelVolume>(LabelVolume(small, frame)), spaceOf(small, frame));
   EXPECT_EQ(idsOf(upload), std::vector<std::uint16_t>(40 * 40 * 40, 0));
@@ -222,7 +224,8 @@ struct EditedPicture {
 };
 
 TEST_F(LabelUploadGL, APictureAfterAnEditIsThatOfLabelsSentWhole) {
-  std::size_t whole = std::size_t(kDims.x) * std::size_t(kDims.y) * std::size_t(kDims.z) * 2;
+  std::size_t whole =
+      std::size_t(kLabelUploadDims.x) * std::size_t(kLabelUploadDims.y) * std::size_t(kLabelUploadDims.z) * 2;
   render::Renderer other(context());
   unsigned seed = 7;
   for (const EditedPicture& picture : {EditedPicture{"over a volume"},
@@ -232,9 +235,9 @@ TEST_F(LabelUploadGL, APictureAfterAnEditIsThatOfLabelsSentWhole) {
                                        {"an isosurface", false, true, scene::RenderMode::Iso},
                                        {"a maximum", false, true, scene::RenderMode::Mip}}) {
     scene::Scene scene = sceneToEdit(picture.isAlone, picture.hasSpares, picture.mode), small = scene;
-    small.labels.data = Shared<LabelVolume>(LabelVolume({8, 8, 8}, centredFrame(kDims)));
+    small.labels.data = Shared<LabelVolume>(LabelVolume({8, 8, 8}, centredFrame(kLabelUploadDims)));
     draw(small, {4, 4});
-    Edits edits(Shared<LabelVolume>(startLabels(centredFrame(kDims))), seed++);
+    Edits edits(Shared<LabelVolume>(startLabels(centredFrame(kLabelUploadDims))), seed++);
     Shared<LabelVolume> before;
     double shown = 0;
     for (int turn = 0; turn < 12; ++turn) {

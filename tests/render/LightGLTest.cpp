@@ -10,9 +10,9 @@
 namespace velum {
 namespace {
 
-constexpr glm::ivec3 kDims(48, 48, 48);
-constexpr double kRadius = 16.0;
-constexpr glm::ivec2 kSize(96, 96);
+constexpr glm::ivec3 kLightDims(48, 48, 48);
+constexpr double kLightRadius = 16.0;
+constexpr glm::ivec2 kLightSize(96, 96);
 constexpr glm::vec3 kAlbedo{0.8f, 0.5f, 0.3f};
 
 /// Millimetres, from the middle.
@@ -23,7 +23,7 @@ class LightGL : public RenderTest {
   /// A body whose depth below its surface is a function, in a box of 48 mm: values are the depth in tenths of a
   /// millimetre, so that the gradient is 10 a millimetre all around. Orthographic, two pixels a millimetre.
   static scene::Scene bodyOf(const Depth& depthAt, double voxel = 1.0) {
-    glm::ivec3 dims(glm::dvec3(kDims) / voxel);
+    glm::ivec3 dims(glm::dvec3(kLightDims) / voxel);
     glm::dmat4 frame = centredFrame(dims, glm::dvec3(voxel));
     scene::Scene scene = sceneOf(makeVolume(
         dims, SampleType::Float32,
@@ -42,7 +42,7 @@ class LightGL : public RenderTest {
     lookAlong(scene, {0, -1, 0});
     return scene;
   }
-  static double ballAt(glm::dvec3 p) { return kRadius - glm::length(p); }
+  static double ballAt(glm::dvec3 p) { return kLightRadius - glm::length(p); }
   static scene::Scene ball() { return bodyOf(ballAt); }
 
   static double brightness(const Image& image, glm::ivec2 pixel) {
@@ -64,7 +64,7 @@ class LightGL : public RenderTest {
                                    glm::dot(world, back)};
   }
   static glm::ivec2 pixelOf(const scene::Scene& scene, glm::dvec3 world) {
-    return glm::ivec2(glm::floor(scene::pixelFromWorld(scene.camera, glm::dvec2(kSize), world).value()));
+    return glm::ivec2(glm::floor(scene::pixelFromWorld(scene.camera, glm::dvec2(kLightSize), world).value()));
   }
 };
 
@@ -76,9 +76,9 @@ TEST_F(LightGL, TheSideOfTheKeyLightIsBrighterThanTheFarSide) {
         scene.rayCast.mode = mode;
         scene.lighting.keyDirection = {key, 0.4};
         lookAlong(scene, side);
-        Image image = draw(scene, kSize);
+        Image image = draw(scene, kLightSize);
         // Rows run downwards.
-        glm::ivec2 off(glm::dvec2(key.x, -key.y) * 22.0), middle = kSize / 2;
+        glm::ivec2 off(glm::dvec2(key.x, -key.y) * 22.0), middle = kLightSize / 2;
         EXPECT_GT(brightness(image, middle + off), brightness(image, middle - off) + 0.2)
             << enumName(mode) << " key " << key.x << ", " << key.y << " seen from " << side.x << ", " << side.y;
       }
@@ -95,7 +95,7 @@ TEST_F(LightGL, ALitBallIsItsFormula) {
     lookAlong(scene, side);
     glm::dvec3 eye = towardsEye(scene), key = keyOf(scene);
     glm::dvec3 up = glm::normalize(scene.camera.up - glm::dot(scene.camera.up, eye) * eye);
-    Image image = draw(scene, kSize, kAllLayers);
+    Image image = draw(scene, kLightSize, kAllLayers);
     int compared = 0;
     eachShown(image, [&](glm::ivec2 pixel, glm::vec3 place) {
       glm::dvec3 normal = glm::normalize(glm::dvec3(place));
@@ -127,7 +127,7 @@ TEST_F(LightGL, TheHighlightIsWhereTheMirrorSaysItIs) {
         scene.lighting.ambient = scene.lighting.diffuse = 0.0;
         scene.lighting.specular = 1.0;
         scene.lighting.shininess = 60.0;
-        Image image = draw(scene, kSize, kAllLayers);
+        Image image = draw(scene, kLightSize, kAllLayers);
         glm::dvec3 sum(0.0);
         double weight = 0;
         eachShown(image, [&](glm::ivec2 pixel, glm::vec3 place) {
@@ -136,7 +136,7 @@ TEST_F(LightGL, TheHighlightIsWhereTheMirrorSaysItIs) {
           weight += w;
         });
         ASSERT_GT(weight, 0.1);
-        glm::dvec3 normal = glm::normalize(sum / weight), place = kRadius * normal;
+        glm::dvec3 normal = glm::normalize(sum / weight), place = kLightRadius * normal;
         glm::dvec3 eye = projection == scene::Projection::Orthographic ? towardsEye(scene)
                                                                        : glm::normalize(scene.camera.eye - place);
         glm::dvec3 mirrored = glm::reflect(-keyOf(scene), normal);
@@ -152,14 +152,14 @@ TEST_F(LightGL, TheInsideOfAShellIsLitOnTheSideThatIsSeen) {
     scene.rayCast.mode = mode;
     scene.lighting.keyDirection = {0, 0, 1};
     scene.lighting.specular = 0.0;
-    double outside = brightness(draw(scene, kSize), kSize / 2);
+    double outside = brightness(draw(scene, kLightSize), kLightSize / 2);
     scene::Cut cut;
     cut.axis = {0, -1, 0};  // takes the half before the middle
     scene::addCut(scene, cut);
-    Image image = draw(scene, kSize, kAllLayers);
-    EXPECT_NEAR(vectorOf(image, kSize / 2, "position").y, 13.0, 0.6) << enumName(mode);
-    EXPECT_NEAR(brightness(image, kSize / 2), outside, 0.03) << enumName(mode);
-    EXPECT_LT(vectorOf(image, kSize / 2, "normal").y, -0.95f) << enumName(mode);
+    Image image = draw(scene, kLightSize, kAllLayers);
+    EXPECT_NEAR(vectorOf(image, kLightSize / 2, "position").y, 13.0, 0.6) << enumName(mode);
+    EXPECT_NEAR(brightness(image, kLightSize / 2), outside, 0.03) << enumName(mode);
+    EXPECT_LT(vectorOf(image, kLightSize / 2, "normal").y, -0.95f) << enumName(mode);
   }
 }
 
@@ -178,11 +178,11 @@ TEST_F(LightGL, ASlantingFaceIsLitEvenlyWhetherItIsCutOrGrown) {
       lightFrom(scene, glm::normalize(normal + glm::dvec3(0.8, 0.3, 0.0)));
       scene.lighting.shadow = 0.6;
       scene.lighting.occlusion = 0.7;
-      Image image = draw(scene, kSize);
+      Image image = draw(scene, kLightSize);
       double least = 1.0, most = 0.0;
       for (int y = -20; y <= 20; ++y)
         for (int x = -20; x <= 20; ++x) {
-          double bright = brightness(image, kSize / 2 + glm::ivec2(x, y));
+          double bright = brightness(image, kLightSize / 2 + glm::ivec2(x, y));
           least = std::min(least, bright), most = std::max(most, bright);
         }
       EXPECT_GT(least, 0.3);
@@ -192,12 +192,12 @@ TEST_F(LightGL, ASlantingFaceIsLitEvenlyWhetherItIsCutOrGrown) {
 
 TEST_F(LightGL, ACutInFrontOfABodyLeavesItsShading) {
   scene::Scene scene = ball();
-  Image whole = draw(scene, kSize);
+  Image whole = draw(scene, kLightSize);
   scene::Cut plane;
   plane.centre = {0, -20, 0};  // four voxels before the ball
   plane.axis = {0, -1, 0};
   scene.cuts = {plane};
-  expectSame(draw(scene, kSize), whole, 2.0, "a cut through air");
+  expectSame(draw(scene, kLightSize), whole, 2.0, "a cut through air");
 }
 
 /// A floor, lit from straight above, and a ball that hangs over its middle.
@@ -236,7 +236,7 @@ class BlockerGL : public LightGL {
     double below = 0, beside = 0;
   };
   Floor floorOf(const scene::Scene& scene) {
-    Image image = draw(scene, kSize, kAllLayers);
+    Image image = draw(scene, kLightSize, kAllLayers);
     glm::ivec2 below = pixelOf(scene, {0, 0, kFloor}), beside = pixelOf(scene, {15, -6, kFloor});
     for (glm::ivec2 pixel : {below, beside}) EXPECT_NEAR(vectorOf(image, pixel, "position").z, kFloor, 1.0);
     return {brightness(image, below), brightness(image, beside)};
@@ -263,7 +263,7 @@ TEST_F(BlockerGL, WhatStandsInTheLightThrowsAShadowAndNothingElseDoes) {
 TEST_F(BlockerGL, AThinBlockerThrowsItsShadowWholeHoweverFarOff) {
   // A sheet of a millimetre, two cells, 30 mm over a floor that slopes, so that it is met after whole and broken steps.
   // It goes to the end of the data, and light comes in behind that.
-  constexpr double kSheet = 21.0, kHalf = 0.5, kEdge = 6.0, kMargin = 2.5, kSheetEnd = 0.5 * kDims.x - kMargin;
+  constexpr double kSheet = 21.0, kHalf = 0.5, kEdge = 6.0, kMargin = 2.5, kSheetEnd = 0.5 * kLightDims.x - kMargin;
   auto depthAt = [](glm::dvec3 p) {
     double floor = (-10.0 + 0.3 * p.y - p.z) / std::sqrt(1.09);
     return std::max(floor, std::min(p.x - kEdge, kHalf - std::abs(p.z - kSheet)));
@@ -271,7 +271,7 @@ TEST_F(BlockerGL, AThinBlockerThrowsItsShadowWholeHoweverFarOff) {
   glm::dvec3 light = glm::normalize(glm::dvec3(0.5, 0.2, 0.84));
   scene::Scene scene = sceneWith(depthAt, scene::RenderMode::Volume, 0.5);
   lightFrom(scene, light);
-  Image image = draw(scene, kSize, kAllLayers);
+  Image image = draw(scene, kLightSize, kAllLayers);
   double open = brightness(image, pixelOf(scene, {-20, 0, -10}));
   int shadowed = 0, lit = 0, tooLight = 0, tooDark = 0;
   eachShown(image, [&](glm::ivec2 pixel, glm::vec3 place) {
@@ -381,7 +381,7 @@ TEST_F(BlockerGL, OpennessInFogIsWhatIsLeftOfTheLightFromAround) {
     seen += weight * std::min(1.0, 1.6 * mean);
     weights += weight;
   }
-  glm::vec4 color = colorOf(draw(scene, kSize), kSize / 2);
+  glm::vec4 color = colorOf(draw(scene, kLightSize), kLightSize / 2);
   // Fog has no normal but the one to the eye: half of the sky.
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(color[c], double(kAlbedo[c]) * 0.7 * seen / weights, 0.02);
 }
@@ -398,12 +398,12 @@ TEST_F(BlockerGL, AHoleIsDarkerThanTheOpenFloorByOcclusion) {
     scene.lighting.shadow = 0.0;
     scene.lighting.occlusion = 1.0;
     scene.lighting.occlusionRadius = 0.12;
-    Image image = draw(scene, kSize, kAllLayers);
+    Image image = draw(scene, kLightSize, kAllLayers);
     glm::ivec2 hole = pixelOf(scene, {0, 0, kFloor}), open = pixelOf(scene, {14, 9, kFloor});
     EXPECT_LT(vectorOf(image, hole, "position").z, kFloor - 6.0);
     EXPECT_LT(brightness(image, hole), 0.8 * brightness(image, open)) << enumName(mode);
     scene.lighting.occlusion = 0.0;
-    image = draw(scene, kSize);
+    image = draw(scene, kLightSize);
     EXPECT_NEAR(brightness(image, hole), brightness(image, open), 0.03) << enumName(mode);
   }
 }
@@ -417,7 +417,7 @@ TEST_F(BlockerGL, AWallTakesAsMuchOfTheLightFromAroundFromWhicheverSide) {
     scene.lighting.diffuse = scene.lighting.shadow = 0.0;
     scene.lighting.ambient = scene.lighting.occlusion = 1.0;
     scene.lighting.occlusionRadius = 0.15;
-    Image image = draw(scene, kSize);
+    Image image = draw(scene, kLightSize);
     // Places lie where four pixels meet: one of them alone would be nearer to the wall on one side than on the other.
     auto around = [&](glm::dvec3 place) {
       glm::ivec2 pixel = pixelOf(scene, place + glm::dvec3(1e-6, -1e-6, 0.0));
@@ -438,20 +438,20 @@ TEST_F(BlockerGL, StrengthsOfNothingChangeNothing) {
     scene::Scene scene = sceneWith(walled, mode);
     scene.lighting.shadow = scene.lighting.occlusion = 0.0;
     scene.lighting.occlusionRadius = 0.12;
-    Image plain = draw(scene, kSize);
+    Image plain = draw(scene, kLightSize);
     scene.lighting.shadow = 1.0;
-    Image shadowed = draw(scene, kSize);
+    Image shadowed = draw(scene, kLightSize);
     scene.lighting.occlusion = 1e-6;
-    expectSame(draw(scene, kSize), shadowed, 0.1, "occlusion beside shadows");
+    expectSame(draw(scene, kLightSize), shadowed, 0.1, "occlusion beside shadows");
     scene.lighting.shadow = 0.0;
-    expectSame(draw(scene, kSize), plain, 0.1, "occlusion alone");
+    expectSame(draw(scene, kLightSize), plain, 0.1, "occlusion alone");
     scene.lighting.occlusion = 1.0;
-    Image occluded = draw(scene, kSize);
+    Image occluded = draw(scene, kLightSize);
     EXPECT_GT(differenceOf(occluded, plain).largest, 5.0);
     scene.lighting.shadow = 1e-6;
-    expectSame(draw(scene, kSize), occluded, 0.1, "shadows beside occlusion");
+    expectSame(draw(scene, kLightSize), occluded, 0.1, "shadows beside occlusion");
     scene.lighting.occlusion = 0.0;
-    expectSame(draw(scene, kSize), plain, 0.1, "shadows alone");
+    expectSame(draw(scene, kLightSize), plain, 0.1, "shadows alone");
   }
 }
 
@@ -471,11 +471,11 @@ TEST_F(BlockerGL, VoxelsOfOneAndOfTwoMillimetresAreLitAlike) {
         scene.lighting.occlusionRadius = 0.1;
         scene.lighting.specular = 0.25;
         lightFrom(scene, {-0.4, -0.3, 1});
-        images[i] = draw(scene, kSize);
+        images[i] = draw(scene, kLightSize);
       }
       double sums[2] = {0, 0};
-      for (int y = 0; y < kSize.y; ++y)
-        for (int x = 0; x < kSize.x; ++x)
+      for (int y = 0; y < kLightSize.y; ++y)
+        for (int x = 0; x < kLightSize.x; ++x)
           for (int i = 0; i < 2; ++i) sums[i] += brightness(images[i], {x, y}) * double(colorOf(images[i], {x, y}).a);
       std::string what = fmt::format("{}, opacity {}{}", enumName(mode), opacity, isOccluded ? ", occluded" : "");
       // Where it is translucent normals come from more than its surface.

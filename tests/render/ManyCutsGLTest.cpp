@@ -9,9 +9,9 @@
 namespace velum {
 namespace {
 
-constexpr glm::ivec3 kDims(40, 12, 40);
-constexpr glm::ivec2 kSize(80, 80);  // two pixels a millimetre
-constexpr int kSide = 8;             // cuts along x and z
+constexpr glm::ivec3 kManyCutsDims(40, 12, 40);
+constexpr glm::ivec2 kManyCutsSize(80, 80);  // two pixels a millimetre
+constexpr int kSide = 8;                     // cuts along x and z
 constexpr int kCuts = kSide * kSide;
 constexpr double kPitch = 5.0;
 
@@ -25,10 +25,10 @@ class ManyCutsGL : public RenderTest {
   /// @param spares  by cut
   static scene::Scene sceneSparing(const std::map<int, scene::Spare>& spares) {
     scene::Scene scene = sceneOf(makeVolume(
-        kDims, SampleType::UInt8, [](glm::ivec3) { return 100; }, centredFrame(kDims)));
+        kManyCutsDims, SampleType::UInt8, [](glm::ivec3) { return 100; }, centredFrame(kManyCutsDims)));
     makeSolid(scene);
     scene.labels.data = Shared<LabelVolume>(makeLabels(
-        kDims, [](glm::ivec3 p) { return p.y < 6 ? 2 : 9; }, scene.volume.data->worldFromVoxel));
+        kManyCutsDims, [](glm::ivec3 p) { return p.y < 6 ? 2 : 9; }, scene.volume.data->worldFromVoxel));
     scene::completeStructures(scene.labels);
     for (int i = 0; i < kCuts; ++i) {
       scene::Cut box;
@@ -46,7 +46,7 @@ class ManyCutsGL : public RenderTest {
     return scene;
   }
   static glm::ivec2 pixelOf(const scene::Scene& scene, glm::dvec3 world) {
-    return glm::ivec2(scene::pixelFromWorld(scene.camera, glm::dvec2(kSize), world).value());
+    return glm::ivec2(scene::pixelFromWorld(scene.camera, glm::dvec2(kManyCutsSize), world).value());
   }
 };
 
@@ -55,25 +55,25 @@ TEST_F(ManyCutsGL, AStructureThatOneOfThemSparesIsWholeThereAndNowhereElse) {
     SCOPED_TRACE(spared);
     int other = (spared + 37) % kCuts;  // spares the half in front
     scene::Scene scene = sceneSparing({{spared, {9}}, {other, {2}}});
-    Image image = draw(scene, kSize, kAllLayers);
+    Image image = draw(scene, kManyCutsSize, kAllLayers);
     Progress progress;
-    auto kept = render::keptVoxels(scene, kDims, scene.volume.data->worldFromVoxel, progress);
-    auto view = scene::makeSectionPlane(scene, scene::SectionKind::Coronal, glm::dvec2(kSize));
+    auto kept = render::keptVoxels(scene, kManyCutsDims, scene.volume.data->worldFromVoxel, progress);
+    auto view = scene::makeSectionPlane(scene, scene::SectionKind::Coronal, glm::dvec2(kManyCutsSize));
     scene::Scene bare = scene;
     bare.cuts.clear();
     for (double y : {-3.0, 3.0}) {
       scene.sections.crosshair.y = bare.sections.crosshair.y = y;
-      auto section = render::drawSection(scene, scene::SectionKind::Coronal, kSize);
-      auto whole = render::drawSection(bare, scene::SectionKind::Coronal, kSize);
+      auto section = render::drawSection(scene, scene::SectionKind::Coronal, kManyCutsSize);
+      auto whole = render::drawSection(bare, scene::SectionKind::Coronal, kManyCutsSize);
       for (int i = 0; i < kCuts; ++i) {
         glm::dvec3 place = middleOf(i);
         place.y = y;
         bool isWhole = i == (y > 0 ? spared : other);
-        glm::ivec3 voxel(glm::floor(place + 0.5 * glm::dvec3(kDims)));
-        auto at = std::size_t((voxel.z * kDims.y + voxel.y) * kDims.x + voxel.x);
+        glm::ivec3 voxel(glm::floor(place + 0.5 * glm::dvec3(kManyCutsDims)));
+        auto at = std::size_t((voxel.z * kManyCutsDims.y + voxel.y) * kManyCutsDims.x + voxel.x);
         ASSERT_EQ(kept[at] != 0, isWhole) << "voxel of cut " << i << " at depth " << y;
         glm::ivec2 pixel(glm::floor(scene::sectionPixelFromWorld(view, place)));
-        auto p = std::size_t(pixel.y * kSize.x + pixel.x);
+        auto p = std::size_t(pixel.y * kManyCutsSize.x + pixel.x);
         ASSERT_EQ(section.pixels[p] == whole.pixels[p], isWhole) << "section of cut " << i << " at depth " << y;
       }
     }
@@ -87,14 +87,15 @@ TEST_F(ManyCutsGL, AStructureThatOneOfThemSparesIsWholeThereAndNowhereElse) {
           << "where its half begins, by a step";
       EXPECT_EQ(renderer().pick(pixel).structure, id);
     }
-    EXPECT_GT(sampleOf(image, {kSize.x / 2, kSize.y / 2}, "A"), 0.9f) << "between the boxes nothing is taken";
+    EXPECT_GT(sampleOf(image, {kManyCutsSize.x / 2, kManyCutsSize.y / 2}, "A"), 0.9f)
+        << "between the boxes nothing is taken";
   }
 }
 
 TEST_F(ManyCutsGL, ADepthThatOneOfThemSparesIsItsOwn) {
   for (int spared : {31, 32, 63}) {
     scene::Scene scene = sceneSparing({{spared, {2, 1.0}}});
-    Image image = draw(scene, kSize);
+    Image image = draw(scene, kManyCutsSize);
     for (int i = 0; i < kCuts; ++i) {
       // Half a millimetre off the box's side, 3.5 mm off its middle.
       glm::dvec3 edge = middleOf(i) + glm::dvec3(0.5 * (kPitch - 1.0) - 0.5, 0, 0);

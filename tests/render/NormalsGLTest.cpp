@@ -10,12 +10,12 @@ namespace {
 
 const glm::dvec3 kToCamera(0.5, -1.0, 0.3);
 
-enum class Form { Ball, Tube, Plate };
-constexpr const char* kNames[] = {"ball", "tube", "plate"};
+enum class NormalsForm { Ball, Tube, Plate };
+constexpr const char* kNormalsNames[] = {"ball", "tube", "plate"};
 
 /// A thing of a radius in voxels, or of half a thickness, blurred as scanners do.
-struct Thing {
-  Form form = Form::Ball;
+struct NormalsThing {
+  NormalsForm form = NormalsForm::Ball;
   double radius = 1;
   bool isSharp = false;  ///< As sharp as voxels are.
   double boneAt = 0.0;   ///< So far from its surface lies something flat that is five times as bright; 0: nothing.
@@ -24,12 +24,12 @@ struct Thing {
   glm::dvec3 centre() const { return 0.5 * glm::dvec3(dims() - 1) + glm::dvec3(0.13, 0.31, -0.22); }
   /// Of a tube, or across a plate.
   glm::dvec3 axis() const {
-    return glm::normalize(form == Form::Plate ? glm::dvec3(0.4, -0.86, 0.3) : glm::dvec3(0.4, 0.3, 0.86));
+    return glm::normalize(form == NormalsForm::Plate ? glm::dvec3(0.4, -0.86, 0.3) : glm::dvec3(0.4, 0.3, 0.86));
   }
   /// From the middle, the axis or the middle plane.
   glm::dvec3 outwards(glm::dvec3 p) const {
     glm::dvec3 off = p - centre(), along = axis() * glm::dot(off, axis());
-    return form == Form::Ball ? off : form == Form::Tube ? off - along : along;
+    return form == NormalsForm::Ball ? off : form == NormalsForm::Tube ? off - along : along;
   }
   /// Share of a voxel that is inside, by an edge of 0.6 voxels.
   double valueAt(glm::dvec3 p) const {
@@ -46,7 +46,7 @@ struct Thing {
 class NormalsGL : public RenderTest {
  protected:
   /// @param noise  standard deviation, in shares of the contrast
-  static scene::Scene sceneOf(const Thing& thing, double noise) {
+  static scene::Scene sceneOf(const NormalsThing& thing, double noise) {
     std::mt19937 random(5);
     std::normal_distribution<double> spread(0.0, noise);
     scene::Scene scene = RenderTest::sceneOf(makeVolume(thing.dims(), SampleType::UInt16, [&](glm::ivec3 p) {
@@ -67,7 +67,7 @@ class NormalsGL : public RenderTest {
     return scene;
   }
   /// Degrees between what is drawn and the truth, ascending, where the surface is seen from no flat angle.
-  static std::vector<double> errorsOf(const Image& image, const Thing& thing, glm::dvec3 toEye) {
+  static std::vector<double> errorsOf(const Image& image, const NormalsThing& thing, glm::dvec3 toEye) {
     std::vector<double> errors;
     eachShown(
         image,
@@ -91,21 +91,22 @@ struct Seen {
 };
 
 TEST_F(NormalsGL, OfBallsAndTubesInNoiseAreWithinFiveDegreesOfTheTruth) {
-  for (Form form : {Form::Ball, Form::Tube, Form::Plate})
+  for (NormalsForm form : {NormalsForm::Ball, NormalsForm::Tube, NormalsForm::Plate})
     for (double radius : {0.5, 1.0, 1.5, 2.0, 3.0, 5.0, 10.0, 20.0})
       for (Seen seen : {Seen{scene::RenderMode::Iso, 1.0}, Seen{scene::RenderMode::Volume, 0.1},
                         Seen{scene::RenderMode::Volume, 1.0}}) {
-        if (form == Form::Plate ? radius > 2.0 : radius < 1.0) continue;
+        if (form == NormalsForm::Plate ? radius > 2.0 : radius < 1.0) continue;
         // So thin that light comes through: it has no surface.
-        if (form == Form::Ball && radius == 1.0 && seen.mode == scene::RenderMode::Volume && seen.unit == 1.0) continue;
-        Thing thing{form, radius};
+        if (form == NormalsForm::Ball && radius == 1.0 && seen.mode == scene::RenderMode::Volume && seen.unit == 1.0)
+          continue;
+        NormalsThing thing{form, radius};
         scene::Scene scene = sceneOf(thing, 0.03);
         scene.rayCast.mode = seen.mode;
         scene.volume.transfer.unitDistance = seen.unit;
         auto toEye = glm::normalize(scene.camera.eye - scene.camera.target);
         auto errors = errorsOf(draw(scene, {48, 48}, kAllLayers), thing, toEye);
         std::string what =
-            fmt::format("{} of radius {}, {}, {}", kNames[int(form)], radius, enumName(seen.mode), seen.unit);
+            fmt::format("{} of radius {}, {}, {}", kNormalsNames[int(form)], radius, enumName(seen.mode), seen.unit);
         // The camera's height is twice the radius and a voxel: a thin structure that were lost would be missed here.
         ASSERT_GT(errors.size(), 500u) << what;
         double median = errors[errors.size() / 2];
@@ -118,7 +119,7 @@ TEST_F(NormalsGL, OfBallsAndTubesInNoiseAreWithinFiveDegreesOfTheTruth) {
 /// Without noise: rows and slices show as ridges where a filter is narrow. Differences of single rows are off by 3.0
 /// degrees in the median here and by 5.2 in the worst twentieth; smoothed across by 1.0 and 1.6; these by half of that.
 TEST_F(NormalsGL, ShowNoSliceAsARidge) {
-  Thing thing{Form::Ball, 24.0};
+  NormalsThing thing{NormalsForm::Ball, 24.0};
   scene::Scene scene = sceneOf(thing, 0.0);
   for (auto mode : {scene::RenderMode::Iso, scene::RenderMode::Volume}) {
     scene.rayCast.mode = mode;
@@ -133,7 +134,7 @@ TEST_F(NormalsGL, ShowNoSliceAsARidge) {
 /// Phantoms, means of finer voxels, slices without gaps: narrow differences of these are off by 1.4 degrees in the
 /// median and by 2.3 in the worst twentieth, and the pattern of it looks like wood.
 TEST_F(NormalsGL, ShowNoWoodWhereEdgesAreAsSharpAsVoxels) {
-  Thing thing{Form::Ball, 24.0, true};
+  NormalsThing thing{NormalsForm::Ball, 24.0, true};
   scene::Scene scene = sceneOf(thing, 0.0);
   scene.rayCast.mode = scene::RenderMode::Iso;
   auto errors =
@@ -148,7 +149,7 @@ TEST_F(NormalsGL, ShowNoWoodWhereEdgesAreAsSharpAsVoxels) {
 /// median here and by 37 in the worst tenth.
 TEST_F(NormalsGL, OfAVesselAreNotTakenFromTheBoneBesideIt) {
   for (double radius : {1.0, 1.5, 2.0}) {
-    Thing thing{Form::Tube, radius, false, 3.0};
+    NormalsThing thing{NormalsForm::Tube, radius, false, 3.0};
     scene::Scene scene = sceneOf(thing, 0.03);
     scene.rayCast.mode = scene::RenderMode::Iso;
     auto errors =

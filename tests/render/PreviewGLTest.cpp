@@ -5,14 +5,15 @@
 namespace velum {
 namespace {
 
-constexpr glm::ivec3 kDims(200, 150, 120);
+constexpr glm::ivec3 kPreviewDims(200, 150, 120);
 
 class PreviewGL : public RenderTest {
  protected:
   static scene::Scene ballScene() {
     scene::Scene scene = sceneOf(makeVolume(
-        kDims, SampleType::UInt8,
-        [](glm::ivec3 p) { return glm::length(glm::vec3(p - kDims / 2)) < 45.0f ? 200.0 : 0.0; }, centredFrame(kDims)));
+        kPreviewDims, SampleType::UInt8,
+        [](glm::ivec3 p) { return glm::length(glm::vec3(p - kPreviewDims / 2)) < 45.0f ? 200.0 : 0.0; },
+        centredFrame(kPreviewDims)));
     scene.volume.transfer.colors = {{0, {1, 0.8f, 0.6f}}};
     scene.volume.transfer.opacities = {{90, 0}, {130, 0.9}};
     scene.lighting.shaded = true;

@@ -10,19 +10,19 @@
 namespace velum {
 namespace {
 
-constexpr glm::ivec3 kDims(36, 40, 33);
+constexpr glm::ivec3 kRepeatDims(36, 40, 33);
 
 class RepeatGL : public RenderTest {
  protected:
   /// A scene that uses all that can differ: light, jitter, several samples, labels, a cut, a mesh, a background.
   static scene::Scene richScene() {
     scene::Scene scene = sceneOf(makeVolume(
-        kDims, SampleType::Int16,
+        kRepeatDims, SampleType::Int16,
         [](glm::ivec3 p) {
           double r = glm::length(glm::dvec3(p) - glm::dvec3(18, 20, 16));
           return 900.0 - 60 * r + 150 * hashNoise(p);
         },
-        centredFrame(kDims)));
+        centredFrame(kRepeatDims)));
     scene.lighting.shaded = true;
     scene.rayCast.jitter = true;
     scene.rayCast.samplesPerPixel = 3;
@@ -30,9 +30,9 @@ class RepeatGL : public RenderTest {
     scene.volume.transfer.colors = {{0, {0.5f, 0.2f, 0.1f}}, {900, {1, 0.9f, 0.8f}}};
     scene.volume.transfer.opacities = {{150, 0}, {300, 0.2}, {700, 0.9}};
     scene.labels.data = Shared<LabelVolume>(makeLabels(
-        kDims, [](glm::ivec3 p) { return p.x > 20   ? 2
-                                         : p.z > 20 ? 3
-                                                    : 0; }, scene.volume.data->worldFromVoxel));
+        kRepeatDims, [](glm::ivec3 p) { return p.x > 20   ? 2
+                                               : p.z > 20 ? 3
+                                                          : 0; }, scene.volume.data->worldFromVoxel));
     scene::completeStructures(scene.labels);
     scene::Cut cut;
     cut.axis = {0.3, -1, 0.4};

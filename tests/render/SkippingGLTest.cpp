@@ -6,7 +6,7 @@
 namespace velum {
 namespace {
 
-constexpr glm::ivec3 kDims(45, 38, 51);  // no multiple of the cells' edge
+constexpr glm::ivec3 kSkippingDims(45, 38, 51);  // no multiple of the cells' edge
 
 class SkippingGL : public RenderTest {
  protected:
@@ -29,7 +29,7 @@ class SkippingGL : public RenderTest {
       }
   }
   static scene::Scene sceneWith(std::function<double(glm::ivec3)> valueOf, SampleType type = SampleType::UInt8) {
-    scene::Scene scene = sceneOf(makeVolume(kDims, type, valueOf, centredFrame(kDims)));
+    scene::Scene scene = sceneOf(makeVolume(kSkippingDims, type, valueOf, centredFrame(kSkippingDims)));
     scene.volume.transfer.colors = {{0, {0.2f, 0.4f, 1}}, {255, {1, 0.7f, 0.3f}}};
     scene.volume.transfer.opacities = {{40, 0}, {200, 0.9}};
     return scene;
@@ -42,7 +42,7 @@ TEST_F(SkippingGL, SheetsLinesAndPointsOneVoxelThin) {
   expectSameAsBruteForce(sceneWith([](glm::ivec3 p) { return p.x % 11 == 3 && p.z % 13 == 8 ? 255.0 : 0.0; }), "lines");
   expectSameAsBruteForce(
       sceneWith([](glm::ivec3 p) { return p.x % 8 == 7 && p.y % 8 == 0 && p.z % 8 == 3 ? 255.0 : 0.0; }), "points");
-  expectSameAsBruteForce(sceneWith([](glm::ivec3 p) { return p.x == 0 || p.z == kDims.z - 1 ? 255.0 : 0.0; }),
+  expectSameAsBruteForce(sceneWith([](glm::ivec3 p) { return p.x == 0 || p.z == kSkippingDims.z - 1 ? 255.0 : 0.0; }),
                          "sheets on the border");
 }
 
@@ -81,7 +81,7 @@ TEST_F(SkippingGL, Shaded) {
 TEST_F(SkippingGL, LabelsWithHiddenOnes) {
   scene::Scene scene = sceneWith([](glm::ivec3 p) { return 100 + 100 * hashNoise(p); });
   LabelVolume labels = makeLabels(
-      kDims, [](glm::ivec3 p) { return p.x / 9 + 8 * (p.z / 11); }, scene.volume.data->worldFromVoxel);
+      kSkippingDims, [](glm::ivec3 p) { return p.x / 9 + 8 * (p.z / 11); }, scene.volume.data->worldFromVoxel);
   scene.labels.data = Shared<LabelVolume>(std::move(labels));
   scene::completeStructures(scene.labels);
   for (auto& structure : scene.labels.structures) structure.visible = structure.id % 3 == 0;
@@ -92,7 +92,7 @@ TEST_F(SkippingGL, LabelsWithHiddenOnes) {
   expectSameAsBruteForce(scene, "faint structures");
   // Ids 64 apart share a bit of the cells' sets.
   LabelVolume shared = makeLabels(
-      kDims, [](glm::ivec3 p) { return p.y < 19 ? 1 : 65; }, scene.volume.data->worldFromVoxel);
+      kSkippingDims, [](glm::ivec3 p) { return p.y < 19 ? 1 : 65; }, scene.volume.data->worldFromVoxel);
   scene.labels = {};
   scene.labels.data = Shared<LabelVolume>(std::move(shared));
   scene::completeStructures(scene.labels);
@@ -103,9 +103,9 @@ TEST_F(SkippingGL, LabelsWithHiddenOnes) {
 TEST_F(SkippingGL, LabelsAlone) {
   scene::Scene scene = sceneWith([](glm::ivec3) { return 0.0; });
   LabelVolume labels = makeLabels(
-      kDims, [](glm::ivec3 p) { return glm::length(glm::dvec3(p) - 20.0) < 11 ? 3
-                                       : p.z == 40                            ? 7
-                                                                              : 0; },
+      kSkippingDims, [](glm::ivec3 p) { return glm::length(glm::dvec3(p) - 20.0) < 11 ? 3
+                                               : p.z == 40                            ? 7
+                                                                                      : 0; },
       scene.volume.data->worldFromVoxel);
   scene.labels.data = Shared<LabelVolume>(std::move(labels));
   scene.volume.data = {};
@@ -116,7 +116,7 @@ TEST_F(SkippingGL, LabelsAlone) {
 TEST_F(SkippingGL, CutsThatSpare) {
   scene::Scene scene = sceneWith([](glm::ivec3 p) { return p.y > 6 && p.y < 30 ? 120 + 80 * hashNoise(p) : 0.0; });
   LabelVolume labels = makeLabels(
-      kDims,
+      kSkippingDims,
       [](glm::ivec3 p) { return glm::length(glm::dvec3(p) - glm::dvec3(20, 12, 25)) < 8 ? 5
                                 : p.x == 30                                             ? 6
                                                                                         : 0; },
@@ -143,7 +143,7 @@ TEST_F(SkippingGL, CutsThatSpare) {
 TEST_F(SkippingGL, WhatIsSparedUpToADepth) {
   scene::Scene scene = sceneWith([](glm::ivec3 p) { return p.y > 3 && p.y < 34 ? 120 + 80 * hashNoise(p) : 0.0; });
   LabelVolume labels = makeLabels(
-      kDims,
+      kSkippingDims,
       [](glm::ivec3 p) {
         return glm::length(glm::dvec2(p.x, p.z) - glm::dvec2(14, 25)) < 8 ? 6 : p.x > 26 && p.x < 36 ? 70 : 0;
       },

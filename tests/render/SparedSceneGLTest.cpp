@@ -9,8 +9,8 @@
 namespace velum {
 namespace {
 
-constexpr glm::ivec3 kDims(40, 36, 44);
-constexpr glm::ivec2 kSize(72, 72);
+constexpr glm::ivec3 kSparedSceneDims(40, 36, 44);
+constexpr glm::ivec2 kSparedSceneSize(72, 72);
 
 /// A block with a ball of structure 4 in it; the plane takes all before y = 4, towards the eye.
 class SparedScene : public RenderTest {
@@ -18,11 +18,11 @@ class SparedScene : public RenderTest {
   void SetUp() override {
     RenderTest::SetUp();
     mScene = sceneOf(makeVolume(
-        kDims, SampleType::UInt8, [](glm::ivec3) { return 100; }, centredFrame(kDims)));
+        kSparedSceneDims, SampleType::UInt8, [](glm::ivec3) { return 100; }, centredFrame(kSparedSceneDims)));
     makeSolid(mScene);
     auto inBall = [](glm::ivec3 p) { return glm::length(glm::dvec3(p) - glm::dvec3(20, 10, 22)) < 7; };
     mScene.labels.data = Shared<LabelVolume>(makeLabels(
-        kDims, [&](glm::ivec3 p) { return inBall(p) ? 4 : 0; }, mScene.volume.data->worldFromVoxel));
+        kSparedSceneDims, [&](glm::ivec3 p) { return inBall(p) ? 4 : 0; }, mScene.volume.data->worldFromVoxel));
     scene::completeStructures(mScene.labels);
     scene::Cut plane;
     plane.centre = {0, 4, 0};
@@ -40,12 +40,12 @@ class SparedScene : public RenderTest {
   void expectSameEverywhere(const std::string& what) {
     SCOPED_TRACE(what);
     Progress progress;
-    auto kept = render::keptVoxels(mScene, kDims, mScene.volume.data->worldFromVoxel, progress);
+    auto kept = render::keptVoxels(mScene, kSparedSceneDims, mScene.volume.data->worldFromVoxel, progress);
     std::size_t i = 0;
     int keptCount = 0;
-    for (int z = 0; z < kDims.z; ++z)
-      for (int y = 0; y < kDims.y; ++y)
-        for (int x = 0; x < kDims.x; ++x, ++i) {
+    for (int z = 0; z < kSparedSceneDims.z; ++z)
+      for (int y = 0; y < kSparedSceneDims.y; ++y)
+        for (int x = 0; x < kSparedSceneDims.x; ++x, ++i) {
           glm::dvec3 world(mScene.volume.data->worldFromVoxel * glm::dvec4(x, y, z, 1.0));
           Naive wanted = naive(mScene, world, structureAt(world));
           keptCount += kept[i];
@@ -60,19 +60,19 @@ class SparedScene : public RenderTest {
   void expectSection() {
     scene::Scene bare = mScene;
     bare.cuts.clear();
-    auto view = scene::makeSectionPlane(mScene, scene::SectionKind::Axial, glm::dvec2(kSize));
+    auto view = scene::makeSectionPlane(mScene, scene::SectionKind::Axial, glm::dvec2(kSparedSceneSize));
     auto image = render::drawSection(mScene, view), whole = render::drawSection(bare, view);
-    for (int y = 0; y < kSize.y; ++y)
-      for (int x = 0; x < kSize.x; ++x) {
+    for (int y = 0; y < kSparedSceneSize.y; ++y)
+      for (int x = 0; x < kSparedSceneSize.x; ++x) {
         glm::dvec3 world = scene::worldFromSectionPixel(view, {x + 0.5, y + 0.5});
         glm::dvec3 voxel(glm::inverse(mScene.volume.data->worldFromVoxel) * glm::dvec4(world, 1.0));
         if (glm::any(glm::lessThan(voxel, glm::dvec3(0.5))) ||
-            glm::any(glm::greaterThan(voxel, glm::dvec3(kDims) - 1.5)))
+            glm::any(glm::greaterThan(voxel, glm::dvec3(kSparedSceneDims) - 1.5)))
           continue;
         glm::dvec3 off = glm::abs(glm::fract(voxel + 0.5) - 0.5);
         Naive wanted = naive(mScene, world, structureAt(world));
         if (wanted.isDoubtful || std::max(off.x, std::max(off.y, off.z)) > 0.45) continue;  // on a label's border
-        auto at = std::size_t(y * kSize.x + x);
+        auto at = std::size_t(y * kSparedSceneSize.x + x);
         ASSERT_EQ(image.pixels[at] == whole.pixels[at], wanted.keeps) << "section at " << x << ", " << y;
       }
   }
@@ -82,11 +82,11 @@ class SparedScene : public RenderTest {
     mScene.camera.projection = scene::Projection::Orthographic;
     mScene.camera.height = 60;
     lookAlong(mScene, {0, -1, 0});
-    Image image = draw(mScene, kSize, kAllLayers);
+    Image image = draw(mScene, kSparedSceneSize, kAllLayers);
     int shown = 0, rays = 0, slivers = 0;
-    for (int y = 2; y + 2 < kSize.y; y += 3)
-      for (int x = 2; x + 2 < kSize.x; x += 3) {
-        TestRay ray = rayThrough(mScene.camera, kSize, glm::dvec2(x, y) + 0.5);
+    for (int y = 2; y + 2 < kSparedSceneSize.y; y += 3)
+      for (int x = 2; x + 2 < kSparedSceneSize.x; x += 3) {
+        TestRay ray = rayThrough(mScene.camera, kSparedSceneSize, glm::dvec2(x, y) + 0.5);
         glm::dvec2 box = boxInterval(*mScene.volume.data, ray);
         // Segments are half a voxel, and what is spared is asked in their middles: thinner slivers may be stepped over.
         double found = -1, since = -1;

@@ -86,7 +86,7 @@ bool keepsOnProcessor(const std::vector<shared::CutData>& cuts, const render::Sp
 }
 
 /// Asks the shaders' own functions about points, one by one.
-constexpr const char* kProbe = R"(layout(local_size_x = 64) in;
+constexpr const char* kSparesProbe = R"(layout(local_size_x = 64) in;
 
 #include "common/cuts.glsl"
 
@@ -143,7 +143,7 @@ class SparesGL : public RenderTest {
     sheets.bind();
     if (!mProgram) {
       ProbeShaders probes;
-      probes.add("fold.comp", kProbe);
+      probes.add("fold.comp", kSparesProbe);
       mProgram = probes.make({"fold.comp"}, {{"MEMBRANES", "1"}});
     }
     gpu::dispatch(mProgram, {int(answers.size() + 63) / 64, 1, 1});

@@ -4,7 +4,7 @@
 namespace velum {
 namespace {
 
-constexpr glm::ivec3 kDims(40, 36, 44);
+constexpr glm::ivec3 kTransformDims(40, 36, 44);
 
 /// A lopsided body in world millimetres that fades out before the border of the grid: 0..220.
 double bodyAt(glm::dvec3 p) {
@@ -51,7 +51,7 @@ class TransformGL : public RenderTest {
 };
 
 TEST_F(TransformGL, TurningDataAndCameraTogetherChangesNothing) {
-  scene::Scene scene = bodyScene(bodyVolume(kDims, centredFrame(kDims, {0.8, 1, 0.9})));
+  scene::Scene scene = bodyScene(bodyVolume(kTransformDims, centredFrame(kTransformDims, {0.8, 1, 0.9})));
   scene.lighting.shadow = scene.lighting.occlusion = 0.6;
   scene::Cut ball;
   ball.shape = scene::CutShape::Sphere;
@@ -68,7 +68,7 @@ TEST_F(TransformGL, TurningDataAndCameraTogetherChangesNothing) {
 }
 
 TEST_F(TransformGL, FarFromTheWorldsOriginThePictureIsTheSame) {
-  scene::Scene scene = bodyScene(bodyVolume(kDims, centredFrame(kDims)));
+  scene::Scene scene = bodyScene(bodyVolume(kTransformDims, centredFrame(kTransformDims)));
   scene::Cut plane;
   plane.centre = {0, -3, 0};
   plane.axis = {0.2, -1, 0.3};
@@ -79,19 +79,19 @@ TEST_F(TransformGL, FarFromTheWorldsOriginThePictureIsTheSame) {
 }
 
 TEST_F(TransformGL, LeftHandedAndRightHandedGridsOfOneBodyLookTheSame) {
-  Image image = draw(bodyScene(bodyVolume(kDims, centredFrame(kDims))));
+  Image image = draw(bodyScene(bodyVolume(kTransformDims, centredFrame(kTransformDims))));
   // On silhouettes a rounded gradient faces the eye or not, and may light a few pixels otherwise. A gradient that is
   // mirrored with its grid would light half of the picture otherwise.
   for (glm::dvec3 spacing :
        {glm::dvec3(-1, 1, 1), glm::dvec3(1, -1, 1), glm::dvec3(1, 1, -1), glm::dvec3(-1, -1, -1)}) {
-    Image mirrored = draw(bodyScene(bodyVolume(kDims, centredFrame(kDims, spacing))));
+    Image mirrored = draw(bodyScene(bodyVolume(kTransformDims, centredFrame(kTransformDims, spacing))));
     expectSame(mirrored, image, 10.0, "a mirrored grid");
     EXPECT_LT(differenceOf(mirrored, image).mean, 0.02);
   }
 }
 
 TEST_F(TransformGL, AnisotropicVoxelsKeepTheShape) {
-  Image image = draw(bodyScene(bodyVolume(kDims, centredFrame(kDims))), {96, 96}, kAllLayers);
+  Image image = draw(bodyScene(bodyVolume(kTransformDims, centredFrame(kTransformDims))), {96, 96}, kAllLayers);
   glm::ivec3 dims(80, 36, 22);
   Image other = draw(bodyScene(bodyVolume(dims, centredFrame(dims, {0.5, 1, 2}))), {96, 96}, kAllLayers);
   // Two samplings of one body: where both show something solid, its surface lies within a coarse voxel or so.
@@ -111,11 +111,11 @@ TEST_F(TransformGL, AnisotropicVoxelsKeepTheShape) {
 }
 
 TEST_F(TransformGL, NormalsOfShearedVoxelsPointOutOfTheBody) {
-  glm::dmat4 frame = centredFrame(kDims);
+  glm::dmat4 frame = centredFrame(kTransformDims);
   frame[2] += 0.3 * frame[0];
-  frame[3] = -glm::dvec4(glm::dvec3(glm::dmat3(frame) * (0.5 * (glm::dvec3(kDims) - 1.0))), -1.0);
+  frame[3] = -glm::dvec4(glm::dvec3(glm::dmat3(frame) * (0.5 * (glm::dvec3(kTransformDims) - 1.0))), -1.0);
   Volume v = makeVolume(
-      kDims, SampleType::Float32,
+      kTransformDims, SampleType::Float32,
       [&](glm::ivec3 p) { return 100.0 - 5.0 * glm::length(glm::dvec3(frame * glm::dvec4(p, 1.0))); }, frame);
   scene::Scene scene = sceneOf(std::move(v));
   scene.rayCast.mode = scene::RenderMode::Iso;

@@ -8,7 +8,7 @@
 namespace velum {
 namespace {
 
-constexpr glm::ivec3 kDims(36, 33, 38);
+constexpr glm::ivec3 kUploadDims(36, 33, 38);
 
 double valueOf(glm::ivec3 p) {
   return 100.0 + std::floor(90.0 * std::sin(p.x * 0.3) * std::cos(p.y * 0.25 + 1) * std::sin(p.z * 0.2 + 2));
@@ -34,7 +34,7 @@ TEST_F(UploadGL, EverySampleTypeShowsTheSameValuesAlike) {
         // int8 holds 0..200 only with an offset; the others get a scale that must not matter.
         double offset = sample == SampleType::Int8 ? 100.0 : sample == SampleType::UInt8 ? 0.0 : -50.0;
         scene::Scene scene =
-            sceneOf(makeVolume(kDims, sample, valueOf, centredFrame(kDims), isByte ? 1.0 : 0.5, offset));
+            sceneOf(makeVolume(kUploadDims, sample, valueOf, centredFrame(kUploadDims), isByte ? 1.0 : 0.5, offset));
         style(scene);
         scene.lighting.shaded = shaded;
         scene.lighting.shadow = scene.lighting.occlusion = 0;
@@ -83,8 +83,9 @@ TEST_F(UploadGL, ADriverWithSmallBuffersShowsTheSame) {
 }
 
 TEST_F(UploadGL, ANegativeScaleShowsTheSameValues) {
-  scene::Scene plain = sceneOf(makeVolume(kDims, SampleType::Int16, valueOf, centredFrame(kDims)));
-  scene::Scene turned = sceneOf(makeVolume(kDims, SampleType::Int16, valueOf, centredFrame(kDims), -1.0, 7.0));
+  scene::Scene plain = sceneOf(makeVolume(kUploadDims, SampleType::Int16, valueOf, centredFrame(kUploadDims)));
+  scene::Scene turned =
+      sceneOf(makeVolume(kUploadDims, SampleType::Int16, valueOf, centredFrame(kUploadDims), -1.0, 7.0));
   for (int mode = 0; mode < 3; ++mode)
     for (auto* scene : {&plain, &turned}) {
       style(*scene);
@@ -98,20 +99,20 @@ TEST_F(UploadGL, ANegativeScaleShowsTheSameValues) {
 TEST_F(UploadGL, ChannelAndFrameAreTheOnesThatTheSceneNames) {
   // Two channels and three time steps, each a scaled copy.
   Volume v;
-  v.dims = kDims;
+  v.dims = kUploadDims;
   v.type = SampleType::UInt16;
   v.channels = 2;
   v.timeSteps = 3;
-  v.worldFromVoxel = centredFrame(kDims);
+  v.worldFromVoxel = centredFrame(kUploadDims);
   v.voxels.resize(timeStepBytes(v) * 3);
   auto* out = reinterpret_cast<std::uint16_t*>(v.voxels.data());
   auto at = [](glm::ivec3 p, int channel, int frame) {
     return std::round(valueOf(p) * (1.0 - 0.2 * channel) * (1.0 - 0.15 * frame));
   };
   for (int frame = 0; frame < 3; ++frame)
-    for (int z = 0; z < kDims.z; ++z)
-      for (int y = 0; y < kDims.y; ++y)
-        for (int x = 0; x < kDims.x; ++x)
+    for (int z = 0; z < kUploadDims.z; ++z)
+      for (int y = 0; y < kUploadDims.y; ++y)
+        for (int x = 0; x < kUploadDims.x; ++x)
           for (int channel = 0; channel < 2; ++channel) *out++ = std::uint16_t(at({x, y, z}, channel, frame));
   computeRange(v);
   scene::Scene all = sceneOf(std::move(v));
@@ -121,7 +122,8 @@ TEST_F(UploadGL, ChannelAndFrameAreTheOnesThatTheSceneNames) {
   for (int frame = 0; frame < 3; ++frame)
     for (int channel = 0; channel < 2; ++channel) {
       scene::Scene one = sceneOf(makeVolume(
-          kDims, SampleType::UInt16, [&](glm::ivec3 p) { return at(p, channel, frame); }, centredFrame(kDims)));
+          kUploadDims, SampleType::UInt16, [&](glm::ivec3 p) { return at(p, channel, frame); },
+          centredFrame(kUploadDims)));
       style(one);
       one.volume.windowLevel = 100;
       one.volume.windowWidth = 200;
@@ -152,7 +154,7 @@ TEST_F(UploadGL, ColourVolumesShowTheirColours) {
 }
 
 TEST_F(UploadGL, ADriverWithSmallTexturesShowsLessDetailAndSaysSo) {
-  scene::Scene scene = sceneOf(makeVolume(kDims, SampleType::UInt8, valueOf, centredFrame(kDims)));
+  scene::Scene scene = sceneOf(makeVolume(kUploadDims, SampleType::UInt8, valueOf, centredFrame(kUploadDims)));
   style(scene);
   Image whole = draw(scene, {72, 72});
   EXPECT_EQ(renderer().stats().reduction, "");
@@ -174,7 +176,7 @@ TEST_F(UploadGL, ADriverWithSmallTexturesShowsLessDetailAndSaysSo) {
 }
 
 TEST_F(UploadGL, WhereThereIsNoRoomToBeSmoothThatIsSaid) {
-  scene::Scene scene = sceneOf(makeVolume(kDims, SampleType::UInt8, valueOf, centredFrame(kDims)));
+  scene::Scene scene = sceneOf(makeVolume(kUploadDims, SampleType::UInt8, valueOf, centredFrame(kUploadDims)));
   style(scene);
   ::setenv("VELUM_MAX_TEXTURE_3D", "50", 1);
   auto small = gpu::Context::createEgl();
@@ -210,11 +212,11 @@ TEST_F(UploadGL, ADriverWithLittleMemoryShowsLessDetailAndSaysSo) {
 TEST_F(UploadGL, NotANumberHurtsNoNeighbourhood) {
   float nan = std::numeric_limits<float>::quiet_NaN(), inf = std::numeric_limits<float>::infinity();
   scene::Scene scene = sceneOf(makeVolume(
-      kDims, SampleType::Float32,
+      kUploadDims, SampleType::Float32,
       [&](glm::ivec3 p) {
         return p == glm::ivec3(10, 10, 10) ? double(nan) : p == glm::ivec3(20, 20, 20) ? double(inf) : valueOf(p);
       },
-      centredFrame(kDims)));
+      centredFrame(kUploadDims)));
   style(scene);
   for (int mode = 0; mode < 3; ++mode) {
     scene.rayCast.mode = scene::RenderMode(mode);

@@ -10,14 +10,14 @@ namespace velum::session {
 
 namespace {
 
-const glm::dvec2 kSize(800, 600);
+const glm::dvec2 kCutHandleSize(800, 600);
 
 std::vector<scene::Scene> manyViews() {
   std::vector<scene::Scene> scenes;
   for (auto view : {scene::StandardView::Anterior, scene::StandardView::Oblique, scene::StandardView::Inferior})
     for (auto projection : {scene::Projection::Perspective, scene::Projection::Orthographic}) {
-      scene::Scene scene = boxScene(kSize);
-      scene.camera = scene::frameCamera(scene, view, kSize.x / kSize.y);
+      scene::Scene scene = boxScene(kCutHandleSize);
+      scene.camera = scene::frameCamera(scene, view, kCutHandleSize.x / kCutHandleSize.y);
       scene.camera.projection = projection;
       scene.camera = scene::roll(scene::orbit(scene.camera, {0.07, -0.04}), 0.3);
       scenes.push_back(scene);
@@ -26,7 +26,7 @@ std::vector<scene::Scene> manyViews() {
 }
 
 glm::dvec2 pixelOf(const scene::Scene& scene, glm::dvec3 world) {
-  return scene::pixelFromWorld(scene.camera, kSize, world).value();
+  return scene::pixelFromWorld(scene.camera, kCutHandleSize, world).value();
 }
 
 bool isResize(CutHandle handle) { return handle >= CutHandle::FaceXMin; }
@@ -43,17 +43,17 @@ double frameDifference(const scene::Cut& a, const scene::Cut& b) {
 TEST(CutHandle, EveryGripIsFoundWhereItIs) {
   for (const auto& scene : manyViews())
     for (auto shape : everyCutShape()) {
-      CutGizmo gizmo = makeCutGizmo(scene, tiltedCut(shape), kSize);
+      CutGizmo gizmo = makeCutGizmo(scene, tiltedCut(shape), kCutHandleSize);
       for (const auto& grip : gizmo.grips)
-        EXPECT_EQ(handleAt(gizmo, scene.camera, kSize, pixelOf(scene, grip.place), 0.5), grip.handle)
+        EXPECT_EQ(handleAt(gizmo, scene.camera, kCutHandleSize, pixelOf(scene, grip.place), 0.5), grip.handle)
             << enumName(shape);
     }
 }
 
 TEST(CutHandle, AMembranesReachGrowsToBothSidesOfItsRestPlane) {
-  scene::Scene scene = boxScene(kSize);
+  scene::Scene scene = boxScene(kCutHandleSize);
   scene::Cut start = tiltedCut(scene::CutShape::Membrane);
-  CutGizmo gizmo = makeCutGizmo(scene, start, kSize);
+  CutGizmo gizmo = makeCutGizmo(scene, start, kCutHandleSize);
   int found = 0;
   for (const auto& grip : gizmo.grips) {
     if (grip.handle != CutHandle::FaceZMin && grip.handle != CutHandle::FaceZMax) continue;
@@ -68,7 +68,7 @@ TEST(CutHandle, AMembranesReachGrowsToBothSidesOfItsRestPlane) {
   // And is drawn as a box: its twelve edges beside the rest plane.
   scene::Cut box = start;
   box.shape = scene::CutShape::Box;
-  EXPECT_EQ(gizmo.edges.size(), 1 + makeCutGizmo(scene, box, kSize).edges.size());
+  EXPECT_EQ(gizmo.edges.size(), 1 + makeCutGizmo(scene, box, kCutHandleSize).edges.size());
 }
 
 TEST(CutHandle, AHandleStaysUnderThePointer) {
@@ -76,7 +76,7 @@ TEST(CutHandle, AHandleStaysUnderThePointer) {
   for (const auto& scene : manyViews())
     for (auto shape : everyCutShape()) {
       scene::Cut start = tiltedCut(shape);
-      CutGizmo gizmo = makeCutGizmo(scene, start, kSize);
+      CutGizmo gizmo = makeCutGizmo(scene, start, kCutHandleSize);
       for (const auto& grip : gizmo.grips) {
         bool isArrow = grip.handle == CutHandle::Arrow;
         bool isFree = grip.handle == CutHandle::Centre || grip.handle == CutHandle::Square;
@@ -85,8 +85,8 @@ TEST(CutHandle, AHandleStaysUnderThePointer) {
         glm::dvec2 from = pixelOf(scene, grip.place);
         ++asked;
         glm::dvec2 to = isFree ? from + glm::dvec2(31, -17) : pixelOf(scene, grip.place + grip.direction * 11.0);
-        scene::Cut now = dragCut(start, gizmo, grip.handle, scene.camera, kSize, from, to);
-        glm::dvec3 place = isResize(grip.handle) ? handlePlace(makeCutGizmo(scene, now, kSize), grip.handle)
+        scene::Cut now = dragCut(start, gizmo, grip.handle, scene.camera, kCutHandleSize, from, to);
+        glm::dvec3 place = isResize(grip.handle) ? handlePlace(makeCutGizmo(scene, now, kCutHandleSize), grip.handle)
                                                  : grip.place + (now.centre - start.centre);
         EXPECT_LT(glm::length(pixelOf(scene, place) - to), 0.01)
             << enumName(shape) << " handle " << static_cast<int>(grip.handle);
@@ -99,12 +99,12 @@ TEST(CutHandle, GoingBackGivesTheCutThatWas) {
   for (const auto& scene : manyViews())
     for (auto shape : everyCutShape()) {
       scene::Cut start = tiltedCut(shape);
-      CutGizmo gizmo = makeCutGizmo(scene, start, kSize);
+      CutGizmo gizmo = makeCutGizmo(scene, start, kCutHandleSize);
       for (const auto& grip : gizmo.grips) {
         glm::dvec2 from = pixelOf(scene, grip.place), to = from + glm::dvec2(23, 14);
-        scene::Cut moved = dragCut(start, gizmo, grip.handle, scene.camera, kSize, from, to);
+        scene::Cut moved = dragCut(start, gizmo, grip.handle, scene.camera, kCutHandleSize, from, to);
         EXPECT_NE(moved, start) << enumName(shape) << " handle " << static_cast<int>(grip.handle);
-        EXPECT_EQ(dragCut(start, gizmo, grip.handle, scene.camera, kSize, from, from), start);
+        EXPECT_EQ(dragCut(start, gizmo, grip.handle, scene.camera, kCutHandleSize, from, from), start);
       }
     }
 }
@@ -114,14 +114,14 @@ TEST(CutHandle, ASecondDragTakesAResizeBack) {
   for (const auto& scene : manyViews())
     for (auto shape : everyCutShape()) {
       scene::Cut start = tiltedCut(shape);
-      CutGizmo gizmo = makeCutGizmo(scene, start, kSize);
+      CutGizmo gizmo = makeCutGizmo(scene, start, kCutHandleSize);
       for (const auto& grip : gizmo.grips) {
         if (!isResize(grip.handle)) continue;
         ++asked;
         glm::dvec2 from = pixelOf(scene, grip.place), to = pixelOf(scene, grip.place + grip.direction * 8.0);
-        scene::Cut larger = dragCut(start, gizmo, grip.handle, scene.camera, kSize, from, to);
-        CutGizmo second = makeCutGizmo(scene, larger, kSize);
-        scene::Cut back = dragCut(larger, second, grip.handle, scene.camera, kSize, to, from);
+        scene::Cut larger = dragCut(start, gizmo, grip.handle, scene.camera, kCutHandleSize, from, to);
+        CutGizmo second = makeCutGizmo(scene, larger, kCutHandleSize);
+        scene::Cut back = dragCut(larger, second, grip.handle, scene.camera, kCutHandleSize, to, from);
         EXPECT_LT(glm::length(back.size - start.size), 1e-6) << enumName(shape);
         EXPECT_LT(glm::length(back.centre - start.centre), 1e-6) << enumName(shape);
       }
@@ -130,7 +130,7 @@ TEST(CutHandle, ASecondDragTakesAResizeBack) {
 }
 
 TEST(CutHandle, ResizingAFaceLeavesTheOppositeOneWhereItIs) {
-  scene::Scene scene = boxScene(kSize);
+  scene::Scene scene = boxScene(kCutHandleSize);
   for (auto shape : {scene::CutShape::Box, scene::CutShape::Cylinder, scene::CutShape::Cone}) {
     scene::Cut start = tiltedCut(shape);
     auto faceMm = [&](const scene::Cut& cut, int axis, int sign) {
@@ -155,7 +155,7 @@ TEST(CutHandle, ACornerResizesBothEdgesAndTheOppositeOneStays) {
   for (const auto& scene : manyViews())
     for (bool keepsRatio : {false, true}) {
       scene::Cut start = tiltedCut(scene::CutShape::Membrane);
-      CutGizmo gizmo = makeCutGizmo(scene, start, kSize);
+      CutGizmo gizmo = makeCutGizmo(scene, start, kCutHandleSize);
       auto placeOf = [](const scene::Cut& cut, glm::dvec2 sign) {
         glm::dvec2 out = sign * glm::dvec2(cut.size) * 0.5;
         return glm::dvec3(scene::worldFromCut(cut) * glm::dvec4(out, 0.0, 1.0));
@@ -164,7 +164,7 @@ TEST(CutHandle, ACornerResizesBothEdgesAndTheOppositeOneStays) {
         auto handle = static_cast<CutHandle>(static_cast<int>(CutHandle::CornerMinMin) + corner);
         glm::dvec2 from = pixelOf(scene, handlePlace(gizmo, handle)), to = from + glm::dvec2(19, -11);
         CutSnap snap{keepsRatio, glm::dmat3(10.0)};
-        scene::Cut now = dragCut(start, gizmo, handle, scene.camera, kSize, from, to, snap);
+        scene::Cut now = dragCut(start, gizmo, handle, scene.camera, kCutHandleSize, from, to, snap);
         if (now == start) continue;  // seen edge on: there is no such grip
         ++corners;
         glm::dvec2 sign = cornerSigns(corner);
@@ -193,27 +193,27 @@ TEST(CutHandle, ATurnOfABoxIsRigid) {
 }
 
 TEST(CutHandle, TheRingTurnsABoxAboutItsAxisWithThePointer) {
-  scene::Scene scene = boxScene(kSize);
-  scene.camera = scene::frameCamera(scene, scene::StandardView::Anterior, kSize.x / kSize.y);
+  scene::Scene scene = boxScene(kCutHandleSize);
+  scene.camera = scene::frameCamera(scene, scene::StandardView::Anterior, kCutHandleSize.x / kCutHandleSize.y);
   scene::Cut box;
   box.shape = scene::CutShape::Box;
   box.centre = scene.camera.target;
   box.axis = {0, -1, 0};
-  CutGizmo gizmo = makeCutGizmo(scene, box, kSize);
+  CutGizmo gizmo = makeCutGizmo(scene, box, kCutHandleSize);
   glm::dvec2 centre = pixelOf(scene, gizmo.centre);
   double r = gizmo.radius / gizmo.pixel;
   auto onRing = [&](double deg) {
     return centre + r * glm::dvec2(std::cos(glm::radians(deg)), -std::sin(glm::radians(deg)));
   };
-  ASSERT_EQ(handleAt(gizmo, scene.camera, kSize, onRing(45), 8.0), CutHandle::Ring);
-  scene::Cut turned = dragCut(box, gizmo, CutHandle::Ring, scene.camera, kSize, onRing(45), onRing(82));
+  ASSERT_EQ(handleAt(gizmo, scene.camera, kCutHandleSize, onRing(45), 8.0), CutHandle::Ring);
+  scene::Cut turned = dragCut(box, gizmo, CutHandle::Ring, scene.camera, kCutHandleSize, onRing(45), onRing(82));
   EXPECT_LT(glm::length(turned.axis - box.axis), 1e-9);
   // Seen from the front, the world's up of the box turns with the pointer, anticlockwise.
   glm::dmat3 relative = cutFrame(turned) * glm::transpose(cutFrame(box));
   glm::dvec3 up = relative * glm::dvec3(0, 0, 1);
   EXPECT_NEAR(glm::degrees(std::atan2(-up.x, up.z)), 37.0, 0.01);
   CutSnap snap = makeCutSnap(scene, true);
-  scene::Cut stepped = dragCut(box, gizmo, CutHandle::Ring, scene.camera, kSize, onRing(45), onRing(82), snap);
+  scene::Cut stepped = dragCut(box, gizmo, CutHandle::Ring, scene.camera, kCutHandleSize, onRing(45), onRing(82), snap);
   up = cutFrame(stepped) * glm::transpose(cutFrame(box)) * glm::dvec3(0, 0, 1);
   EXPECT_NEAR(glm::degrees(std::atan2(-up.x, up.z)), 30.0, 1e-6);
 }
@@ -221,10 +221,10 @@ TEST(CutHandle, TheRingTurnsABoxAboutItsAxisWithThePointer) {
 TEST(CutHandle, TheRingOfTheOthersFollowsThePointer) {
   for (const auto& scene : manyViews()) {
     scene::Cut cut = tiltedCut(scene::CutShape::Cylinder);
-    CutGizmo gizmo = makeCutGizmo(scene, cut, kSize);
+    CutGizmo gizmo = makeCutGizmo(scene, cut, kCutHandleSize);
     glm::dvec3 held = ringPoints(gizmo)[9];
     glm::dvec2 from = pixelOf(scene, held), to = from + (pixelOf(scene, gizmo.centre) - from) * 0.3;
-    scene::Cut now = dragCut(cut, gizmo, CutHandle::Ring, scene.camera, kSize, from, to);
+    scene::Cut now = dragCut(cut, gizmo, CutHandle::Ring, scene.camera, kCutHandleSize, from, to);
     // The pointer goes to the middle: the axis tilts by the angle between the two places on the ball.
     double tilt = std::acos(glm::dot(glm::normalize(cut.axis), now.axis));
     EXPECT_GT(tilt, 0.01);
@@ -238,12 +238,13 @@ TEST(CutHandle, ShiftKeepsToWholeVoxels) {
     scene::Cut box = tiltedCut(scene::CutShape::Box);
     box.axis = {0, 0, 1};
     box.spinDeg = 0;
-    CutGizmo gizmo = makeCutGizmo(scene, box, kSize);
+    CutGizmo gizmo = makeCutGizmo(scene, box, kCutHandleSize);
     for (const auto& grip : gizmo.grips) {
       if (grip.handle >= CutHandle::KnobRight && grip.handle <= CutHandle::Ring) continue;
       if (grip.handle == CutHandle::Square) continue;  // keeps to the gizmo's own axes
       glm::dvec2 from = pixelOf(scene, grip.place);
-      scene::Cut now = dragCut(box, gizmo, grip.handle, scene.camera, kSize, from, from + glm::dvec2(14, 11), snap);
+      scene::Cut now =
+          dragCut(box, gizmo, grip.handle, scene.camera, kCutHandleSize, from, from + glm::dvec2(14, 11), snap);
       glm::dvec3 moved = isResize(grip.handle) ? now.size - box.size : now.centre - box.centre;
       for (int i = 0; i < 3; ++i) EXPECT_NEAR(std::remainder(moved[i], 10.0), 0.0, 1e-9);
     }

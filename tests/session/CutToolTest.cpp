@@ -11,7 +11,7 @@ namespace velum::session {
 
 namespace {
 
-const glm::dvec2 kSize(800, 600);
+const glm::dvec2 kCutToolSize(800, 600);
 
 /// A scene that is a box of 100 x 200 x 300 mm, seen from an oblique side.
 scene::Scene boxScene() {
@@ -21,12 +21,12 @@ scene::Scene boxScene() {
   for (int i = 0; i < 3; ++i) volume.worldFromVoxel[i][i] = 10.0;
   volume.voxels.resize(6000);
   scene.volume.data = Shared<Volume>(std::move(volume));
-  scene.camera = scene::frameCamera(scene, scene::StandardView::Oblique, kSize.x / kSize.y);
+  scene.camera = scene::frameCamera(scene, scene::StandardView::Oblique, kCutToolSize.x / kCutToolSize.y);
   return scene;
 }
 
 glm::dvec2 pixelOf(const scene::Scene& scene, const CutGizmo& gizmo, CutHandle handle) {
-  return scene::pixelFromWorld(scene.camera, kSize, handlePlace(gizmo, handle)).value();
+  return scene::pixelFromWorld(scene.camera, kCutToolSize, handlePlace(gizmo, handle)).value();
 }
 
 }  // namespace
@@ -36,7 +36,7 @@ TEST(CutTool, OutlineLiesInThePlaneAndInTheBox) {
   scene::Cut cut;
   cut.centre = {45, 95, 145};
   cut.axis = {1, 2, -3};
-  CutGizmo gizmo = makeCutGizmo(scene, cut, kSize);
+  CutGizmo gizmo = makeCutGizmo(scene, cut, kCutToolSize);
   ASSERT_GE(gizmo.outline.size(), 3u);
   scene::Bounds bounds = scene::computeBounds(scene);
   for (const auto& p : gizmo.outline) {
@@ -56,7 +56,7 @@ TEST(CutTool, EdgesLieOnTheShape) {
     cut.centre = {45, 95, 145};
     cut.axis = {1, 2, -3};
     cut.size = {30, 20, 50};
-    CutGizmo gizmo = makeCutGizmo(scene, cut, kSize);
+    CutGizmo gizmo = makeCutGizmo(scene, cut, kCutToolSize);
     EXPECT_TRUE(gizmo.outline.empty());
     ASSERT_GE(gizmo.edges.size(), 3u);
     glm::dmat4 cutFromWorld = glm::inverse(scene::worldFromCut(cut));
@@ -74,11 +74,11 @@ TEST(CutTool, EveryHandleIsFoundWhereItIs) {
   scene::Cut cut;
   cut.centre = {45, 95, 145};
   cut.axis = {1, 0, 0};
-  CutGizmo gizmo = makeCutGizmo(scene, cut, kSize);
+  CutGizmo gizmo = makeCutGizmo(scene, cut, kCutToolSize);
   for (auto handle :
        {CutHandle::Arrow, CutHandle::KnobRight, CutHandle::KnobTop, CutHandle::KnobLeft, CutHandle::KnobBottom})
-    EXPECT_EQ(handleAt(gizmo, scene.camera, kSize, pixelOf(scene, gizmo, handle), 4.0), handle);
-  EXPECT_EQ(handleAt(gizmo, scene.camera, kSize, {1, 1}, 4.0), CutHandle::None);
+    EXPECT_EQ(handleAt(gizmo, scene.camera, kCutToolSize, pixelOf(scene, gizmo, handle), 4.0), handle);
+  EXPECT_EQ(handleAt(gizmo, scene.camera, kCutToolSize, {1, 1}, 4.0), CutHandle::None);
 }
 
 TEST(CutTool, ArrowFollowsThePointerAlongTheNormal) {
@@ -86,11 +86,11 @@ TEST(CutTool, ArrowFollowsThePointerAlongTheNormal) {
   scene::Cut cut;
   cut.centre = {45, 95, 145};
   cut.axis = {1, 0, 0};
-  CutGizmo gizmo = makeCutGizmo(scene, cut, kSize);
+  CutGizmo gizmo = makeCutGizmo(scene, cut, kCutToolSize);
   glm::dvec3 wanted = gizmo.arrowTip + gizmo.normal * 17.0;
-  glm::dvec2 to = scene::pixelFromWorld(scene.camera, kSize, wanted).value();
+  glm::dvec2 to = scene::pixelFromWorld(scene.camera, kCutToolSize, wanted).value();
   scene::Cut moved =
-      dragCut(cut, gizmo, CutHandle::Arrow, scene.camera, kSize, pixelOf(scene, gizmo, CutHandle::Arrow), to);
+      dragCut(cut, gizmo, CutHandle::Arrow, scene.camera, kCutToolSize, pixelOf(scene, gizmo, CutHandle::Arrow), to);
   EXPECT_NEAR(glm::length(moved.centre - cut.centre - glm::dvec3(17, 0, 0)), 0.0, 1e-6);
   EXPECT_EQ(moved.axis, cut.axis);
 }
@@ -98,8 +98,8 @@ TEST(CutTool, ArrowFollowsThePointerAlongTheNormal) {
 TEST(CutTool, ArrowSeenEndOnStillMoves) {
   scene::Scene scene = boxScene();
   scene::Cut cut = cutFacingCamera(scene);
-  CutGizmo gizmo = makeCutGizmo(scene, cut, kSize);
-  scene::Cut moved = dragCut(cut, gizmo, CutHandle::Arrow, scene.camera, kSize, {400, 300}, {400, 340});
+  CutGizmo gizmo = makeCutGizmo(scene, cut, kCutToolSize);
+  scene::Cut moved = dragCut(cut, gizmo, CutHandle::Arrow, scene.camera, kCutToolSize, {400, 300}, {400, 340});
   EXPECT_GT(glm::dot(moved.centre - cut.centre, gizmo.normal), 1.0);
 }
 
@@ -109,14 +109,14 @@ TEST(CutTool, KnobTiltsAboutTheMiddleAndComesBack) {
     scene::Cut cut;
     cut.centre = {45, 95, 145};
     cut.axis = axis;
-    CutGizmo gizmo = makeCutGizmo(scene, cut, kSize);
+    CutGizmo gizmo = makeCutGizmo(scene, cut, kCutToolSize);
     for (auto handle : {CutHandle::KnobRight, CutHandle::KnobTop, CutHandle::KnobLeft, CutHandle::KnobBottom}) {
       glm::dvec2 from = pixelOf(scene, gizmo, handle);
-      glm::dvec2 centre = scene::pixelFromWorld(scene.camera, kSize, gizmo.centre).value();
-      scene::Cut tilted = dragCut(cut, gizmo, handle, scene.camera, kSize, from, from + (centre - from) * 0.4);
+      glm::dvec2 centre = scene::pixelFromWorld(scene.camera, kCutToolSize, gizmo.centre).value();
+      scene::Cut tilted = dragCut(cut, gizmo, handle, scene.camera, kCutToolSize, from, from + (centre - from) * 0.4);
       EXPECT_NEAR(glm::length(tilted.axis), 1.0, 1e-9);
       EXPECT_EQ(tilted.centre, gizmo.centre);
-      EXPECT_EQ(dragCut(cut, gizmo, handle, scene.camera, kSize, from, from), cut);
+      EXPECT_EQ(dragCut(cut, gizmo, handle, scene.camera, kCutToolSize, from, from), cut);
     }
   }
 }
@@ -124,11 +124,11 @@ TEST(CutTool, KnobTiltsAboutTheMiddleAndComesBack) {
 TEST(CutTool, KnobFollowsThePointer) {
   scene::Scene scene = boxScene();
   scene::Cut cut = cutFacingCamera(scene);
-  CutGizmo gizmo = makeCutGizmo(scene, cut, kSize);
+  CutGizmo gizmo = makeCutGizmo(scene, cut, kCutToolSize);
   glm::dvec2 from = pixelOf(scene, gizmo, CutHandle::KnobRight);
-  glm::dvec2 centre = scene::pixelFromWorld(scene.camera, kSize, gizmo.centre).value();
+  glm::dvec2 centre = scene::pixelFromWorld(scene.camera, kCutToolSize, gizmo.centre).value();
   glm::dvec2 to = centre + (from - centre) * 0.5;
-  scene::Cut tilted = dragCut(cut, gizmo, CutHandle::KnobRight, scene.camera, kSize, from, to);
+  scene::Cut tilted = dragCut(cut, gizmo, CutHandle::KnobRight, scene.camera, kCutToolSize, from, to);
   // Half way in on a sphere is 60 degrees; perspective takes a little off it.
   EXPECT_NEAR(glm::degrees(std::acos(glm::dot(tilted.axis, cut.axis))), 60.0, 6.0);
 }

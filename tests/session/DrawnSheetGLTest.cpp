@@ -15,7 +15,7 @@ namespace velum::session {
 
 namespace {
 
-constexpr int kSize = 72;
+constexpr int kDrawnSheetSize = 72;
 
 /// A folded surface, in voxels.
 double foldAt(double x, double y) { return 42.0 + 4.0 * std::sin(0.12 * x) + 3.0 * std::cos(0.1 * y + 0.05 * x); }
@@ -61,7 +61,7 @@ class DrawnSheetGL : public GlTest {
 Volume amplitudes() {
   std::mt19937 random(5);
   return makeVolume(
-      glm::ivec3(kSize), SampleType::Int16,
+      glm::ivec3(kDrawnSheetSize), SampleType::Int16,
       [&](glm::ivec3 p) {
         double t = (p.z - foldAt(p.x, p.y)) / 2.2, noise = 80.0 * (double(random() % 2000) / 1000.0 - 1.0);
         return 1000.0 * (1.0 - t * t) * std::exp(-0.5 * t * t) + noise;
@@ -81,7 +81,7 @@ TEST_F(DrawnSheetGL, ByValueItLiesOnAHorizonWithinAVoxel) {
 
 TEST_F(DrawnSheetGL, ByGradientItLiesOnAnInterfaceWithinAVoxel) {
   auto step = [](glm::ivec3 p) { return 1000.0 / (1.0 + std::exp(1.5 * (p.z - foldAt(p.x, p.y)))); };
-  scene::Scene scene = sceneOf(makeVolume(glm::ivec3(kSize), SampleType::Int16, step, glm::dmat4(1.0)));
+  scene::Scene scene = sceneOf(makeVolume(glm::ivec3(kDrawnSheetSize), SampleType::Int16, step, glm::dmat4(1.0)));
   scene.cuts[0].membrane->field.byGradient = {{50, 0}, {400, -100}, {2000, -100}};
   settleMembranes(scene, {}, sProgress);
   EXPECT_LT(farthestOf(scene, fold), 1.0);
@@ -90,7 +90,7 @@ TEST_F(DrawnSheetGL, ByGradientItLiesOnAnInterfaceWithinAVoxel) {
 TEST_F(DrawnSheetGL, ByLabelItLiesInTheMiddleOfAStructureWithinAVoxel) {
   auto bed = [](glm::ivec3 p) { return std::uint16_t(std::abs(p.z - foldAt(p.x, p.y)) < 2.5 ? 4 : 1); };
   scene::Scene scene = sceneOf(amplitudes());
-  scene.labels.data = Shared<LabelVolume>(makeLabels(glm::ivec3(kSize), bed));
+  scene.labels.data = Shared<LabelVolume>(makeLabels(glm::ivec3(kDrawnSheetSize), bed));
   protectStructure(*scene.cuts[0].membrane, 4, -100.0);
   settleMembranes(scene, {}, sProgress);
   EXPECT_LT(farthestOf(scene, fold), 1.0);
@@ -151,7 +151,7 @@ TEST_F(DrawnSheetGL, WhatMustBeCutIsCutWhereItIsWeaker) {
       bool isBar = p.x % 12 > 3 && p.x % 12 < 8 && p.y % 12 > 3 && p.y % 12 < 8;
       return !isBar ? 0.0 : (isWeakAbove ? p.z > 42 : p.z < 30) ? 500.0 : 1000.0;
     };
-    scene::Scene scene = sceneOf(makeVolume(glm::ivec3(kSize), SampleType::Int16, bars, glm::dmat4(1.0)));
+    scene::Scene scene = sceneOf(makeVolume(glm::ivec3(kDrawnSheetSize), SampleType::Int16, bars, glm::dmat4(1.0)));
     scene.cuts[0].membrane->field.byValue = {{400, 30}, {700, 30}, {700, 100}, {1200, 100}};
     settleMembranes(scene, {}, sProgress);
     membrane::HeightOver height = membrane::heightOf(scene.cuts[0].membrane->shape);

@@ -16,7 +16,7 @@ namespace velum::session {
 
 namespace {
 
-const glm::dvec2 kSize(800, 600);
+const glm::dvec2 kExtrusionSize(800, 600);
 
 scene::Cut planeOf(glm::dvec3 centre, glm::dvec3 axis) {
   scene::Cut cut;
@@ -46,7 +46,7 @@ scene::Scene boneScene() {
   scene.volume.transfer.opacities = {{-100, 0}, {0, 0.5}, {100, 0.5}, {300, 0.2}, {500, 1}, {2000, 1}};
   scene.volume.transfer.colors = {{0, glm::vec3(1, 0, 0)}, {1000, glm::vec3(1)}};
   scene::addCut(scene, planeOf({0, 0, 0}, {0, -1, 0}));
-  scene.camera = scene::frameCamera(scene, scene::StandardView::Oblique, kSize.x / kSize.y);
+  scene.camera = scene::frameCamera(scene, scene::StandardView::Oblique, kExtrusionSize.x / kExtrusionSize.y);
   return scene;
 }
 
@@ -55,10 +55,10 @@ scene::Scene boneScene() {
 TEST(Extrusion, TheDragFollowsThePointerALengthForALength) {
   std::mt19937 random(5);
   auto number = [&](double a, double b) { return std::uniform_real_distribution<double>(a, b)(random); };
-  scene::Scene scene = boxScene(kSize);
+  scene::Scene scene = boxScene(kExtrusionSize);
   int tried = 0;
   for (int i = 0; i < 200; ++i) {
-    scene.camera = scene::frameCamera(scene, scene::StandardView::Oblique, kSize.x / kSize.y);
+    scene.camera = scene::frameCamera(scene, scene::StandardView::Oblique, kExtrusionSize.x / kExtrusionSize.y);
     scene.camera.projection = i % 2 ? scene::Projection::Perspective : scene::Projection::Orthographic;
     scene::Cut cut =
         planeOf({number(-5, 5), number(-5, 5), number(-5, 5)}, {number(-1, 1), number(-1, 1), number(-1, 1)});
@@ -66,7 +66,7 @@ TEST(Extrusion, TheDragFollowsThePointerALengthForALength) {
     glm::dvec3 out = pullDirection(cut, cut.centre);
     glm::dvec3 line = glm::normalize(scene.camera.eye - cut.centre);
     if (std::abs(glm::dot(out, line)) > 0.9) continue;  // it points at the eye: the height counts there
-    ViewSpace space(scene.camera, kSize);
+    ViewSpace space(scene.camera, kExtrusionSize);
     double distance = number(0.5, 12), before = number(0, 4);
     auto from = space.pixelFromWorld(cut.centre), to = space.pixelFromWorld(cut.centre + distance * out);
     ASSERT_TRUE(from && to);
@@ -80,7 +80,7 @@ TEST(Extrusion, TheDragFollowsThePointerALengthForALength) {
 
 TEST(Extrusion, OnASectionTheDragFollowsThePartOfTheNormalThatLiesInIt) {
   scene::SectionPlane section;
-  section.size = kSize;
+  section.size = kExtrusionSize;
   section.lengthPerPixel = 0.5;
   scene::Cut cut = planeOf({0, 0, 0}, {3, 4, 0});
   ExtrusionDrag drag(ViewSpace(section), {400, 300}, cut, {0, 0, 0}, 1.0);
@@ -185,9 +185,9 @@ TEST(Extrusion, TheWayOutIsWhereADragPullsMost) {
   scene::Scene scene = boneScene();
   for (auto side : {scene::StandardView::Anterior, scene::StandardView::Left, scene::StandardView::Right,
                     scene::StandardView::Oblique, scene::StandardView::Superior}) {
-    scene.camera = scene::frameCamera(scene, side, kSize.x / kSize.y);
-    glm::dvec2 from = 0.5 * kSize;
-    ExtrusionDrag drag(ViewSpace(scene.camera, kSize), from, scene.cuts[0], {0, 0, 0}, 50.0);
+    scene.camera = scene::frameCamera(scene, side, kExtrusionSize.x / kExtrusionSize.y);
+    glm::dvec2 from = 0.5 * kExtrusionSize;
+    ExtrusionDrag drag(ViewSpace(scene.camera, kExtrusionSize), from, scene.cuts[0], {0, 0, 0}, 50.0);
     double most = drag.distanceAt(from + 10.0 * drag.wayOut()) - 50.0;
     EXPECT_GT(most, 0.0) << enumName(side);
     for (glm::dvec2 way : {glm::dvec2(1, 0), glm::dvec2(-1, 0), glm::dvec2(0, 1), glm::dvec2(0, -1)})

@@ -35,7 +35,7 @@ scene::Scene leakScene(int deep = 12) {
   });
 }
 
-void settle(Session& session) {
+void growthWorkerSettle(Session& session) {
   while (!session.isSettled()) {
     session.collect();
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -43,7 +43,7 @@ void settle(Session& session) {
 }
 
 /// What the scene's steps give when they are done at once.
-std::size_t differences(const scene::Scene& scene) {
+std::size_t growthWorkerDifferences(const scene::Scene& scene) {
   scene::Scene fresh = scene;
   fresh.labels.data = fresh.labels.given;
   fresh.labels.grown.clear();
@@ -85,9 +85,9 @@ TEST(GrowthWorker, HoweverTheHandGoesTheLabelsAreThoseOfTheSteps) {
     document.endMerge();
     if (drag == 2) document.edit("Move", [](scene::Scene& s) { s.cuts[0].centre.y = 40.0; });
   }
-  settle(session);
+  growthWorkerSettle(session);
   ASSERT_TRUE(isGrown(session.scene()));
-  EXPECT_EQ(differences(session.scene()), 0u);
+  EXPECT_EQ(growthWorkerDifferences(session.scene()), 0u);
   EXPECT_GT(voxelsOf(session.scene(), 1), 10u);
 }
 
@@ -97,24 +97,24 @@ TEST(GrowthWorker, UndoTakesBackWhatHasGrownAndRedoBringsIt) {
   auto pull = beginPull(session.scene(), session.scene().cuts[0].id, {8, 32, 8}, 0);
   ASSERT_TRUE(pull);
   session.document().edit("Pull", [&](scene::Scene& s) { pullTo(s, *pull, 10.0); });
-  settle(session);
+  growthWorkerSettle(session);
   std::size_t first = voxelsOf(session.scene(), 1);
   EXPECT_EQ(first, 10u) << "ten deep";
   session.document().edit("Pull further", [&](scene::Scene& s) { pullTo(s, *pull, 20.0); });
-  settle(session);
+  growthWorkerSettle(session);
   EXPECT_EQ(voxelsOf(session.scene(), 1), 20u);
   session.document().undo();
-  settle(session);
+  growthWorkerSettle(session);
   EXPECT_EQ(voxelsOf(session.scene(), 1), first);
   session.document().undo();
-  settle(session);
+  growthWorkerSettle(session);
   EXPECT_EQ(voxelsOf(session.scene(), 1), 0u);
   EXPECT_TRUE(session.scene().labels.structures.empty());
   session.document().redo();
   session.document().redo();
-  settle(session);
+  growthWorkerSettle(session);
   EXPECT_EQ(voxelsOf(session.scene(), 1), 20u);
-  EXPECT_EQ(differences(session.scene()), 0u);
+  EXPECT_EQ(growthWorkerDifferences(session.scene()), 0u);
 }
 
 TEST(GrowthWorker, AnotherRangeGrowsAnewFromTheSeeds) {
@@ -123,12 +123,12 @@ TEST(GrowthWorker, AnotherRangeGrowsAnewFromTheSeeds) {
   auto pull = beginPull(session.scene(), session.scene().cuts[0].id, {8, 32, 8}, 0);
   ASSERT_TRUE(pull);
   session.document().edit("Pull", [&](scene::Scene& s) { pullTo(s, *pull, 10.0); });
-  settle(session);
+  growthWorkerSettle(session);
   session.document().edit(
       "Everything", [](scene::Scene& s) { changeGrowth(s, 1, [](scene::Growth& g) { g.low = 0.0, g.high = 255.0; }); });
-  settle(session);
+  growthWorkerSettle(session);
   EXPECT_EQ(voxelsOf(session.scene(), 1), std::size_t(kEdge) * kEdge * 10) << "all that is ten deep";
-  EXPECT_EQ(differences(session.scene()), 0u);
+  EXPECT_EQ(growthWorkerDifferences(session.scene()), 0u);
 }
 
 TEST(GrowthWorker, WhatLeaksIsHeldAndSaidAndMayGoOn) {
@@ -137,7 +137,7 @@ TEST(GrowthWorker, WhatLeaksIsHeldAndSaidAndMayGoOn) {
   auto pull = beginPull(session.scene(), session.scene().cuts[0].id, {32, 32, 32}, 0);
   ASSERT_TRUE(pull);
   session.document().edit("Pull", [&](scene::Scene& s) { pullTo(s, *pull, 25.0); });
-  settle(session);
+  growthWorkerSettle(session);
   auto leak = session.growth().status().leak;
   ASSERT_TRUE(leak);
   EXPECT_GT(leak->times, 2.0);
@@ -149,10 +149,10 @@ TEST(GrowthWorker, WhatLeaksIsHeldAndSaidAndMayGoOn) {
   // As a line of a script does it, so that the commands so far lead there again.
   Progress progress;
   run(session, parseCall("growth.growOn 1"), progress);
-  settle(session);
+  growthWorkerSettle(session);
   EXPECT_FALSE(session.growth().status().leak);
   EXPECT_GT(voxelsOf(session.scene(), 1), 20000u);
-  EXPECT_EQ(differences(session.scene()), 0u);
+  EXPECT_EQ(growthWorkerDifferences(session.scene()), 0u);
 }
 
 /// Two halves: one of what is clicked on is most of what there is.
@@ -168,7 +168,7 @@ TEST(GrowthWorker, WhatIsMostOfThePlaneIsAskedForBeforeItGrows) {
   for (double distance : {0.4, 2.0, 9.0}) {
     session.document().edit(
         "Pull", [&](scene::Scene& s) { pullTo(s, *pull, distance); }, true);
-    settle(session);
+    growthWorkerSettle(session);
   }
   auto leak = session.growth().status().leak;
   ASSERT_TRUE(leak);
@@ -177,7 +177,7 @@ TEST(GrowthWorker, WhatIsMostOfThePlaneIsAskedForBeforeItGrows) {
   EXPECT_LT(voxelsOf(session.scene(), pull->structure), std::size_t(kEdge) * kEdge);
   session.growth().trust(pull->structure);
   session.document().edit("Grow on", [&](scene::Scene& s) { growOn(s, pull->structure); });
-  settle(session);
+  growthWorkerSettle(session);
   EXPECT_FALSE(session.growth().status().leak);
   EXPECT_GT(voxelsOf(session.scene(), pull->structure), std::size_t(kEdge) * kEdge * 7);
 }
@@ -189,14 +189,14 @@ TEST(GrowthWorker, WhatReachesTheDarkestIsAskedForUnlessSomebodyHasTypedIt) {
   ASSERT_TRUE(pull && pull->growth);
   pull->growth->low = 0.0;
   session.document().edit("Pull", [&](scene::Scene& s) { pullTo(s, *pull, 8.0); });
-  settle(session);
+  growthWorkerSettle(session);
   ASSERT_TRUE(session.growth().status().leak);
   EXPECT_EQ(session.growth().status().leak->distance, 0.0);
   EXPECT_LE(voxelsOf(session.scene(), 1), 1u);
   // The same values, typed.
   session.document().edit("Values",
                           [](scene::Scene& s) { changeGrowth(s, 1, [](scene::Growth& g) { g.high = 199.0; }); });
-  settle(session);
+  growthWorkerSettle(session);
   EXPECT_FALSE(session.growth().status().leak);
   EXPECT_GT(voxelsOf(session.scene(), 1), 10000u);
 }
@@ -216,7 +216,7 @@ TEST(GrowthWorker, WhatLeaksIsHeldWhereTheGuardSaysHoweverManySlabsAreGrownAtATi
     growth::Grown guarded =
         growth::Grower().grow(volume, growth::labelsFor(*volume, {}), whole, {.guard = true, .begun = {}}, progress);
     ASSERT_TRUE(guarded.leak);
-    settle(session);
+    growthWorkerSettle(session);
     auto leak = session.growth().status().leak;
     ASSERT_TRUE(leak);
     EXPECT_DOUBLE_EQ(leak->distance, guarded.distance);
@@ -233,9 +233,9 @@ TEST(GrowthWorker, WhatIsStoppedStaysAsItIs) {
   session.collect();
   if (auto reached = session.growth().stop())
     session.document().edit("Stop", [&](scene::Scene& s) { holdGrowth(s, *reached); });
-  settle(session);
+  growthWorkerSettle(session);
   EXPECT_TRUE(isGrown(session.scene()));
-  EXPECT_EQ(differences(session.scene()), 0u);
+  EXPECT_EQ(growthWorkerDifferences(session.scene()), 0u);
 }
 
 TEST(GrowthWorker, ASceneThatIsLoadedHasGrownWhatItsStepsSay) {

@@ -14,14 +14,14 @@
 namespace velum::session {
 namespace {
 
-constexpr glm::ivec3 kDims(12, 10, 8);
+constexpr glm::ivec3 kLabelPlaceDims(12, 10, 8);
 int idAt(glm::ivec3 p) { return p.x > 3 && p.x < 9 && p.y > 2 && p.z > 1 ? 1 + p.z / 4 : 0; }
 
 /// Labels beside a scan.
 class LabelPlace : public testing::Test {
  protected:
   /// Bare ids in NRRD. @param head  what it says besides
-  std::string writeIds(const char* name, const std::string& head = {}, glm::ivec3 dims = kDims) {
+  std::string writeIds(const char* name, const std::string& head = {}, glm::ivec3 dims = kLabelPlaceDims) {
     std::ofstream out(folder / name, std::ios::binary);
     out << "NRRD0004\ntype: uint8\ndimension: 3\nsizes: " << dims.x << " " << dims.y << " " << dims.z << "\n"
         << head << "encoding: raw\n\n";
@@ -32,7 +32,7 @@ class LabelPlace : public testing::Test {
   }
   std::string writeScan(const char* name, bool isKnown, const glm::dmat4& matrix = glm::dmat4(1.0)) {
     Volume scan = makeVolume(
-        kDims, SampleType::Float32, [](glm::ivec3 p) { return hashNoise(p) * 100 + p.x; }, matrix);
+        kLabelPlaceDims, SampleType::Float32, [](glm::ivec3 p) { return hashNoise(p) * 100 + p.x; }, matrix);
     scan.isSpacingKnown = scan.isOrientationKnown = isKnown;
     io::writeVolume(scan, folder / name, progress);
     return (folder / name).string();
@@ -52,7 +52,7 @@ class LabelPlace : public testing::Test {
 };
 
 /// Turned, moved, with voxels that are no cubes.
-glm::dmat4 patientFrame() { return centredFrame(kDims, {0.7, 0.7, -2.0}, 0.4, {30, -20, 500}); }
+glm::dmat4 patientFrame() { return centredFrame(kLabelPlaceDims, {0.7, 0.7, -2.0}, 0.4, {30, -20, 500}); }
 
 TEST_F(LabelPlace, LabelsThatSayNoPlaceTakeTheScans) {
   std::string scan = writeScan("scan.nrrd", true, patientFrame());
@@ -76,7 +76,7 @@ TEST_F(LabelPlace, LabelsThatSayWhereTheyAreStayThere) {
     EXPECT_FALSE(liesOnScan(scene)) << head;
   }
   scene::Scene scene = open(sourceOf(scan), progress);
-  addLabels(scene, sourceOf(writeIds("other.nrrd", "", kDims + 1)), progress);
+  addLabels(scene, sourceOf(writeIds("other.nrrd", "", kLabelPlaceDims + 1)), progress);
   EXPECT_EQ(scene.labels.data->worldFromVoxel(), glm::dmat4(1.0)) << "they are of another scan";
 }
 
@@ -111,7 +111,7 @@ TEST_F(LabelPlace, LabelsThatWereOpenFirstGoWhereTheirScanIs) {
 
 TEST_F(LabelPlace, LabelsBesideTheScanAreSaid) {
   std::string scan = writeScan("scan.nrrd", true, patientFrame());
-  auto said = [&](glm::dvec3 spacing, glm::dvec3 centre, glm::ivec3 dims = kDims) {
+  auto said = [&](glm::dvec3 spacing, glm::dvec3 centre, glm::ivec3 dims = kLabelPlaceDims) {
     LabelVolume labels = makeLabels(dims, idAt, centredFrame(dims, spacing, 0.4, centre));
     io::writeLabels(labels, folder / "labels.seg.nrrd", progress);
     scene::Scene scene = open(sourceOf(scan), progress);

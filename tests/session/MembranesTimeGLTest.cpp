@@ -17,13 +17,13 @@ namespace velum::session {
 
 namespace {
 
-constexpr int kSteps = 8;
+constexpr int kMembranesTimeSteps = 8;
 
 class MembranesTimeGL : public GlTest {
  protected:
   /// A beating heart, opened from the front: its contrast, and with it vessels on its wall, is to stay whole.
   static scene::Scene heart(scene::Repositioning repositioning) {
-    static const Shared<Volume> volume(io::makeSample("heart", 56, sProgress, kSteps).volume);
+    static const Shared<Volume> volume(io::makeSample("heart", 56, sProgress, kMembranesTimeSteps).volume);
     scene::Scene scene;
     scene.volume.data = volume;
     scene::Cut cut;
@@ -46,8 +46,8 @@ class MembranesTimeGL : public GlTest {
   static Beat beat(scene::Repositioning repositioning) {
     scene::Scene scene = heart(repositioning);
     Beat beat;
-    for (int step = 0; step <= kSteps; ++step) {
-      scene.volume.timeStep = step % kSteps;
+    for (int step = 0; step <= kMembranesTimeSteps; ++step) {
+      scene.volume.timeStep = step % kMembranesTimeSteps;
       auto reports = settleMembranes(scene, {true, false}, sProgress);
       beat.ratios.push_back(reports.at(0).kept->ratio);
       beat.shapes.push_back(scene.cuts[0].membrane->shape);
@@ -75,7 +75,7 @@ TEST_F(MembranesTimeGL, ASheetThatFollowsABeatCutsLittleInEachOfItsSteps) {
   double passiveWay = 0, activeWay = 0;
   for (std::size_t i = 0; i < active.shapes.size(); ++i) {
     EXPECT_LT(active.ratios[i], 0.03) << "step " << i;
-    EXPECT_EQ(active.shapes[i].timeStep, int(i) % kSteps);
+    EXPECT_EQ(active.shapes[i].timeStep, int(i) % kMembranesTimeSteps);
     if (i == 0) continue;
     double way = distance(active.shapes[i - 1], active.shapes[i]);
     EXPECT_GT(way, 0.01) << "it stands still while the heart beats";

@@ -27,7 +27,7 @@ namespace velum::session {
 namespace {
 
 /// Of a person who clicks in the middle of what he means, then in the middle of the largest part that is wrong.
-struct Case {
+struct NotThisCase {
   const char* name;
   const char* data;    ///< a file of the test data, or a phantom
   const char* labels;  ///< a file; of a phantom none
@@ -37,15 +37,15 @@ struct Case {
   double least;      ///< Dice that three clicks come to
 };
 
-void PrintTo(const Case& one, std::ostream* out) { *out << one.name; }
+void PrintTo(const NotThisCase& one, std::ostream* out) { *out << one.name; }
 
-std::string nameOf(const testing::TestParamInfo<Case>& info) {
+std::string nameOf(const testing::TestParamInfo<NotThisCase>& info) {
   std::string name;
   for (char c : std::string(info.param.name)) name += std::isalnum(static_cast<unsigned char>(c)) ? c : '_';
   return name;
 }
 
-const Case kCases[] = {
+const NotThisCase kCases[] = {
     {"lesion in bone", "lesion", "", {6}, {80, 3000}, {}, 0.89},
     {"left ventricle", "heart", "", {2}, {250, 2000}, {}, 0.91},
     {"pulmonary artery", "heart", "", {7}, {250, 2000}, {}, 0.86},
@@ -139,10 +139,10 @@ glm::ivec3 middleOf(const Mask& mask) {
 
 }  // namespace
 
-class NotThis : public testing::TestWithParam<Case> {
+class NotThis : public testing::TestWithParam<NotThisCase> {
  protected:
   void SetUp() override {
-    const Case& one = GetParam();
+    const NotThisCase& one = GetParam();
     bool isFile = std::string(one.data).find('.') != std::string::npos;
     const char* folder = std::getenv("VELUM_TEST_DATA");
     if (isFile && !folder) GTEST_SKIP() << "set VELUM_TEST_DATA to the folder of test volumes";

@@ -9,13 +9,14 @@
 namespace velum::session {
 namespace {
 
-constexpr glm::ivec3 kDims(60, 60, 60);
+constexpr glm::ivec3 kNothingLeftDims(60, 60, 60);
 
 /// A ball of 40 voxels across, of value 100, in the middle of a box of zeros, whose middle is 0, 0, 0.
 scene::Scene ballScene() {
   scene::Scene scene;
   auto valueOf = [](glm::ivec3 p) { return glm::length(glm::dvec3(p) - 29.5) < 20 ? 100.0 : 0.0; };
-  scene.volume.data = Shared<Volume>(makeVolume(kDims, SampleType::UInt8, valueOf, centredFrame(kDims)));
+  scene.volume.data =
+      Shared<Volume>(makeVolume(kNothingLeftDims, SampleType::UInt8, valueOf, centredFrame(kNothingLeftDims)));
   scene.volume.transfer.opacities = {{0, 0}, {50, 0}, {100, 0.5}};
   return scene;
 }
@@ -81,7 +82,7 @@ TEST(NothingLeft, ASectionOnAFaceIsSomething) {
 TEST(NothingLeft, WhatIsSparedIsSomething) {
   scene::Scene scene = ballScene();
   auto idOf = [](glm::ivec3 p) { return glm::length(glm::dvec3(p) - 29.5) < 4 ? 3 : 0; };
-  scene.labels.data = Shared<LabelVolume>(makeLabels(kDims, idOf, centredFrame(kDims)));
+  scene.labels.data = Shared<LabelVolume>(makeLabels(kNothingLeftDims, idOf, centredFrame(kNothingLeftDims)));
   scene::completeStructures(scene.labels);
   scene::Cut cut = plane(-200);
   EXPECT_TRUE(takesAll(with(scene, cut)));
@@ -109,7 +110,7 @@ TEST(NothingLeft, InstancesAndLabelsAloneCount) {
   EXPECT_FALSE(takesAll(with(scene, sparing)));
   scene::Scene labels;
   labels.labels.data = Shared<LabelVolume>(makeLabels(
-      kDims, [](glm::ivec3 p) { return p.x < 5 ? 1 : 0; }, centredFrame(kDims)));
+      kNothingLeftDims, [](glm::ivec3 p) { return p.x < 5 ? 1 : 0; }, centredFrame(kNothingLeftDims)));
   scene::completeStructures(labels.labels);
   EXPECT_FALSE(takesAll(with(labels, plane(0))));
   EXPECT_TRUE(takesAll(with(labels, plane(-200))));

@@ -13,19 +13,19 @@ namespace velum::session {
 
 namespace {
 
-constexpr int kEdge = 64;
+constexpr int kOthersEditEdge = 64;
 constexpr glm::dvec3 kOnBar{32, 32, 32}, kInBlock{32, 10, 32}, kInOther{10, 31, 10};
 
 /// A bar along y that opens into a block at y < 20, and one of other values beside it.
 scene::Scene leakScene() {
-  return growthScene(kEdge, 1, [](glm::ivec3 v, int) {
+  return growthScene(kOthersEditEdge, 1, [](glm::ivec3 v, int) {
     bool isBar = std::abs(v.x - 32) < 4 && std::abs(v.z - 32) < 4;
     bool isBlock = v.y < 20 && v.x > 2 && v.x < 62 && v.z > 2 && v.z < 62;
     return isBar || isBlock ? 150 : std::abs(v.x - 10) < 3 && std::abs(v.z - 10) < 3 ? 60 : 20;
   });
 }
 
-void settle(Session& session) {
+void othersEditSettle(Session& session) {
   while (!session.isSettled()) {
     session.collect();
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -41,7 +41,7 @@ class OthersEdit : public testing::Test {
     mPull = beginPull(scene(), scene().cuts[0].id, kOnBar, 0);
     ASSERT_TRUE(mPull);
     pull(30.0);
-    settle(mSession);
+    othersEditSettle(mSession);
   }
   const scene::Scene& scene() const { return mSession.scene(); }
   void pull(double distance) {
@@ -51,14 +51,14 @@ class OthersEdit : public testing::Test {
   std::size_t sayNotThis(std::vector<glm::dvec3> places) {
     std::size_t count = 0;
     mSession.document().edit("Not this", [&](scene::Scene& s) { count = addOthers(s, mPull->structure, places); });
-    settle(mSession);
+    othersEditSettle(mSession);
     return count;
   }
   std::size_t voxels(int firstY, int endY) const {
     std::size_t count = 0;
-    for (int z = 0; z < kEdge; ++z)
+    for (int z = 0; z < kOthersEditEdge; ++z)
       for (int y = firstY; y < endY; ++y)
-        for (int x = 0; x < kEdge; ++x) count += scene().labels.data->at({x, y, z}) == mPull->structure;
+        for (int x = 0; x < kOthersEditEdge; ++x) count += scene().labels.data->at({x, y, z}) == mPull->structure;
     return count;
   }
   /// Its steps done at once give the same.
@@ -68,9 +68,9 @@ class OthersEdit : public testing::Test {
     fresh.labels.grown.clear();
     Progress progress;
     settleGrowths(fresh, progress);
-    for (int z = 0; z < kEdge; ++z)
-      for (int y = 0; y < kEdge; ++y)
-        for (int x = 0; x < kEdge; ++x)
+    for (int z = 0; z < kOthersEditEdge; ++z)
+      for (int y = 0; y < kOthersEditEdge; ++y)
+        for (int x = 0; x < kOthersEditEdge; ++x)
           if (fresh.labels.data->at({x, y, z}) != scene().labels.data->at({x, y, z})) return false;
     return isGrown(scene());
   }
@@ -81,7 +81,7 @@ class OthersEdit : public testing::Test {
 
 TEST_F(OthersEdit, LetItGoOnWithoutWhatItWasHeldFor) {
   ASSERT_TRUE(mSession.growth().status().leak);
-  std::size_t held = voxels(0, kEdge);
+  std::size_t held = voxels(0, kOthersEditEdge);
   EXPECT_LT(scene().labels.growths[0].distance, 20.0);
   ASSERT_EQ(sayNotThis({kInBlock}), 1u);
   EXPECT_FALSE(mSession.growth().status().leak);
@@ -90,11 +90,11 @@ TEST_F(OthersEdit, LetItGoOnWithoutWhatItWasHeldFor) {
   EXPECT_LT(voxels(0, 16), 49u * 4) << "and nothing of the block but what lies at its mouth";
   EXPECT_TRUE(isAsItsSteps());
   mSession.document().undo();
-  settle(mSession);
-  EXPECT_EQ(voxels(0, kEdge), held);
+  othersEditSettle(mSession);
+  EXPECT_EQ(voxels(0, kOthersEditEdge), held);
   EXPECT_TRUE(scene().labels.growths[0].others.empty());
   mSession.document().redo();
-  settle(mSession);
+  othersEditSettle(mSession);
   EXPECT_LT(voxels(0, 16), 49u * 4);
 }
 
@@ -106,7 +106,7 @@ TEST_F(OthersEdit, AreStepsOfUndoEach) {
   EXPECT_EQ(scene().labels.growths[0].others.size(), 1u);
   mSession.document().undo();
   EXPECT_EQ(scene().labels.growths[0].others.size(), 0u);
-  settle(mSession);
+  othersEditSettle(mSession);
   EXPECT_TRUE(isGrown(scene()));
 }
 
@@ -134,7 +134,7 @@ TEST_F(OthersEdit, HoldHoweverTheHandPullsOn) {
     pull(5.0 + double(random() % 26));
     for (int i = int(random() % 3); i > 0; --i) mSession.collect();
   }
-  settle(mSession);
+  othersEditSettle(mSession);
   EXPECT_TRUE(isAsItsSteps());
   EXPECT_LT(voxels(0, 16), 49u * 4);
 }

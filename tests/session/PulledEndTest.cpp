@@ -12,20 +12,21 @@
 namespace velum::session {
 namespace {
 
-constexpr int kEdge = 48;
+constexpr int kPulledEndEdge = 48;
 constexpr double kRadius = 14.0;
 const glm::dvec3 kMiddle(23.5);
 
 /// A ball about the middle, and a plane through it.
 scene::Scene ballScene() {
-  return growthScene(kEdge, 1,
+  return growthScene(kPulledEndEdge, 1,
                      [](glm::ivec3 v, int) { return glm::distance(glm::dvec3(v), kMiddle) < kRadius ? 150 : 20; });
 }
 
 scene::Scene labelledScene() {
   scene::Scene scene = ballScene();
-  scene.labels.data = Shared<LabelVolume>(makeLabels(
-      glm::ivec3(kEdge), [](glm::ivec3 v) { return glm::distance(glm::dvec3(v), kMiddle) < kRadius ? 4 : 0; }));
+  scene.labels.data = Shared<LabelVolume>(makeLabels(glm::ivec3(kPulledEndEdge), [](glm::ivec3 v) {
+    return glm::distance(glm::dvec3(v), kMiddle) < kRadius ? 4 : 0;
+  }));
   scene.labels.structures = {{4, "ball"}};
   return scene;
 }
@@ -52,9 +53,9 @@ TEST(PulledEnd, IsTheFarFaceOfTheLastVoxel) {
 
 TEST(PulledEnd, IsThatOfTheDataWhereNobodyKnowsTheStructures) {
   scene::Scene scene = ballScene();
-  EXPECT_NEAR(pulledEnd(scene, scene.cuts[0], 7), 0.5 * kEdge + 0.5, 1e-6);
+  EXPECT_NEAR(pulledEnd(scene, scene.cuts[0], 7), 0.5 * kPulledEndEdge + 0.5, 1e-6);
   scene = labelledScene();
-  EXPECT_NEAR(pulledEnd(scene, scene.cuts[0], 0), 0.5 * kEdge + 0.5, 1e-6) << "what has no label";
+  EXPECT_NEAR(pulledEnd(scene, scene.cuts[0], 0), 0.5 * kPulledEndEdge + 0.5, 1e-6) << "what has no label";
 }
 
 TEST(PulledEnd, OfWhatGrowsIsKnownWhenItHasCometoItsEnd) {
@@ -67,7 +68,7 @@ TEST(PulledEnd, OfWhatGrowsIsKnownWhenItHasCometoItsEnd) {
     settleGrowths(scene, progress);
     return pulledEnd(scene, scene.cuts[0], pull->structure);
   };
-  double all = 0.5 * kEdge + 0.5;
+  double all = 0.5 * kPulledEndEdge + 0.5;
   EXPECT_NEAR(endAt(5.0), all, 1e-6) << "there may be more";
   EXPECT_NEAR(endAt(20.0), kRadius, 1.0);
 }
@@ -83,7 +84,7 @@ TEST(PulledEnd, OutOfAnotherCutThereMayBeMore) {
   pullTo(scene, *pull, 20.0);
   settleGrowths(scene, progress);
   EXPECT_NEAR(pulledEnd(scene, scene.cuts[0], pull->structure), kRadius, 1.0);
-  EXPECT_NEAR(pulledEnd(scene, *scene::findCut(scene, id), pull->structure), 0.5 * kEdge, 1.0)
+  EXPECT_NEAR(pulledEnd(scene, *scene::findCut(scene, id), pull->structure), 0.5 * kPulledEndEdge, 1.0)
       << "what the first one keeps has not been looked for";
 }
 
@@ -91,7 +92,7 @@ TEST(PulledEnd, OutOfAMembraneIsThatOfTheDataUntilAllIsFound) {
   scene::Scene scene = ballScene();
   scene.cuts[0].shape = scene::CutShape::Membrane;
   scene.cuts[0].membrane.emplace();
-  scene.cuts[0].size = {kEdge, kEdge, 12.0};
+  scene.cuts[0].size = {kPulledEndEdge, kPulledEndEdge, 12.0};
   auto pull = beginPull(scene, scene.cuts[0].id, kMiddle, 0);
   ASSERT_TRUE(pull);
   Progress progress;

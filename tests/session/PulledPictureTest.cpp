@@ -12,10 +12,10 @@ namespace velum::session {
 namespace {
 
 constexpr int kPictureEdge = 64;
-constexpr glm::ivec2 kSize(240, 200);
-const glm::dvec3 kMiddle(31.5);
+constexpr glm::ivec2 kPulledPictureSize(240, 200);
+const glm::dvec3 kPulledPictureMiddle(31.5);
 
-bool isBall(glm::dvec3 p) { return glm::distance(p, kMiddle) < 20.0; }
+bool isBall(glm::dvec3 p) { return glm::distance(p, kPulledPictureMiddle) < 20.0; }
 
 class PulledPictures : public testing::Test {
  protected:
@@ -34,24 +34,26 @@ class PulledPictures : public testing::Test {
     mScene.labels.structures = {row};
     scene::Cut cut;
     cut.axis = {0, -1, 0};
-    cut.centre = kMiddle;
+    cut.centre = kPulledPictureMiddle;
     mCut = scene::addCut(mScene, cut);
-    mScene.camera = scene::frameCamera(mScene, scene::StandardView::Oblique, double(kSize.x) / kSize.y);
+    mScene.camera =
+        scene::frameCamera(mScene, scene::StandardView::Oblique, double(kPulledPictureSize.x) / kPulledPictureSize.y);
   }
   PulledPicture draw(double distance, double before = 0.0) const {
     Progress progress;
-    return drawPulled(mScene, {{mCut, 3, distance, before}}, kSize, progress);
+    return drawPulled(mScene, {{mCut, 3, distance, before}}, kPulledPictureSize, progress);
   }
   static std::uint32_t at(const PulledPicture& picture, glm::ivec2 p) {
     return picture.pixels[std::size_t(p.y * picture.width + p.x)];
   }
   /// Whether a ray meets the ball between two depths, shrunk or swollen by some voxels.
   bool meets(glm::ivec2 pixel, double from, double to, double swollen) const {
-    scene::PictureRay ray = scene::rayFromPixel(mScene.camera, glm::dvec2(kSize), glm::dvec2(pixel) + 0.5);
+    scene::PictureRay ray = scene::rayFromPixel(mScene.camera, glm::dvec2(kPulledPictureSize), glm::dvec2(pixel) + 0.5);
     for (double t = 0.0; t < 600.0; t += 0.25) {
       glm::dvec3 p = ray.origin + t * ray.direction;
-      double depth = kMiddle.y - p.y;
-      if (glm::distance(p, kMiddle) < 20.0 + swollen && depth > from - swollen && depth < to + swollen) return true;
+      double depth = kPulledPictureMiddle.y - p.y;
+      if (glm::distance(p, kPulledPictureMiddle) < 20.0 + swollen && depth > from - swollen && depth < to + swollen)
+        return true;
     }
     return false;
   }
@@ -64,10 +66,10 @@ TEST_F(PulledPictures, CoverWhatStandsOutAndNothingElse) {
     for (double distance : {4.0, 11.0, 30.0}) {
       mScene.camera.projection = projection;
       PulledPicture picture = draw(distance);
-      ASSERT_EQ(picture.pixels.size(), std::size_t(kSize.x * kSize.y));
+      ASSERT_EQ(picture.pixels.size(), std::size_t(kPulledPictureSize.x * kPulledPictureSize.y));
       int seen = 0;
-      for (glm::ivec2 p(2); p.y < kSize.y; p.y += 5)
-        for (p.x = 2; p.x < kSize.x; p.x += 5) {
+      for (glm::ivec2 p(2); p.y < kPulledPictureSize.y; p.y += 5)
+        for (p.x = 2; p.x < kPulledPictureSize.x; p.x += 5) {
           SCOPED_TRACE(testing::Message() << p.x << " " << p.y << " at " << distance);
           // A voxel is drawn as a square a little larger than itself.
           if (meets(p, 0.0, distance, -1.5)) {
@@ -82,7 +84,8 @@ TEST_F(PulledPictures, CoverWhatStandsOutAndNothingElse) {
 }
 
 TEST_F(PulledPictures, HaveTheCurvesColoursUntilTheStructureHasItsOwn) {
-  glm::dvec2 middle = *scene::pixelFromWorld(mScene.camera, glm::dvec2(kSize), kMiddle + glm::dvec3(0, -10, 0));
+  glm::dvec2 middle = *scene::pixelFromWorld(mScene.camera, glm::dvec2(kPulledPictureSize),
+                                             kPulledPictureMiddle + glm::dvec3(0, -10, 0));
   glm::ivec2 place(glm::floor(middle));
   std::uint32_t byValue = at(draw(10.0), place);
   EXPECT_GT(byValue >> 16 & 255, 60u);
@@ -111,15 +114,17 @@ TEST_F(PulledPictures, DimWhatHasGoneBack) {
 TEST_F(PulledPictures, OfAWedgeShowWhatBothOfItsPlanesRemove) {
   scene::Cut second;
   second.axis = {1, 0, 0};
-  second.centre = kMiddle;
+  second.centre = kPulledPictureMiddle;
   second.joined = true;
   scene::addCut(mScene, second);
-  mScene.camera = scene::frameCamera(mScene, scene::StandardView::Anterior, double(kSize.x) / kSize.y);
+  mScene.camera =
+      scene::frameCamera(mScene, scene::StandardView::Anterior, double(kPulledPictureSize.x) / kPulledPictureSize.y);
   auto seen = [&] {
     PulledPicture picture = draw(30.0);
     int left = 0, right = 0;
-    for (glm::ivec2 p(0); p.y < kSize.y; ++p.y)
-      for (p.x = 0; p.x < kSize.x; ++p.x) (p.x < kSize.x / 2 ? left : right) += at(picture, p) != 0;
+    for (glm::ivec2 p(0); p.y < kPulledPictureSize.y; ++p.y)
+      for (p.x = 0; p.x < kPulledPictureSize.x; ++p.x)
+        (p.x < kPulledPictureSize.x / 2 ? left : right) += at(picture, p) != 0;
     return glm::ivec2(left, right);
   };
   glm::ivec2 wedge = seen();
@@ -138,9 +143,11 @@ TEST_F(PulledPictures, AreLitAsSurfacesAndNotVoxelByVoxel) {
     state = state * 1664525u + 1013904223u;
     return (isBall(glm::dvec3(v)) ? 900.0 : -900.0) + double(state >> 24) - 128.0;
   }));
-  mScene.camera = scene::frameCamera(mScene, scene::StandardView::Anterior, double(kSize.x) / kSize.y);
+  mScene.camera =
+      scene::frameCamera(mScene, scene::StandardView::Anterior, double(kPulledPictureSize.x) / kPulledPictureSize.y);
   PulledPicture picture = draw(4.0);
-  glm::ivec2 middle(glm::floor(*scene::pixelFromWorld(mScene.camera, glm::dvec2(kSize), kMiddle)));
+  glm::ivec2 middle(
+      glm::floor(*scene::pixelFromWorld(mScene.camera, glm::dvec2(kPulledPictureSize), kPulledPictureMiddle)));
   int least = 255, most = 0;
   for (int y = -10; y <= 10; ++y)
     for (int x = -10; x <= 10; ++x) {
@@ -163,7 +170,7 @@ TEST_F(PulledPictures, ShowNothingOfAFaceThatIsSeenFromBehind) {
 TEST_F(PulledPictures, CanBeGivenUp) {
   Progress progress;
   progress.cancel();
-  EXPECT_THROW(drawPulled(mScene, {{mCut, 3, 10.0, 0.0}}, kSize, progress), Cancelled);
+  EXPECT_THROW(drawPulled(mScene, {{mCut, 3, 10.0, 0.0}}, kPulledPictureSize, progress), Cancelled);
 }
 
 }  // namespace

@@ -13,18 +13,18 @@ namespace velum::session {
 
 namespace {
 
-const glm::dvec2 kSize(500, 400);
+const glm::dvec2 kSectionCutToolSize(500, 400);
 
 /// Sections along the axes and a turned one, through the middle and off it.
 std::vector<scene::SectionPlane> manySections() {
   std::vector<scene::SectionPlane> frames;
-  scene::Scene scene = boxScene(kSize);
+  scene::Scene scene = boxScene(kSectionCutToolSize);
   scene::placeSections(scene);
   for (double turn : {0.0, 0.5}) {
     scene::turnSections(scene, scene::SectionKind::Axial, turn);
     scene::turnSections(scene, scene::SectionKind::Sagittal, turn * 0.7);
     for (auto kind : {scene::SectionKind::Axial, scene::SectionKind::Coronal, scene::SectionKind::Sagittal})
-      frames.push_back(scene::makeSectionPlane(scene, kind, kSize));
+      frames.push_back(scene::makeSectionPlane(scene, kind, kSectionCutToolSize));
   }
   return frames;
 }
@@ -182,8 +182,8 @@ TEST(SectionCutTool, ThePlanesLineEndsAtTheViewAndKnowsItsRemovedSide) {
       ASSERT_EQ(outline.points.size(), 2u);
       for (glm::dvec2 p : outline.points) {
         EXPECT_GE(std::min(p.x, p.y), -1e-6);
-        EXPECT_LE(p.x, kSize.x + 1e-6);
-        EXPECT_LE(p.y, kSize.y + 1e-6);
+        EXPECT_LE(p.x, kSectionCutToolSize.x + 1e-6);
+        EXPECT_LE(p.y, kSectionCutToolSize.y + 1e-6);
       }
       glm::dvec2 beside = (outline.points[0] + outline.points[1]) * 0.5 + outline.removedSide * 5.0;
       bool removed = (distanceMm(plane, scene::worldFromSectionPixel(frame, beside)) < 0) != invert;

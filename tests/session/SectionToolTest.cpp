@@ -11,7 +11,7 @@ namespace velum::session {
 namespace {
 
 using scene::SectionKind;
-constexpr glm::dvec2 kSize(400, 300);
+constexpr glm::dvec2 kSectionToolSize(400, 300);
 
 scene::Scene boxScene() {
   scene::Scene scene;
@@ -28,27 +28,27 @@ TEST(SectionTool, LinesLieInBothSectionsAndEndAtTheViewsSides) {
   scene::Scene scene = boxScene();
   scene::turnSections(scene, SectionKind::Axial, 0.4);
   scene::turnSections(scene, SectionKind::Sagittal, -0.2);
-  auto plane = scene::makeSectionPlane(scene, SectionKind::Coronal, kSize);
+  auto plane = scene::makeSectionPlane(scene, SectionKind::Coronal, kSectionToolSize);
   auto lines = crosshairLines(scene, SectionKind::Coronal, plane);
   ASSERT_EQ(lines.size(), 2u);
   for (const auto& line : lines) {
-    auto other = scene::makeSectionPlane(scene, line.other, kSize);
+    auto other = scene::makeSectionPlane(scene, line.other, kSectionToolSize);
     for (glm::dvec2 p : {line.from, line.to, line.knobs[0], line.knobs[1]})
       EXPECT_NEAR(scene::heightOverSection(other, scene::worldFromSectionPixel(plane, p)), 0.0, 1e-9);
     for (glm::dvec2 p : {line.from, line.to}) {
-      double edge = std::min(std::min(p.x, kSize.x - p.x), std::min(p.y, kSize.y - p.y));
+      double edge = std::min(std::min(p.x, kSectionToolSize.x - p.x), std::min(p.y, kSectionToolSize.y - p.y));
       EXPECT_NEAR(edge, 0.0, 1e-6);
     }
     EXPECT_TRUE(line.hasKnobs);
     EXPECT_TRUE(isOnKnob(lines, line.knobs[1] + 3.0, 8));
   }
-  EXPECT_FALSE(isOnKnob(lines, kSize * 0.5, 8));
+  EXPECT_FALSE(isOnKnob(lines, kSectionToolSize * 0.5, 8));
 }
 
 TEST(SectionTool, TheLineFollowsTheKnob) {
   scene::Scene scene = boxScene();
   for (auto kind : {SectionKind::Axial, SectionKind::Coronal, SectionKind::Sagittal}) {
-    auto plane = scene::makeSectionPlane(scene, kind, kSize);
+    auto plane = scene::makeSectionPlane(scene, kind, kSectionToolSize);
     glm::dvec2 cross = scene::sectionPixelFromWorld(plane, scene.sections.crosshair);
     auto before = crosshairLines(scene, kind, plane);
     scene::Scene after = scene;
@@ -65,10 +65,10 @@ TEST(SectionTool, AViewThatDoesNotSeeTheCrosshairHasNoKnobs) {
   scene::Scene scene = boxScene();
   scene.sections.axial.pan = {15, 0};
   for (const auto& line :
-       crosshairLines(scene, SectionKind::Axial, scene::makeSectionPlane(scene, SectionKind::Axial, kSize)))
+       crosshairLines(scene, SectionKind::Axial, scene::makeSectionPlane(scene, SectionKind::Axial, kSectionToolSize)))
     EXPECT_FALSE(line.hasKnobs);
   scene.sections.axial.pan = {1000, 1000};
-  auto plane = scene::makeSectionPlane(scene, SectionKind::Axial, kSize);
+  auto plane = scene::makeSectionPlane(scene, SectionKind::Axial, kSectionToolSize);
   EXPECT_TRUE(crosshairLines(scene, SectionKind::Axial, plane).empty());
 }
 

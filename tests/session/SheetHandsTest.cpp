@@ -11,10 +11,10 @@ namespace velum::session {
 
 namespace {
 
-const glm::dvec2 kSize(500, 400);
+const glm::dvec2 kSheetHandsSize(500, 400);
 
 struct Hands {
-  scene::Scene scene = boxScene(kSize);
+  scene::Scene scene = boxScene(kSheetHandsSize);
   scene::Cut cut = tiltedCut(scene::CutShape::Membrane);
   membrane::SheetIndex sheet;
   Hands() {
@@ -24,8 +24,12 @@ struct Hands {
     addPin(*cut.membrane, {{40, 90, 140}, {0.4, 0.6}});
     addKernel(*cut.membrane, {50, 100, 150}, 20.0, kKernelStrength);
   }
-  scene::SectionPlane section(scene::SectionKind kind) const { return scene::makeSectionPlane(scene, kind, kSize); }
-  glm::dvec2 pixelOf(glm::dvec3 world) const { return scene::pixelFromWorld(scene.camera, kSize, world).value(); }
+  scene::SectionPlane section(scene::SectionKind kind) const {
+    return scene::makeSectionPlane(scene, kind, kSheetHandsSize);
+  }
+  glm::dvec2 pixelOf(glm::dvec3 world) const {
+    return scene::pixelFromWorld(scene.camera, kSheetHandsSize, world).value();
+  }
 };
 constexpr scene::SectionKind kKinds[] = {scene::SectionKind::Axial, scene::SectionKind::Coronal,
                                          scene::SectionKind::Sagittal};
@@ -49,7 +53,7 @@ TEST(SheetHands, AClickInAPictureFindsTheSheetUnderThePointer) {
   int found = 0;
   for (int y = 50; y < 350; y += 7)
     for (int x = 50; x < 450; x += 7) {
-      auto ray = scene::rayFromPixel(hands.scene.camera, kSize, {x, y});
+      auto ray = scene::rayFromPixel(hands.scene.camera, kSheetHandsSize, {x, y});
       auto point = sheetOnRay(hands.cut, hands.sheet, ray);
       if (!point) continue;
       ++found;
@@ -59,7 +63,7 @@ TEST(SheetHands, AClickInAPictureFindsTheSheetUnderThePointer) {
       EXPECT_LT(off.y, 0.05) << "the wavy sheet's particles stand in rows and columns";
     }
   EXPECT_GT(found, 10);
-  EXPECT_FALSE(sheetOnRay(hands.cut, hands.sheet, scene::rayFromPixel(hands.scene.camera, kSize, {2, 2})));
+  EXPECT_FALSE(sheetOnRay(hands.cut, hands.sheet, scene::rayFromPixel(hands.scene.camera, kSheetHandsSize, {2, 2})));
 }
 
 TEST(SheetHands, AClickOnTheCurveOfASectionFindsTheSheetThere) {
@@ -86,15 +90,15 @@ TEST(SheetHands, WhatIsThereIsFoundAndADragBackGivesTheMembraneThatWas) {
   for (Hand hand : {Hand{HandKind::Pin, 0}, Hand{HandKind::Kernel, 0}}) {
     glm::dvec3 place = hand.kind == HandKind::Pin ? start.pins[0].place : start.field.kernels[0].centre;
     glm::dvec2 from = hands.pixelOf(place), to = from + glm::dvec2(23, -9);
-    EXPECT_EQ(handAt(start, hands.scene.camera, kSize, from, 2.0), hand);
-    scene::Membrane now = dragHand(start, hand, hands.scene.camera, kSize, from, to);
+    EXPECT_EQ(handAt(start, hands.scene.camera, kSheetHandsSize, from, 2.0), hand);
+    scene::Membrane now = dragHand(start, hand, hands.scene.camera, kSheetHandsSize, from, to);
     EXPECT_NE(now, start);
     glm::dvec3 moved = hand.kind == HandKind::Pin ? now.pins[0].place : now.field.kernels[0].centre;
     EXPECT_LT(glm::length(hands.pixelOf(moved) - to), 1e-6) << "it stays under the pointer";
-    EXPECT_EQ(dragHand(start, hand, hands.scene.camera, kSize, from, from), start);
+    EXPECT_EQ(dragHand(start, hand, hands.scene.camera, kSheetHandsSize, from, from), start);
     // Along the normal alone where that is asked for.
     glm::dvec3 normal = cutFrame(hands.cut)[2];
-    scene::Membrane along = dragHand(start, hand, hands.scene.camera, kSize, from, to, normal);
+    scene::Membrane along = dragHand(start, hand, hands.scene.camera, kSheetHandsSize, from, to, normal);
     glm::dvec3 went = (hand.kind == HandKind::Pin ? along.pins[0].place : along.field.kernels[0].centre) - place;
     EXPECT_GT(glm::length(went), 0.1);
     EXPECT_LT(glm::length(glm::cross(went, normal)), 1e-9);
@@ -157,10 +161,10 @@ TEST(SheetHands, TheRimOfAKernelInAPictureFollowsThePointer) {
   const auto& kernel = start.field.kernels[0];
   glm::dvec3 right = scene::cameraBasis(hands.scene.camera).right;
   glm::dvec2 from = hands.pixelOf(kernel.centre + right * 20.0), to = hands.pixelOf(kernel.centre + right * 33.0);
-  EXPECT_EQ(handAt(start, hands.scene.camera, kSize, from, 6.0), (Hand{HandKind::Rim, 0}));
-  scene::Membrane now = dragHand(start, {HandKind::Rim, 0}, hands.scene.camera, kSize, from, to);
+  EXPECT_EQ(handAt(start, hands.scene.camera, kSheetHandsSize, from, 6.0), (Hand{HandKind::Rim, 0}));
+  scene::Membrane now = dragHand(start, {HandKind::Rim, 0}, hands.scene.camera, kSheetHandsSize, from, to);
   EXPECT_NEAR(now.field.kernels[0].radius, 33.0, 1e-6);
-  EXPECT_NEAR(radiusOfDrag(hands.scene.camera, kSize, kernel.centre, to), 33.0, 1e-6);
+  EXPECT_NEAR(radiusOfDrag(hands.scene.camera, kSheetHandsSize, kernel.centre, to), 33.0, 1e-6);
 }
 
 TEST(SheetHands, RemovingAndTurningTouchOnlyTheOne) {

@@ -9,12 +9,12 @@
 namespace velum::session {
 namespace {
 
-constexpr glm::ivec3 kDims(48, 48, 40);
+constexpr glm::ivec3 kShowThisDims(48, 48, 40);
 const glm::dvec3 kLeftMm(-10, 0, 0), kRightMm(10, 0, 0), kBoneMm(0, -14, 0), kAirMm(0, 20, 16);
 
 /// A body of fat with two noisy organs (60 and 130), a bone (900), in air.
 double organValue(glm::ivec3 p) {
-  glm::dvec3 mm = glm::dvec3(p) - 0.5 * (glm::dvec3(kDims) - 1.0);
+  glm::dvec3 mm = glm::dvec3(p) - 0.5 * (glm::dvec3(kShowThisDims) - 1.0);
   double noise = 16.0 * (hashNoise(p, 1) + hashNoise(p, 2) + hashNoise(p, 3) + hashNoise(p, 4) - 2.0);
   if (glm::length(mm - kLeftMm) < 7) return 60 + noise;
   if (glm::length(mm - kRightMm) < 7) return 130 + noise;
@@ -25,7 +25,7 @@ double organValue(glm::ivec3 p) {
 
 scene::Scene organs(const char* preset = "ct-muscle") {
   scene::Scene scene;
-  Volume v = makeVolume(kDims, SampleType::Int16, organValue, centredFrame(kDims));
+  Volume v = makeVolume(kShowThisDims, SampleType::Int16, organValue, centredFrame(kShowThisDims));
   v.unit = "HU";
   scene.volume.data = Shared<Volume>(std::move(v));
   scene::applyPreset(scene, preset);
@@ -54,7 +54,7 @@ TEST(MeasureTissue, AHistogramIsCountedOnceAVolume) {
   ASSERT_TRUE(tissue && again && alone);
   for (const auto& one : {again, alone}) EXPECT_EQ(one->low, tissue->low);
   EXPECT_EQ(histograms.of(scene.volume).counts, valueHistogram(*scene.volume.data, 0, 0).counts);
-  other.volume.data = Shared<Volume>(makeVolume(kDims, SampleType::Int16, [](glm::ivec3 p) { return p.x; }));
+  other.volume.data = Shared<Volume>(makeVolume(kShowThisDims, SampleType::Int16, [](glm::ivec3 p) { return p.x; }));
   EXPECT_EQ(histograms.of(other.volume).counts, valueHistogram(*other.volume.data, 0, 0).counts);
 }
 
@@ -71,14 +71,14 @@ TEST(MeasureTissue, ABorderNearbyDoesNotMix) {
 /// A plate of spongy bone between two thin shells, in flesh that is like it: its own values vary by as much.
 double plateValue(glm::ivec3 p) {
   double noise = hashNoise(p, 1) + hashNoise(p, 2) + hashNoise(p, 3) + hashNoise(p, 4) - 2.0;
-  int away = std::abs(p.z - kDims.z / 2);
+  int away = std::abs(p.z - kShowThisDims.z / 2);
   if (away <= 2) return 300.0 + 110.0 * noise;
   return (away == 3 ? 1000.0 : 110.0) + 12.0 * noise;
 }
 
 TEST(MeasureTissue, AThinMaterialIsNotTakenForWhatIsLikeItFartherOff) {
   scene::VolumeLayer layer;
-  layer.data = Shared<Volume>(makeVolume(kDims, SampleType::Int16, plateValue));
+  layer.data = Shared<Volume>(makeVolume(kShowThisDims, SampleType::Int16, plateValue));
   for (glm::ivec3 place : {glm::ivec3(20, 20, 20), {24, 22, 20}, {30, 14, 20}, {11, 33, 20}}) {
     auto tissue = measureTissue(layer, glm::dvec3(place));
     ASSERT_TRUE(tissue);
@@ -90,7 +90,7 @@ TEST(MeasureTissue, AThinMaterialIsNotTakenForWhatIsLikeItFartherOff) {
 
 /// A vessel so thin that more blurred voxels than whole ones belong to it, beside a bone, in noise.
 double vesselValue(glm::ivec3 p) {
-  glm::dvec3 mm = glm::dvec3(p) - 0.5 * (glm::dvec3(kDims) - 1.0);
+  glm::dvec3 mm = glm::dvec3(p) - 0.5 * (glm::dvec3(kShowThisDims) - 1.0);
   double noise = 20.0 * (hashNoise(p, 1) + hashNoise(p, 2) - 1.0);
   double vessel = std::clamp(2.6 - glm::length(glm::dvec2(mm.x + 5, mm.y)), 0.0, 1.0);
   double bone = std::clamp(8.0 - glm::length(mm - glm::dvec3(14, 0, 0)), 0.0, 1.0);
@@ -99,7 +99,8 @@ double vesselValue(glm::ivec3 p) {
 
 TEST(MeasureTissue, AThinVesselIsNotTakenForWhatIsAroundIt) {
   scene::Scene scene;
-  scene.volume.data = Shared<Volume>(makeVolume(kDims, SampleType::Int16, vesselValue, centredFrame(kDims)));
+  scene.volume.data =
+      Shared<Volume>(makeVolume(kShowThisDims, SampleType::Int16, vesselValue, centredFrame(kShowThisDims)));
   for (double z : {-9.5, 0.5, 12.5}) {
     auto tissue = measureTissue(scene.volume, {-4.5, 0.5, z});
     ASSERT_TRUE(tissue);

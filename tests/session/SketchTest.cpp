@@ -15,7 +15,7 @@
 namespace velum::session {
 namespace {
 
-constexpr glm::ivec3 kDims(60, 48, 40);
+constexpr glm::ivec3 kSketchDims(60, 48, 40);
 constexpr double kAir = 0, kVessel = 300, kOrgan = 200, kTissue = 100;
 const glm::dvec3 kVesselMm(-14, 0, 0), kOrganMm(14, 0, 0);
 
@@ -24,7 +24,7 @@ double noiseAt(glm::ivec3 p) {
 }
 
 double cleanAt(glm::ivec3 p) {
-  glm::dvec3 mm = glm::dvec3(p) - 0.5 * (glm::dvec3(kDims) - 1.0);
+  glm::dvec3 mm = glm::dvec3(p) - 0.5 * (glm::dvec3(kSketchDims) - 1.0);
   if (glm::length(glm::dvec2(mm.x, mm.y) - glm::dvec2(kVesselMm)) < 4) return kVessel;
   if (glm::length(mm - kOrganMm) < 10) return kOrgan;
   return mm.y > 16 ? kAir : kTissue;
@@ -33,7 +33,7 @@ double cleanAt(glm::ivec3 p) {
 scene::VolumeLayer body() {
   scene::VolumeLayer layer;
   layer.data = Shared<Volume>(makeVolume(
-      kDims, SampleType::Int16, [](glm::ivec3 p) { return cleanAt(p) + noiseAt(p); }, centredFrame(kDims)));
+      kSketchDims, SampleType::Int16, [](glm::ivec3 p) { return cleanAt(p) + noiseAt(p); }, centredFrame(kSketchDims)));
   return layer;
 }
 
@@ -53,9 +53,9 @@ double strengthOf(const scene::ForceField& field, double value) { return membran
 double shareProtected(const scene::ForceField& field, const scene::VolumeLayer& layer, double material) {
   double all = 0, kept = 0;
   glm::ivec3 p;
-  for (p.z = 0; p.z < kDims.z; ++p.z)
-    for (p.y = 0; p.y < kDims.y; ++p.y)
-      for (p.x = 0; p.x < kDims.x; ++p.x) {
+  for (p.z = 0; p.z < kSketchDims.z; ++p.z)
+    for (p.y = 0; p.y < kSketchDims.y; ++p.y)
+      for (p.x = 0; p.x < kSketchDims.x; ++p.x) {
         if (cleanAt(p) != material) continue;
         ++all;
         if (strengthOf(field, valueAt(*layer.data, p)) > 0) ++kept;

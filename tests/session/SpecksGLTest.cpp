@@ -18,7 +18,7 @@ namespace velum::session {
 namespace {
 
 /// What is opened, where it is cut, and what stands out of the cut.
-struct Case {
+struct SpecksCase {
   const char* name;
   const char* data;            ///< a file of the test data, or a phantom
   const char* labels;          ///< a file; of a phantom none
@@ -30,9 +30,9 @@ struct Case {
   double most;
 };
 
-void PrintTo(const Case& one, std::ostream* out) { *out << one.name; }
+void PrintTo(const SpecksCase& one, std::ostream* out) { *out << one.name; }
 
-const Case kCases[] = {
+const SpecksCase kSpecksCases[] = {
     {"trunk", "torso", "", {0, 0, 1}, 0.45, {"skin", "subcutaneous fat", "muscle"}, 620},
     {"heart", "ct_heart_aorta_cta.nii.gz", "ct_heart_aorta_cta_labels.nii.gz", {0, -1, 0}, 0.5, {}, 220},
     {"abdomen", "ct_abdomen_3mm_crop.nii.gz", "ct_abdomen_3mm_crop_organs.nii.gz", {0, -1, 0}, 0.5, {}, 390},
@@ -40,7 +40,7 @@ const Case kCases[] = {
     {"foot", "foot", "", {0, -1, 0}, 0.5, {"skin", "subcutaneous fat", "muscle"}, 820},
 };
 
-constexpr int kSize = 320;
+constexpr int kSpecksSize = 320;
 constexpr int kFar = 32;    ///< grey levels from the median that make a speck,
 constexpr int kAlike = 16;  ///< unless
 constexpr int kFew = 4;     ///< so many around it are as near to it: an edge, or a line
@@ -70,12 +70,12 @@ int specksIn(const Image& image) {
   return specks;
 }
 
-class SpecksGL : public RenderTest, public testing::WithParamInterface<Case> {
+class SpecksGL : public RenderTest, public testing::WithParamInterface<SpecksCase> {
  protected:
   void SetUp() override {
     RenderTest::SetUp();
     if (std::getenv("VELUM_TEST_DRIVER")) GTEST_SKIP() << "pictures are judged on the driver that is there";
-    const Case& one = GetParam();
+    const SpecksCase& one = GetParam();
     Progress progress;
     if (!*one.labels) {
       mScene = openSample(one.data, 160, mFolder.path(), progress);
@@ -98,10 +98,10 @@ class SpecksGL : public RenderTest, public testing::WithParamInterface<Case> {
   }
   void expectFew(const char* way) {
     PictureOptions options;
-    options.size = {kSize, kSize};
+    options.size = {kSpecksSize, kSpecksSize};
     Progress progress;
     Image image = drawPicture(renderer(), mScene, options, context().limits(), progress);
-    double specks = specksIn(image) * 1e5 / (kSize * kSize);
+    double specks = specksIn(image) * 1e5 / (kSpecksSize * kSpecksSize);
     std::printf("%s, %s: %.1f specks in a hundred thousand pixels\n", GetParam().name, way, specks);
     EXPECT_LE(specks, GetParam().most) << way;
     if (const char* shots = std::getenv("VELUM_SHOTS"))
@@ -118,7 +118,7 @@ TEST_P(SpecksGL, NoPixelStandsAlone) {
   expectFew("plate");
 }
 
-INSTANTIATE_TEST_SUITE_P(Data, SpecksGL, testing::ValuesIn(kCases),
+INSTANTIATE_TEST_SUITE_P(Data, SpecksGL, testing::ValuesIn(kSpecksCases),
                          [](const auto& tested) { return std::string(tested.param.name); });
 
 }  // namespace

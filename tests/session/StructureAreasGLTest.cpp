@@ -14,7 +14,7 @@ namespace velum::session {
 
 namespace {
 
-const glm::ivec2 kSize(96, 72);
+const glm::ivec2 kStructureAreasSize(96, 72);
 
 /// Two solid balls, the second mostly behind the first, and a plane that takes half of both. Voxels as they are: labels
 /// alone would be drawn smoothed.
@@ -38,7 +38,8 @@ scene::Scene twoBalls() {
   scene.volume.transfer.colors = {{0, glm::vec3(0.8f)}};
   scene.volume.transfer.opacities = {{0, 0.999}, {1, 0.999}};
   scene.volume.transfer.unitDistance = 0.02;
-  scene.camera = scene::frameCamera(scene, scene::StandardView::Anterior, double(kSize.x) / kSize.y);
+  scene.camera =
+      scene::frameCamera(scene, scene::StandardView::Anterior, double(kStructureAreasSize.x) / kStructureAreasSize.y);
   scene::Cut cut;
   cut.id = 1;
   cut.axis = {0.2, 0.1, 1.0};
@@ -54,12 +55,12 @@ class StructureAreasGL : public GlTest {
   }
   std::map<int, StructureArea> areasOf(const scene::Scene& scene, const Image& picture) {
     std::map<int, StructureArea> areas;
-    auto hits = render::structureHits(scene, kSize, {1}, mProgress);
+    auto hits = render::structureHits(scene, kStructureAreasSize, {1}, mProgress);
     for (const StructureArea& area : structureAreas(scene, hits, picture)) areas[area.structure] = area;
     return areas;
   }
   Image draw(const scene::Scene& scene) {
-    return PictureCounter(renderer(), kSize, context().limits(), mProgress).structures(scene);
+    return PictureCounter(renderer(), kStructureAreasSize, context().limits(), mProgress).structures(scene);
   }
 
   Progress mProgress;
@@ -72,7 +73,7 @@ TEST_F(StructureAreasGL, RaysAndPicturesTellTheSame) {
   Image picture = draw(scene);
   auto areas = areasOf(scene, picture);
   std::map<int, std::uint64_t> met, seen;
-  for (const auto& hit : render::structureHits(scene, kSize, {1}, mProgress)) ++met[hit.structure];
+  for (const auto& hit : render::structureHits(scene, kStructureAreasSize, {1}, mProgress)) ++met[hit.structure];
   std::size_t column =
       std::size_t(std::find(picture.channels.begin(), picture.channels.end(), "id") - picture.channels.begin());
   for (std::size_t i = column; i < picture.pixels.size(); i += picture.channels.size()) ++seen[int(picture.pixels[i])];
@@ -96,7 +97,7 @@ TEST_F(StructureAreasGL, RaysAndPicturesTellTheSame) {
 
 TEST_F(StructureAreasGL, APictureOfWhatWasSolvedShowsAsMuch) {
   scene::Scene scene = twoBalls();
-  AreaSolver solver(scene, {1}, 3, render::structureHits(scene, kSize, {1}, mProgress));
+  AreaSolver solver(scene, {1}, 3, render::structureHits(scene, kStructureAreasSize, {1}, mProgress));
   std::uint64_t before = 0;
   for (double share : {0.0, 0.3, 0.7, 1.0}) {
     SolvedArea solved =
@@ -114,15 +115,16 @@ TEST_F(StructureAreasGL, InstancesAreCountedInWindowsAsInOnePicture) {
   scene::Scene scene;
   scene.unit = LengthUnit::Angstrom;
   scene.model.data = Shared<Model>(ModelMaker{.instances = 600}.make());
-  scene.camera = scene::frameCamera(scene, scene::StandardView::Oblique, double(kSize.x) / kSize.y);
+  scene.camera =
+      scene::frameCamera(scene, scene::StandardView::Oblique, double(kStructureAreasSize.x) / kStructureAreasSize.y);
   scene::Cut ball;
   ball.shape = scene::CutShape::Sphere;
   ball.size = glm::dvec3(250.0);
   scene::addCut(scene, ball);
   gpu::Limits limits = context().limits();
-  PictureCounter inOne(renderer(), kSize, limits, mProgress);
+  PictureCounter inOne(renderer(), kStructureAreasSize, limits, mProgress);
   limits.texture2d = 40;  // three windows beside each other, two below each other
-  PictureCounter inWindows(renderer(), kSize, limits, mProgress);
+  PictureCounter inWindows(renderer(), kStructureAreasSize, limits, mProgress);
   const render::InstanceBits &one = inOne.count(scene), &several = inWindows.count(scene);
   EXPECT_EQ(several.removed, one.removed);
   EXPECT_EQ(several.shown, one.shown);

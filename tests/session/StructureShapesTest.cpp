@@ -13,7 +13,7 @@
 namespace velum::session {
 namespace {
 
-constexpr int kSize = 48;
+constexpr int kStructureShapesSize = 48;
 constexpr double kSpacing = 1.5;
 
 glm::dmat4 worldFromVoxel() {
@@ -24,27 +24,28 @@ glm::dmat4 worldFromVoxel() {
 
 /// Structure 1, a ball in blocks of two voxels, beside structure 2, one of voxels.
 LabelVolume labelsOfBlocks() {
-  LabelVolume labels(glm::ivec3(kSize), worldFromVoxel());
+  LabelVolume labels(glm::ivec3(kStructureShapesSize), worldFromVoxel());
   std::vector<std::uint16_t> ids;
-  for (int z = 0; z < kSize; ++z)
-    for (int y = 0; y < kSize; ++y)
-      for (int x = 0; x < kSize; ++x) {
+  for (int z = 0; z < kStructureShapesSize; ++z)
+    for (int y = 0; y < kStructureShapesSize; ++y)
+      for (int x = 0; x < kStructureShapesSize; ++x) {
         glm::dvec3 voxel(x, y, z), block = glm::floor(voxel / 2.0) * 2.0 + 0.5;
         bool isBall = glm::length(block - glm::dvec3(16, 18, 20)) < 12;
         ids.push_back(isBall ? 1 : glm::length(voxel - glm::dvec3(36.2, 36.4, 34)) < 9 ? 2 : 0);
       }
-  labels.write(glm::ivec3(0), glm::ivec3(kSize), ids);
+  labels.write(glm::ivec3(0), glm::ivec3(kStructureShapesSize), ids);
   labels.table = {{1, "heart_atrium"}, {2, "aorta"}};
   return labels;
 }
 
 Volume scan() {
   Volume v;
-  v.dims = glm::ivec3(kSize);
+  v.dims = glm::ivec3(kStructureShapesSize);
   v.type = SampleType::UInt8;
   v.worldFromVoxel = worldFromVoxel();
   v.voxels.resize(timeStepBytes(v));
-  for (std::size_t i = 0; i < voxelCount(v); ++i) v.voxels[i] = std::byte(i % kSize < kSize / 2 ? 200 : i % 7);
+  for (std::size_t i = 0; i < voxelCount(v); ++i)
+    v.voxels[i] = std::byte(i % kStructureShapesSize < kStructureShapesSize / 2 ? 200 : i % 7);
   return v;
 }
 
@@ -67,8 +68,8 @@ class StructureShapes : public testing::Test {
     return scene;
   }
   static std::vector<std::uint16_t> idsOf(const LabelVolume& labels) {
-    std::vector<std::uint16_t> ids(std::size_t(kSize) * kSize * kSize);
-    labels.read(glm::ivec3(0), glm::ivec3(kSize), ids);
+    std::vector<std::uint16_t> ids(std::size_t(kStructureShapesSize) * kStructureShapesSize * kStructureShapesSize);
+    labels.read(glm::ivec3(0), glm::ivec3(kStructureShapesSize), ids);
     return ids;
   }
   static void smooth(scene::Scene& scene, int id, double deviation) {

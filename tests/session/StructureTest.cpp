@@ -10,7 +10,7 @@ namespace velum::session {
 
 namespace {
 
-scene::Scene threeStructures() {
+scene::Scene structureThreeStructures() {
   scene::Scene scene;
   for (int id : {2, 5, 9}) scene.labels.structures.push_back({id, "", {1, 1, 1}, 1.0, id != 5});
   scene.labels.structures[0].name = "aorta";
@@ -29,7 +29,7 @@ using Flags = std::vector<bool>;
 }  // namespace
 
 TEST(Structures, SoloRemembersAndRestoresWhatWasVisible) {
-  scene::Scene scene = threeStructures(), before = scene;
+  scene::Scene scene = structureThreeStructures(), before = scene;
   SoloMemory memory = toggleSolo(scene, {}, 9);
   EXPECT_EQ(visible(scene), (Flags{false, false, true}));
   EXPECT_EQ(scene.labels.unlabelled, 0.0);
@@ -40,7 +40,7 @@ TEST(Structures, SoloRemembersAndRestoresWhatWasVisible) {
 }
 
 TEST(Structures, SoloFromOneToAnotherKeepsWhatWasVisibleBeforeBoth) {
-  scene::Scene scene = threeStructures(), before = scene;
+  scene::Scene scene = structureThreeStructures(), before = scene;
   SoloMemory memory = toggleSolo(scene, {}, 9);
   memory = toggleSolo(scene, memory, 5);
   EXPECT_EQ(visible(scene), (Flags{false, true, false}));
@@ -49,7 +49,7 @@ TEST(Structures, SoloFromOneToAnotherKeepsWhatWasVisibleBeforeBoth) {
 }
 
 TEST(Structures, SoloAfterOtherChangesRemembersThose) {
-  scene::Scene scene = threeStructures();
+  scene::Scene scene = structureThreeStructures();
   SoloMemory memory = toggleSolo(scene, {}, 9);
   for (auto& structure : scene.labels.structures) structure.visible = true;
   scene::Scene all = scene;
@@ -59,7 +59,7 @@ TEST(Structures, SoloAfterOtherChangesRemembersThose) {
 }
 
 TEST(Structures, UndoNamesSayWhich) {
-  scene::Scene scene = threeStructures();
+  scene::Scene scene = structureThreeStructures();
   EXPECT_EQ(structureLabel(scene, "Hide", {2}), "Hide aorta");
   EXPECT_EQ(structureLabel(scene, "Solo", {5}), "Solo structure 5");
   EXPECT_EQ(structureLabel(scene, "Show", {2, 5}), "Show 2 structures");

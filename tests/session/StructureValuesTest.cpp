@@ -11,27 +11,28 @@
 namespace velum::session {
 namespace {
 
-constexpr glm::ivec3 kDims(50, 45, 40);  // more than a brick, and no multiple of one
+constexpr glm::ivec3 kStructureValuesDims(50, 45, 40);  // more than a brick, and no multiple of one
 
 std::uint16_t idAt(glm::ivec3 p) { return p.x < 10 ? 0 : p.y < 20 ? 3 : p.z < 35 ? 700 : 9; }
 
 Volume scanOf() {
-  Volume v = makeVolume(kDims, SampleType::Int16, [](glm::ivec3 p) { return 1000.0 + p.x * 7 - p.y * 3 + p.z; });
+  Volume v = makeVolume(kStructureValuesDims, SampleType::Int16,
+                        [](glm::ivec3 p) { return 1000.0 + p.x * 7 - p.y * 3 + p.z; });
   v.scale = 0.5, v.offset = -300.0;
   return v;
 }
 
 TEST(StructureValues, AreThoseOfALoopOverAllVoxels) {
   Volume scan = scanOf();
-  LabelVolume labels = makeLabels(kDims, idAt, scan.worldFromVoxel);
+  LabelVolume labels = makeLabels(kStructureValuesDims, idAt, scan.worldFromVoxel);
   Progress progress;
   auto values = measureValues(labels, scan, 0, 0, progress);
   ASSERT_EQ(values.size(), 3u);
   for (int id : {3, 9, 700}) {
     double count = 0, sum = 0, squares = 0, least = 1e9, most = -1e9;
-    for (int z = 0; z < kDims.z; ++z)
-      for (int y = 0; y < kDims.y; ++y)
-        for (int x = 0; x < kDims.x; ++x) {
+    for (int z = 0; z < kStructureValuesDims.z; ++z)
+      for (int y = 0; y < kStructureValuesDims.y; ++y)
+        for (int x = 0; x < kStructureValuesDims.x; ++x) {
           if (idAt({x, y, z}) != id) continue;
           double value = valueAt(scan, {x, y, z});
           ++count, sum += value, squares += value * value;
@@ -85,7 +86,7 @@ TEST(StructureValues, LeaveOutWhatIsNoNumberAndKnowTimeAndChannel) {
 
 TEST(StructureValues, StopWhenTheyAreTold) {
   Volume scan = scanOf();
-  LabelVolume labels = makeLabels(kDims, idAt, scan.worldFromVoxel);
+  LabelVolume labels = makeLabels(kStructureValuesDims, idAt, scan.worldFromVoxel);
   Progress progress;
   progress.cancel();
   EXPECT_THROW(measureValues(labels, scan, 0, 0, progress), Cancelled);

@@ -12,7 +12,7 @@
 namespace velum::session {
 namespace {
 
-constexpr glm::ivec2 kSize(72, 60);
+constexpr glm::ivec2 kUnitsSize(72, 60);
 
 /// Everything at once: a phantom with labels, a mesh, light with shadows.
 class UnitsGL : public RenderTest {
@@ -61,7 +61,7 @@ class UnitsGL : public RenderTest {
     auto picture = [&](double voxel, LengthUnit unit) {
       scene::Scene scene = withVoxelOf(mScene, voxel, unit);
       if (finish) finish(scene);
-      return drawWith(renderer(), scene, kSize, kAllLayers);
+      return drawWith(renderer(), scene, kUnitsSize, kAllLayers);
     };
     Image wanted = picture(1.0, LengthUnit::Millimetre);
     EXPECT_GT(coverageOf(wanted), 0.1);
@@ -96,8 +96,8 @@ class UnitsGL : public RenderTest {
   /// The layers are in the scene's unit.
   static void expectSameDepths(const Image& wanted, const Image& is, double voxel, const char* name) {
     int wrong = 0, shown = 0;
-    for (int y = 0; y < kSize.y; ++y)
-      for (int x = 0; x < kSize.x; ++x) {
+    for (int y = 0; y < kUnitsSize.y; ++y)
+      for (int x = 0; x < kUnitsSize.x; ++x) {
         float a = sampleOf(wanted, {x, y}, "Z"), b = sampleOf(is, {x, y}, "Z");
         if (!std::isfinite(a) && !std::isfinite(b)) continue;
         ++shown;

@@ -65,13 +65,14 @@ class PictureDelegate : public QStyledItemDelegate {
 }  // namespace
 
 QImage toQImage(const Image& image) {
-  QImage out(image.width, image.height, QImage::Format_RGB888);
-  std::size_t channels = image.channels.size();
-  for (int y = 0; y < image.height; ++y)
-    for (int x = 0; x < image.width; ++x) {
-      const float* p = &image.pixels[(std::size_t(y) * std::size_t(image.width) + std::size_t(x)) * channels];
-      out.setPixel(x, y, qRgb(int(p[0] * 255 + 0.5f), int(p[1] * 255 + 0.5f), int(p[2] * 255 + 0.5f)));
-    }
+  std::size_t channels = image.channels.size(), shown = std::min<std::size_t>(channels, 4);
+  QImage out(image.width, image.height, shown == 4 ? QImage::Format_RGBA8888 : QImage::Format_RGB888);
+  for (int y = 0; y < image.height; ++y) {
+    uchar* row = out.scanLine(y);
+    const float* in = &image.pixels[std::size_t(y) * std::size_t(image.width) * channels];
+    for (int x = 0; x < image.width; ++x, in += channels, row += shown)
+      for (std::size_t c = 0; c < shown; ++c) row[c] = uchar(std::lround(255.0f * std::clamp(in[c], 0.0f, 1.0f)));
+  }
   return out;
 }
 

@@ -19,7 +19,7 @@ namespace {
 
 constexpr double kWorkMs = 8.0;         // a sixth of the 50 ms in which every view answers
 constexpr double kCoarseWorkMs = 28.0;  // a coarse picture in one piece: what waits is that picture
-constexpr int kPauseMs = 140;           // a hand that pauses in a drag for less does not start a full picture
+constexpr int kStillMs = 140;           // a hand that pauses in a drag for less does not start a full picture
 constexpr int kTellMs = 250;            // how often the status line is told: the window is composed anew for each word
 constexpr int kShowMs = 150;            // how often a growing picture is shown: showing costs a pass over it
 
@@ -39,7 +39,7 @@ Viewport::Viewport(session::Session& session, Toolbox& toolbox, QWidget* parent)
   mSectionTimer.setInterval(0);
   connect(&mSectionTimer, &QTimer::timeout, this, &Viewport::section);
   mRestTimer.setSingleShot(true);
-  mRestTimer.setInterval(kPauseMs);
+  mRestTimer.setInterval(kStillMs);
   connect(&mRestTimer, &QTimer::timeout, this, [this] {
     if (holdsPicture(mToolbox)) return;
     begin(mCoarseScale > 2.5 ? Stage::Half : Stage::Full);

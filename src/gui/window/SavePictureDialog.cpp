@@ -14,6 +14,7 @@
 #include <exception>
 
 #include "gui/kit/Preferences.h"
+#include "gui/rows/PictureList.h"
 #include "session/Session.h"
 #include "session/document/Open.h"
 
@@ -42,17 +43,6 @@ QPixmap onSquares(const QImage& image) {
       painter.fillRect(x, y, kSquare, kSquare,
                        (x + y) / kSquare % 2 ? QColor(0xa8, 0xa8, 0xa8) : QColor(0x88, 0x88, 0x88));
   painter.drawImage(0, 0, image);
-  return out;
-}
-
-QImage toQImage(const Image& image) {
-  QImage out(image.width, image.height, QImage::Format_RGBA8888);
-  for (int y = 0; y < image.height; ++y) {
-    uchar* row = out.scanLine(y);
-    const float* in = &image.pixels[std::size_t(y) * std::size_t(image.width) * image.channels.size()];
-    for (int x = 0; x < image.width; ++x, in += image.channels.size())
-      for (int c = 0; c < 4; ++c) row[x * 4 + c] = uchar(std::lround(255.0f * std::clamp(in[c], 0.0f, 1.0f)));
-  }
   return out;
 }
 

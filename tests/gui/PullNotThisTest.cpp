@@ -27,7 +27,7 @@ class PullNotThis : public PullFixture {
  protected:
   static void SetUpTestSuite() {
     Window::SetUpTestSuite();
-    writeVoxels(*sFolder / "not.nrrd", kNotThisEdge, barAndBlock);
+    writeVoxels(*sFolder / "not.nrrd", kNotThisEdge, pullNotThisBarAndBlock);
   }
   void SetUp() override {
     PullFixture::SetUp();

@@ -21,7 +21,7 @@ class PullTime : public PullFixture {
  protected:
   static void SetUpTestSuite() {
     Window::SetUpTestSuite();
-    writeSeries(*sFolder / "series.nii", kTimeEdge, kSteps, ball);
+    writeSeries(*sFolder / "series.nii", kTimeEdge, kSteps, pullTimeBall);
   }
   /// Voxels of the ball at a time step in front of the plane, as far as it is pulled.
   std::size_t out(int t, double distance) {

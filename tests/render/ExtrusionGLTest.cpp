@@ -162,8 +162,8 @@ TEST_F(ExtrusionGL, OutOfAMembraneTheDistanceIsFromItsSheet) {
   sheet.axis = {0, -1, 0};
   sheet.size = {80, 80, 30};
   sheet.membrane.emplace();
-  sheet.membrane->cloth.particles = kParticles;
-  sheet.membrane->shape = wavySheet(kParticles, sheet.size);
+  sheet.membrane->cloth.particles = kNaiveParticles;
+  sheet.membrane->shape = wavySheet(kNaiveParticles, sheet.size);
   for (int id : {1, 300}) sheet.spares.push_back({id, 5.0});
   mScene.cuts.clear();
   scene::addCut(mScene, sheet);

@@ -8,7 +8,7 @@
 namespace velum {
 
 inline constexpr double kTooNear = 0.01;  // floats and doubles may differ about a point on a face
-inline constexpr glm::ivec2 kParticles(14, 17);
+inline constexpr glm::ivec2 kNaiveParticles(14, 17);
 
 /// < 0 inside; what is removed of the plane is its inside.
 inline double distanceOfShape(scene::CutShape shape, glm::dvec3 half, glm::dvec3 p) {
@@ -78,7 +78,7 @@ inline Place placeOfMembrane(const scene::Cut& cut, const scene::SheetShape& she
 
 inline Place placeOf(const scene::Cut& cut, glm::dvec3 world) {
   glm::dvec3 p(glm::inverse(scene::worldFromCut(cut)) * glm::dvec4(world, 1.0));
-  if (cut.membrane) return placeOfMembrane(cut, membrane::fitShape(cut.membrane->shape, kParticles, cut.size), p);
+  if (cut.membrane) return placeOfMembrane(cut, membrane::fitShape(cut.membrane->shape, kNaiveParticles, cut.size), p);
   double distance = distanceOfShape(cut.shape, cut.size * 0.5, p) * (cut.invert ? -1.0 : 1.0);
   return {distance, std::abs(distance)};
 }

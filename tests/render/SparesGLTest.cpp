@@ -41,8 +41,8 @@ class Random {
     cut.size = {number(12, 40), number(12, 40), number(12, 40)};
     if (shape == scene::CutShape::Membrane) {
       cut.membrane.emplace();
-      cut.membrane->cloth.particles = kParticles;
-      cut.membrane->shape = whole(0, 1) ? wavySheet(kParticles, cut.size) : foldedSheet(kParticles, cut.size);
+      cut.membrane->cloth.particles = kNaiveParticles;
+      cut.membrane->shape = whole(0, 1) ? wavySheet(kNaiveParticles, cut.size) : foldedSheet(kNaiveParticles, cut.size);
       if (whole(0, 2) == 0) cut.membrane->use = scene::MembraneUse::Inlay;
     }
     for (int i = whole(0, 4); i > 0; --i) {

@@ -14,7 +14,7 @@ namespace {
 const glm::dvec2 kCutToolSize(800, 600);
 
 /// A scene that is a box of 100 x 200 x 300 mm, seen from an oblique side.
-scene::Scene boxScene() {
+scene::Scene boundedScene() {
   scene::Scene scene;
   Volume volume;
   volume.dims = {10, 20, 30};
@@ -32,7 +32,7 @@ glm::dvec2 pixelOf(const scene::Scene& scene, const CutGizmo& gizmo, CutHandle h
 }  // namespace
 
 TEST(CutTool, OutlineLiesInThePlaneAndInTheBox) {
-  scene::Scene scene = boxScene();
+  scene::Scene scene = boundedScene();
   scene::Cut cut;
   cut.centre = {45, 95, 145};
   cut.axis = {1, 2, -3};
@@ -49,7 +49,7 @@ TEST(CutTool, OutlineLiesInThePlaneAndInTheBox) {
 }
 
 TEST(CutTool, EdgesLieOnTheShape) {
-  scene::Scene scene = boxScene();
+  scene::Scene scene = boundedScene();
   for (auto shape : everyClosedShape()) {
     scene::Cut cut;
     cut.shape = shape;
@@ -70,7 +70,7 @@ TEST(CutTool, EdgesLieOnTheShape) {
 }
 
 TEST(CutTool, EveryHandleIsFoundWhereItIs) {
-  scene::Scene scene = boxScene();
+  scene::Scene scene = boundedScene();
   scene::Cut cut;
   cut.centre = {45, 95, 145};
   cut.axis = {1, 0, 0};
@@ -82,7 +82,7 @@ TEST(CutTool, EveryHandleIsFoundWhereItIs) {
 }
 
 TEST(CutTool, ArrowFollowsThePointerAlongTheNormal) {
-  scene::Scene scene = boxScene();
+  scene::Scene scene = boundedScene();
   scene::Cut cut;
   cut.centre = {45, 95, 145};
   cut.axis = {1, 0, 0};
@@ -96,7 +96,7 @@ TEST(CutTool, ArrowFollowsThePointerAlongTheNormal) {
 }
 
 TEST(CutTool, ArrowSeenEndOnStillMoves) {
-  scene::Scene scene = boxScene();
+  scene::Scene scene = boundedScene();
   scene::Cut cut = cutFacingCamera(scene);
   CutGizmo gizmo = makeCutGizmo(scene, cut, kCutToolSize);
   scene::Cut moved = dragCut(cut, gizmo, CutHandle::Arrow, scene.camera, kCutToolSize, {400, 300}, {400, 340});
@@ -104,7 +104,7 @@ TEST(CutTool, ArrowSeenEndOnStillMoves) {
 }
 
 TEST(CutTool, KnobTiltsAboutTheMiddleAndComesBack) {
-  scene::Scene scene = boxScene();
+  scene::Scene scene = boundedScene();
   for (glm::dvec3 axis : {glm::dvec3(1, 0, 0), glm::dvec3(0, -1, 0), glm::dvec3(0, 0, 1)}) {
     scene::Cut cut;
     cut.centre = {45, 95, 145};
@@ -122,7 +122,7 @@ TEST(CutTool, KnobTiltsAboutTheMiddleAndComesBack) {
 }
 
 TEST(CutTool, KnobFollowsThePointer) {
-  scene::Scene scene = boxScene();
+  scene::Scene scene = boundedScene();
   scene::Cut cut = cutFacingCamera(scene);
   CutGizmo gizmo = makeCutGizmo(scene, cut, kCutToolSize);
   glm::dvec2 from = pixelOf(scene, gizmo, CutHandle::KnobRight);
@@ -134,7 +134,7 @@ TEST(CutTool, KnobFollowsThePointer) {
 }
 
 TEST(CutTool, OffsetComesBack) {
-  scene::Scene scene = boxScene();
+  scene::Scene scene = boundedScene();
   scene::Cut cut;
   cut.axis = {0, 0, -2};
   EXPECT_NEAR(cutPosition(scene, withOffset(scene, cut, 12.5)).offset, 12.5, 1e-9);
@@ -142,7 +142,7 @@ TEST(CutTool, OffsetComesBack) {
 }
 
 TEST(CutTool, NewCutTakesTheHalfBeforeTheMiddle) {
-  scene::Scene scene = boxScene();
+  scene::Scene scene = boundedScene();
   scene::Cut cut = cutFacingCamera(scene);
   EXPECT_GT(glm::dot(cut.axis, scene.camera.eye - cut.centre), 0.0);
   EXPECT_NEAR(cutPosition(scene, cut).offset, 0.0, 1e-9);

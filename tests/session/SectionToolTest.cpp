@@ -13,7 +13,7 @@ namespace {
 using scene::SectionKind;
 constexpr glm::dvec2 kSectionToolSize(400, 300);
 
-scene::Scene boxScene() {
+scene::Scene boundedScene() {
   scene::Scene scene;
   glm::ivec3 dims(20, 20, 20);
   scene.volume.data = Shared<Volume>(makeVolume(
@@ -25,7 +25,7 @@ scene::Scene boxScene() {
 }  // namespace
 
 TEST(SectionTool, LinesLieInBothSectionsAndEndAtTheViewsSides) {
-  scene::Scene scene = boxScene();
+  scene::Scene scene = boundedScene();
   scene::turnSections(scene, SectionKind::Axial, 0.4);
   scene::turnSections(scene, SectionKind::Sagittal, -0.2);
   auto plane = scene::makeSectionPlane(scene, SectionKind::Coronal, kSectionToolSize);
@@ -46,7 +46,7 @@ TEST(SectionTool, LinesLieInBothSectionsAndEndAtTheViewsSides) {
 }
 
 TEST(SectionTool, TheLineFollowsTheKnob) {
-  scene::Scene scene = boxScene();
+  scene::Scene scene = boundedScene();
   for (auto kind : {SectionKind::Axial, SectionKind::Coronal, SectionKind::Sagittal}) {
     auto plane = scene::makeSectionPlane(scene, kind, kSectionToolSize);
     glm::dvec2 cross = scene::sectionPixelFromWorld(plane, scene.sections.crosshair);
@@ -62,7 +62,7 @@ TEST(SectionTool, TheLineFollowsTheKnob) {
 }
 
 TEST(SectionTool, AViewThatDoesNotSeeTheCrosshairHasNoKnobs) {
-  scene::Scene scene = boxScene();
+  scene::Scene scene = boundedScene();
   scene.sections.axial.pan = {15, 0};
   for (const auto& line :
        crosshairLines(scene, SectionKind::Axial, scene::makeSectionPlane(scene, SectionKind::Axial, kSectionToolSize)))

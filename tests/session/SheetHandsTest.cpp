@@ -14,7 +14,7 @@ namespace {
 const glm::dvec2 kSheetHandsSize(500, 400);
 
 struct Hands {
-  scene::Scene scene = framedScene(kSheetHandsSize);
+  scene::Scene scene = boxScene(kSheetHandsSize);
   scene::Cut cut = tiltedCut(scene::CutShape::Membrane);
   membrane::SheetIndex sheet;
   Hands() {

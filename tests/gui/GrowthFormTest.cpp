@@ -20,6 +20,7 @@ class GrowthFormTest : public testing::Test {
     step.structure = 3;
     step.low = 2, step.high = 9;
     scene.labels.growths = {step, step};
+    scene.labels.structures = {{.id = 3, .name = "seed"}};
     mSession.document().replace(scene);
     mForm.showStructure(3);
   }

@@ -242,4 +242,43 @@ TEST(InstanceOutlines, AreTheSameInScenesOfAnotherUnit) {
   }
 }
 
+/// By commands, each one step that undo takes back.
+TEST(ModelEdit, SoloComesBackToWhatIsSaidToHaveBeenShown) {
+  Document document;
+  document.replace(modelScene());
+  const scene::Scene& scene = document.scene();
+  edit(document, ShowTypes{{path(scene, 3)}, false});
+  scene::Scene before = scene;
+  std::vector<std::string> shown = typeNames(before, {0, 1, 2, 4});
+  edit(document, SoloTypes{{path(scene, 1)}, {}});
+  EXPECT_EQ(visibleTypes(scene.model), (std::vector<bool>{false, true, false, false, false}));
+  edit(document, SoloTypes{{path(scene, 1)}, shown});
+  EXPECT_EQ(visibleTypes(scene.model), (std::vector<bool>{true, true, true, false, true}));
+  EXPECT_EQ(document.undoLabels().back().find("End solo of"), 0u);
+  document.undo();
+  document.undo();
+  EXPECT_EQ(scene, before);
+}
+
+TEST(ModelEdit, WhatIsLeftAsAboveHasNoRowOfItsOwnAndTypesAreProtectedByTheirNumbers) {
+  Document document;
+  scene::Scene start = modelScene();
+  scene::Cut sheet;
+  sheet.shape = scene::CutShape::Membrane;
+  scene::addCut(start, sheet);
+  scene::completeCuts(start);
+  document.replace(start);
+  edit(document, LeaveTypes{{path(start, 2)}, 0.5, ""});
+  EXPECT_NE(findTypeSpare(document.scene().cuts[0], path(start, 2)), nullptr);
+  edit(document, LeaveAsAbove{{path(start, 2)}, ""});
+  EXPECT_EQ(findTypeSpare(document.scene().cuts[0], path(start, 2)), nullptr);
+  edit(document, ProtectTypes{{path(start, 2)}, 60.0, ""});
+  const auto& strengths = document.scene().cuts[0].membrane->field.byLabel;
+  ASSERT_EQ(strengths.size(), 1u);
+  EXPECT_EQ(strengths[0].id, 3);
+  EXPECT_EQ(strengths[0].strength, 60.0);
+  EXPECT_THROW(edit(document, parseCall("model.meetTargets")), ArgumentError) << "no number is wanted";
+  EXPECT_THROW(edit(document, parseCall("model.letSee root.nothing 3")), ArgumentError);
+}
+
 }  // namespace velum::session

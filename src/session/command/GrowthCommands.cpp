@@ -121,7 +121,8 @@ std::vector<Command> growthCommands() {
                      "growth.growOn \"structure 1\"", growFurther),
       actRow<StopGrowing>("Ends what is growing: what has grown so far stays.", "growth.stop", stopGrowing),
       editRow<DrawBarrier>("Draws a stroke that a structure does not grow through.",
-                           "growth.barrier \"structure 1\" [[12,-40,80],[18,-40,80]] 3", "Draw barrier", drawBarrier),
+                           "growth.barrier \"structure 1\" [[12.0,-40.0,80.0],[18.0,-40.0,80.0]]", "Draw barrier",
+                           drawBarrier),
       editRow<ChangeGrowth>(
           "Changes how a structure grows: it grows anew.", "growth.change \"structure 1\" closing 1.5",
           [](const Scene& scene, const ChangeGrowth& a) {

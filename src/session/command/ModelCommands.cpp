@@ -168,7 +168,7 @@ std::vector<Command> numberRows() {
             setVisibleTarget(scene, a.type, a.isAny ? std::nullopt : std::optional(a.visible));
           }),
       editRow<MeetTargets>("Lets cuts leave as many instances as are to be seen of all types that have such a number.",
-                           "model.meetTargets 1280x960", "Meet numbers to be seen", meetTargets),
+                           "model.meetTargets 1920x1080", "Meet numbers to be seen", meetTargets),
       editRow<LetSee>(
           "Lets cuts leave so many instances of a type that a number of them is seen.", "model.letSee root.capsid 200",
           [](const Scene&, const LetSee& a) { return fmt::format("Number of {} to be seen", shortName(a.type)); },

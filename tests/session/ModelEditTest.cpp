@@ -254,7 +254,7 @@ TEST(ModelEdit, SoloComesBackToWhatIsSaidToHaveBeenShown) {
   EXPECT_EQ(visibleTypes(scene.model), (std::vector<bool>{false, true, false, false, false}));
   edit(document, SoloTypes{{path(scene, 1)}, shown});
   EXPECT_EQ(visibleTypes(scene.model), (std::vector<bool>{true, true, true, false, true}));
-  EXPECT_EQ(document.undoLabels().back().find("End solo of"), 0u);
+  EXPECT_EQ(document.undoLabels().front().find("End solo of"), 0u);
   document.undo();
   document.undo();
   EXPECT_EQ(scene, before);

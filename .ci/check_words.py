@@ -52,12 +52,22 @@ def without_io(root):
     return ((path, names) for path, names in cpp_names(root) if not {"io"} & set(path.relative_to(root).parts[:3]))
 
 
+def documents(root):
+    """Without code, and without those that quote others or this table."""
+    for path in [*sorted(root.glob("docs/*.md")), root / "README.md"]:
+        if path.name in ("CHANGELOG.md", "CONVENTIONS.md", "PAPERS.md"):
+            continue
+        blank = lambda m: re.sub(r"[^\n]", " ", m[0])
+        yield path, re.finditer(r"([^\n]+)", re.sub(r"```.*?```|`[^`\n]*`", blank, path.read_text(), flags=re.DOTALL))
+
+
 PLACES = {  # name in the table: names or texts of that place, each a list of matches of a file
     "C++": cpp_names,
     "C++ but io": without_io,
     "JSON": lambda root: strings_after(root, ["src/scene"], r"\bvisit\("),
     "GLSL": glsl_names,
     "command line": lambda root: strings_after(root, ["src/app"], r"\badd_(?:option|flag)\("),
+    "docs": documents,
     "window": lambda root: texts_for_people(root, ["src/gui", "src/session/cut"]),
 }
 

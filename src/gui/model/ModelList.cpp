@@ -156,8 +156,8 @@ session::TypeNumbers ModelList::typesFor(const QModelIndex& shown) const {
 /// The handle that is nearest: of two at one place that which lies in the way that the pointer is off.
 Equalizer::Handle ModelList::handleAt(const QModelIndex& index, double x) const {
   CountBar bar = mDelegate->barOf(rowOf(index), visualRect(index.siblingAtColumn(ModelTree::Bar)));
-  double at = x - bar.box.left(), toSeen = std::abs(at - bar.seen()), toLeft = std::abs(at - bar.left);
-  if (toSeen == toLeft) return at < bar.seen() ? Equalizer::Handle::Seen : Equalizer::Handle::Left;
+  double at = x - bar.box.left(), toSeen = std::abs(at - bar.seen), toLeft = std::abs(at - bar.left);
+  if (toSeen == toLeft) return at < bar.seen ? Equalizer::Handle::Seen : Equalizer::Handle::Left;
   return toSeen < toLeft ? Equalizer::Handle::Seen : Equalizer::Handle::Left;
 }
 
@@ -169,7 +169,7 @@ bool ModelList::takeHandle(const QModelIndex& index, double x) {
   Equalizer::Handle handle = handleAt(index, x);
   CountBar bar = mDelegate->barOf(row, visualRect(index));
   mEqualizer.take(row.path, handle);
-  holdKnob(x, bar.box.left() + (handle == Equalizer::Handle::Seen ? bar.seen() : bar.left));
+  holdKnob(x, bar.box.left() + (handle == Equalizer::Handle::Seen ? bar.seen : bar.left));
   return true;
 }
 

@@ -35,6 +35,7 @@ CountBar layCountBar(QRect cell, const BarScale& scale, const Counts& counts) {
   for (std::size_t i = 0; i < kCountKinds.size(); ++i) {
     upTo += counts.parts[i];
     bar.ends[i] = bar.box.width() * scale.place(double(upTo), total);
+    if (kCountKinds[i].isSeen) bar.seen = bar.ends[i];
     if (kCountKinds[i].isLeft) bar.left = bar.ends[i];
   }
   return bar;
@@ -62,7 +63,7 @@ void paintCountBar(QPainter& painter, const QStyleOptionViewItem& option, const 
     painter.drawRoundedRect(box.adjusted(-0.5, 0, 0.5, 0), 1.5, 1.5);
   };
   bool isHot = option.state & (QStyle::State_MouseOver | QStyle::State_Selected);
-  if (hasSeenKnob && isHot && bar.seen() < bar.left) knob(bar.seen(), "seen", 2.0);
+  if (hasSeenKnob && isHot && bar.seen < bar.left) knob(bar.seen, "seen", 2.0);
   knob(bar.left, "white", isHot ? 4.0 : 2.5);
 }
 

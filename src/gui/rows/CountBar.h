@@ -13,9 +13,7 @@ namespace velum::gui {
 struct CountBar {
   QRectF box;                                     ///< of the whole ruler; empty: nothing is known of the row
   std::array<double, kCountKinds.size()> ends{};  ///< where the parts end, pixels from the box's left end
-  double left = 0.0;                              ///< where those that are left end
-
-  double seen() const { return ends.front(); }
+  double seen = 0.0, left = 0.0;                  ///< where those end that are seen, and those that are left
 
   /// The number at a place of the widget.
   double countAt(double x, const BarScale& scale, double total) const {

@@ -155,7 +155,10 @@ bool TypeOrder::isAsAsked(const QModelIndex& row) const {
   if (mOnly == Only::All) return true;
   if (!row.data(TypeTree::IsTypeRole).toBool()) return false;  // stays where one below it does
   if (mOnly == Only::Removed) return row.data(TypeTree::partRole(CountOf::Clipped)).toDouble() > 0.0;
-  return (row.data(TypeTree::partRole(CountOf::Visible)).toDouble() > 0.0) == (mOnly == Only::Seen);
+  bool isSeen = false;
+  for (std::size_t kind = 0; kind < kCountKinds.size(); ++kind)
+    isSeen |= kCountKinds[kind].isSeen && row.data(TypeTree::partRole(CountOf(kind))).toDouble() > 0.0;
+  return isSeen == (mOnly == Only::Seen);
 }
 
 void TypeOrder::setSearch(const QString& text) {

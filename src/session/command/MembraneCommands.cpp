@@ -60,7 +60,7 @@ void moveToKeep(Scene& scene, const MoveToKeep& a, Progress& progress) {
 
 std::vector<Command> membraneCommands() {
   return {
-      editRow<HangMembrane>("Adds a membrane that leaves whole what is said, where it can.",
+      editRow<HangMembrane>("Adds a membrane that protects what is said, as far as it can.",
                             "membrane.hang 200,3000 axis=0,-1,0", "Add membrane",
                             [](Scene& scene, const HangMembrane& a, Progress& progress) {
                               if (scene.cuts.size() >= scene::kMostCuts)

@@ -23,7 +23,7 @@ void LiveCounts::take(const Shared<Model>& model, const render::InstanceBits& bi
     mCoarse[t] = count.visible();
     std::uint64_t left = count.left();
     count[CountOf::Visible] = std::min(left, std::uint64_t(std::llround(double(count.visible()) * mFactors[t])));
-    count[CountOf::Hidden] = left - count.visible();
+    count[CountOf::Hidden] += left - count.left();
   }
   mCompartments = render::countCompartments(*model, mTypes);
 }

@@ -138,7 +138,7 @@ void measureKeptWhole(const Options& options, Report& report) {
   if (std::getenv("VELUM_TEST_DATA"))
     for (const auto& what : kScans) add(what, false);
   report.note(
-      "Kept whole is what one click protects, on the material that the row names, nearest to the middle. Medians over "
+      "Protected is what one click protects, on the material that the row names, nearest to the middle. Medians over "
       "planes at 10 places (3 with --quick) along each axis of the volume, where the plane cuts at "
       "least 30 pairs of protected voxels. Ratio: pairs cut by the sheet / by the plane. Time: from the scene to the "
       "sheet at rest.");

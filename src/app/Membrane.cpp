@@ -79,12 +79,8 @@ void placeAnew(session::Session& session, const MembraneOptions& options) {
 }
 
 /// @throw ArgumentError in the words of the option
-void expectLeastPiece(const std::string& text) {
-  try {
-    session::leastPieceOf(text);
-  } catch (const ArgumentError& error) {
-    throw ArgumentError("--least-piece" + std::string(error.what()).substr(std::string_view("leastPiece").size()));
-  }
+void expectLeastPiece(const std::string& text) try { session::leastPieceOf(text); } catch (const ArgumentError& error) {
+  throw ArgumentError("--least-piece" + std::string(error.what()).substr(std::string_view("leastPiece").size()));
 }
 
 /// Pins, kernels, rule, side and noise, on every membrane of the scene.

@@ -16,14 +16,6 @@
 
 namespace velum::scene {
 
-Scene::Scene() = default;
-Scene::Scene(const Scene&) = default;
-Scene::Scene(Scene&&) noexcept = default;
-Scene& Scene::operator=(const Scene&) = default;
-Scene& Scene::operator=(Scene&&) noexcept = default;
-Scene::~Scene() = default;
-bool Scene::operator==(const Scene&) const = default;
-
 namespace {
 
 void addBox(Bounds& bounds, glm::ivec3 dims, const glm::dmat4& worldFromVoxel) {

@@ -111,7 +111,7 @@ struct Scene {
   Background background;
   Finish finish;
   bool showBounds = false;  ///< thin outlines of the volume's box and of the cuts
-  // Compiled once, in Scene.cpp: nearly every file copies some.
+  // Compiled once, in SceneCopies.cpp: nearly every file copies some.
   Scene();
   Scene(const Scene&);
   Scene(Scene&&) noexcept;

@@ -19,7 +19,7 @@ namespace {
 
 using scene::SectionKind;
 constexpr SectionKind kKinds[] = {SectionKind::Axial, SectionKind::Coronal, SectionKind::Sagittal};
-constexpr glm::ivec2 kImageSize(90, 70);
+constexpr glm::ivec2 kView(90, 70);
 
 scene::Scene sceneOf(Volume volume) {
   scene::Scene scene;
@@ -56,12 +56,12 @@ glm::ivec3 rgbOf(const SectionImage& image, int x, int y) {
 /// Compares the inside of the data with the plain loop. @return pixels compared
 int expectPlain(const scene::Scene& scene, SectionKind kind, int channel = 0) {
   const Volume& v = *scene.volume.data;
-  auto plane = scene::makeSectionPlane(scene, kind, glm::dvec2(kImageSize));
-  SectionImage image = drawSection(scene, kind, kImageSize);
+  auto plane = scene::makeSectionPlane(scene, kind, glm::dvec2(kView));
+  SectionImage image = drawSection(scene, kind, kView);
   glm::dvec2 window = scene::effectiveWindow(scene.volume);
   int compared = 0, wrong = 0;
-  for (int y = 0; y < kImageSize.y; ++y)
-    for (int x = 0; x < kImageSize.x; ++x) {
+  for (int y = 0; y < kView.y; ++y)
+    for (int x = 0; x < kView.x; ++x) {
       glm::dvec3 at = voxelUnder(v.worldFromVoxel, plane, x, y);
       glm::dvec3 edge = glm::min(at + 0.5, glm::dvec3(v.dims) - 0.5 - at);
       // Rounding may put a pixel on the box's side, or between two voxels, on either.
@@ -103,7 +103,7 @@ TEST(SectionImage, EqualsThePlainLoopWhereItIsZoomedAndTurned) {
   scene::Scene scene = sceneOf(grid(SampleType::Int16, [](glm::ivec3 v) { return 40 * hashNoise(v); }));
   scene::turnSections(scene, SectionKind::Sagittal, 0.35);
   for (auto kind : kKinds) {
-    scene::zoomSection(scene, kind, glm::dvec2(kImageSize), {20, 30}, 0.3);
+    scene::zoomSection(scene, kind, glm::dvec2(kView), {20, 30}, 0.3);
     EXPECT_GT(expectPlain(scene, kind), 1000);
   }
 }
@@ -134,9 +134,7 @@ TEST(SectionImage, MixedChannelsAddTheirColoursByTheirWindows) {
   computeRange(v);
   scene::Scene scene = sceneOf(std::move(v));
   scene.volume.channels = {{"a", true, {1, 0, 0}, {}, 100, 200}, {"b", true, {0, 0.5f, 1}, {}, 900, 400}};
-  auto middle = [&] {
-    return rgbOf(drawSection(scene, SectionKind::Axial, kImageSize), kImageSize.x / 2, kImageSize.y / 2);
-  };
+  auto middle = [&] { return rgbOf(drawSection(scene, SectionKind::Axial, kView), kView.x / 2, kView.y / 2); };
   EXPECT_EQ(middle(), glm::ivec3(128, 96, 191));  // half of red; three quarters of the blue
   scene.volume.channels[0].visible = false;
   EXPECT_EQ(middle(), glm::ivec3(0, 96, 191));
@@ -152,22 +150,22 @@ TEST(SectionImage, ColoursAreShownAsTheyAre) {
   for (std::size_t i = 0; i < v.voxels.size(); ++i) v.voxels[i] = std::byte(i % 3 == 0 ? 200 : i % 3 == 1 ? 50 : 7);
   computeRange(v);
   scene::Scene scene = sceneOf(std::move(v));
-  EXPECT_EQ(rgbOf(drawSection(scene, SectionKind::Coronal, kImageSize), 45, 35), glm::ivec3(200, 50, 7));
+  EXPECT_EQ(rgbOf(drawSection(scene, SectionKind::Coronal, kView), 45, 35), glm::ivec3(200, 50, 7));
 }
 
 TEST(SectionImage, OutsideTheDataIsTheBackground) {
   scene::Scene scene = sceneOf(grid(SampleType::UInt8, [](glm::ivec3) { return 5; }));
   scene.background.top = scene.background.bottom = {1, 0, 0};
-  EXPECT_EQ(drawSection(scene, SectionKind::Axial, kImageSize).pixels[0], 0xffff0000u);
+  EXPECT_EQ(drawSection(scene, SectionKind::Axial, kView).pixels[0], 0xffff0000u);
   scene.background.transparent = true;
-  EXPECT_EQ(drawSection(scene, SectionKind::Axial, kImageSize).pixels[0] >> 24, 0u);
+  EXPECT_EQ(drawSection(scene, SectionKind::Axial, kView).pixels[0] >> 24, 0u);
   scene.volume.visible = false;
-  for (auto pixel : drawSection(scene, SectionKind::Axial, kImageSize).pixels) ASSERT_EQ(pixel >> 24, 0u);
+  for (auto pixel : drawSection(scene, SectionKind::Axial, kView).pixels) ASSERT_EQ(pixel >> 24, 0u);
 }
 
 TEST(SectionImage, NotANumberIsBlack) {
   scene::Scene scene = sceneOf(grid(SampleType::Float32, [](glm::ivec3) { return std::nan(""); }));
-  EXPECT_EQ(rgbOf(drawSection(scene, SectionKind::Axial, kImageSize), 45, 35), glm::ivec3(0));
+  EXPECT_EQ(rgbOf(drawSection(scene, SectionKind::Axial, kView), 45, 35), glm::ivec3(0));
 }
 
 /// A grey cube with a block of structure 1 beside one of structure 2, on a grid of their own.
@@ -184,7 +182,7 @@ class SectionLabels : public testing::Test {
     mScene.labels.structures[0].color = {1, 0, 0};
     mScene.labels.structures[1].color = {0, 1, 0};
     mScene.sections.labelOpacity = 0.3;
-    mFrame = scene::makeSectionPlane(mScene, SectionKind::Axial, glm::dvec2(kImageSize));
+    mFrame = scene::makeSectionPlane(mScene, SectionKind::Axial, glm::dvec2(kView));
   }
   glm::ivec3 at(glm::dvec3 world) {
     glm::ivec2 p(scene::sectionPixelFromWorld(mFrame, world));
@@ -235,7 +233,7 @@ TEST_F(SectionLabels, OutlinesAreOnePixelWide) {
   SectionImage image = drawSection(mScene, mFrame);
   int y = int(scene::sectionPixelFromWorld(mFrame, {0, 0, 0}).y);
   std::vector<int> strong;  // more opaque than the areas
-  for (int x = 0; x < kImageSize.x; ++x) {
+  for (int x = 0; x < kView.x; ++x) {
     glm::ivec3 c = rgbOf(image, x, y);
     if (std::max(c.r, c.g) > 180) strong.push_back(x);
   }
@@ -262,8 +260,8 @@ TEST_F(SectionLabels, CutsDimWhatTheyRemoveAsTheirFunctionSays) {
       SectionImage image = drawSection(mScene, mFrame);
       auto data = makeCutData(mScene, {0, 0, 0}, {});
       int dim = 0, kept = 0;
-      for (int y = 0; y < kImageSize.y; ++y)
-        for (int x = 0; x < kImageSize.x; ++x) {
+      for (int y = 0; y < kView.y; ++y)
+        for (int x = 0; x < kView.x; ++x) {
           glm::dvec3 world = scene::worldFromSectionPixel(mFrame, {x + 0.5, y + 0.5});
           float distance = shared::cutDistance(data[0], glm::vec3(world), {});
           if (!isInData(world) || std::abs(distance) < 1e-3f) continue;
@@ -318,8 +316,8 @@ TEST_F(SectionLabels, MembranesDimWhatTheyRemoveAsTheirFunctionSays) {
       CpuSheets sheets = makeCpuSheets(mScene, {});
       auto data = makeCutData(mScene, {0, 0, 0}, sheets.plans);
       int dim = 0, kept = 0;
-      for (int y = 0; y < kImageSize.y; ++y)
-        for (int x = 0; x < kImageSize.x; ++x) {
+      for (int y = 0; y < kView.y; ++y)
+        for (int x = 0; x < kView.x; ++x) {
           glm::dvec3 world = scene::worldFromSectionPixel(mFrame, {x + 0.5, y + 0.5});
           auto distanceAt = [&](double lower) {
             glm::vec3 place(world - lower * glm::dvec3(scene::worldFromCut(cut)[2]));
@@ -360,8 +358,8 @@ TEST_F(SectionLabels, ASectionInTheSheetsOwnPlaneHasNoBands) {
       mScene.cuts = {cut};
       SectionImage image = drawSection(mScene, mFrame);
       int dim = 0, all = 0;
-      for (int y = 0; y < kImageSize.y; ++y)
-        for (int x = 0; x < kImageSize.x; ++x) {
+      for (int y = 0; y < kView.y; ++y)
+        for (int x = 0; x < kView.x; ++x) {
           if (!isInData(scene::worldFromSectionPixel(mFrame, {x + 0.5, y + 0.5}))) continue;
           dim += rgbOf(image, x, y).r < 100;
           ++all;

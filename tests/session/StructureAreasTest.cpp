@@ -19,7 +19,7 @@ namespace velum::session {
 namespace {
 
 constexpr double kNever = 1e30;
-const glm::ivec2 kAreasSize(40, 30);
+const glm::ivec2 kView(40, 30);
 
 using Random = std::mt19937;
 double in(Random& random, double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); }
@@ -71,7 +71,7 @@ scene::Scene randomScene(unsigned seed) {
   scene::completeStructures(scene.labels);
   int cuts = int(random() % 4u);
   for (int i = 0; i < cuts; ++i) scene.cuts.push_back(randomCut(random, 10 + i));
-  scene.camera = scene::frameCamera(scene, scene::StandardView::Oblique, double(kAreasSize.x) / kAreasSize.y);
+  scene.camera = scene::frameCamera(scene, scene::StandardView::Oblique, double(kView.x) / kView.y);
   if (oneOf(random, 2)) scene.camera.projection = scene::Projection::Orthographic;
   scene.camera.fieldOfViewDeg *= 0.5;
   scene.camera.height *= 0.5;
@@ -88,7 +88,7 @@ std::vector<int> someCuts(const scene::Scene& scene, unsigned seed) {
 
 std::vector<render::StructureHit> hitsOf(const scene::Scene& scene, const std::vector<int>& cuts) {
   Progress progress;
-  return render::structureHits(scene, kAreasSize, cuts, progress);
+  return render::structureHits(scene, kView, cuts, progress);
 }
 
 /// How deep cuts must leave a place, of all cuts together: the largest of the groups of joined ones, of each the least.
@@ -176,9 +176,8 @@ TEST(StructureAreas, RaysMeetWhatALookAtEveryVoxelFinds) {
     std::vector<int> set = someCuts(scene, seed);
     std::vector<render::StructureHit> hits = hitsOf(scene, set);
     std::size_t at = 0;
-    for (int pixel = 0; pixel < kAreasSize.x * kAreasSize.y; ++pixel) {
-      auto ray =
-          scene::rayFromPixel(scene.camera, kAreasSize, {pixel % kAreasSize.x + 0.5, pixel / kAreasSize.x + 0.5});
+    for (int pixel = 0; pixel < kView.x * kView.y; ++pixel) {
+      auto ray = scene::rayFromPixel(scene.camera, kView, {pixel % kView.x + 0.5, pixel / kView.x + 0.5});
       bool isAsked = pixel % 7 == 0;  // the plain loop is slow
       std::map<int, Met> met = isAsked ? meetAll(scene, set, ray) : std::map<int, Met>();
       auto expected = met.begin();
@@ -207,7 +206,7 @@ TEST(StructureAreas, RaysMeetWhatALookAtEveryVoxelFinds) {
 TEST(StructureAreas, ToldToStopRaysDo) {
   Progress progress;
   progress.cancel();
-  EXPECT_THROW(render::structureHits(randomScene(1), kAreasSize, {}, progress), Cancelled);
+  EXPECT_THROW(render::structureHits(randomScene(1), kView, {}, progress), Cancelled);
   scene::Scene hidden = randomScene(1);
   EXPECT_FALSE(hitsOf(hidden, {}).empty());
   hidden.labels.visible = false;
@@ -222,9 +221,9 @@ TEST(StructureAreas, EachPixelOfAStructureIsOneOfThree) {
   std::vector<render::StructureHit> hits = hitsOf(scene, {});
   ASSERT_FALSE(hits.empty());
   // A picture that shows what is left of the structure with the largest number, and one pixel of an instance.
-  Image picture{kAreasSize.x, kAreasSize.y, {"R", "id", "instance"}, {}};
+  Image picture{kView.x, kView.y, {"R", "id", "instance"}, {}};
   std::map<int, StructureArea> expected;
-  std::vector<int> shown(std::size_t(kAreasSize.x) * std::size_t(kAreasSize.y), 0);
+  std::vector<int> shown(std::size_t(kView.x) * std::size_t(kView.y), 0);
   for (const render::StructureHit& hit : hits)
     if (hit.isLeft) shown[hit.pixel] = hit.structure;
   std::size_t covered = hits.back().pixel;
@@ -288,7 +287,7 @@ TEST(AreaSolver, OfPixelsThatComeTogetherTheNearerNumber) {
   scene.labels.data = Shared<LabelVolume>(makeLabels(
       dims, [](glm::ivec3 v) { return v.y > 2 ? 4 : 0; }, centredFrame(dims)));
   scene::completeStructures(scene.labels);
-  scene.camera = scene::frameCamera(scene, scene::StandardView::Anterior, double(kAreasSize.x) / kAreasSize.y);
+  scene.camera = scene::frameCamera(scene, scene::StandardView::Anterior, double(kView.x) / kView.y);
   scene.camera.projection = scene::Projection::Orthographic;
   scene::Cut cut;
   cut.id = 1;

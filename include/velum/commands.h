@@ -1,7 +1,7 @@
 #pragma once
 #include "session/command/Command.h"
 
-/// What can be done, by name: docs/COMMANDS.md has all of them.
+/// The commands by which a session is changed, each by its name: docs/COMMANDS.md lists all of them.
 namespace velum {
 
 using session::Call;

@@ -4,7 +4,7 @@
 #include "io/labels/WriteLabels.h"
 #include "scene/Source.h"
 
-/// LabelVolume: which structure each voxel belongs to; and the files that say so.
+/// LabelVolume: which structure each voxel belongs to. Also reads and writes files of labels.
 namespace velum {
 
 using io::readLabels;

@@ -1,4 +1,4 @@
 #pragma once
 #include "core/Log.h"
 
-/// log::setVerbose(), log::warning(): what is told beside results, on the standard error.
+/// log::setVerbose(), log::warning(): messages that are not results, on standard error.

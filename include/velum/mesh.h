@@ -3,7 +3,7 @@
 #include "io/meshes/ReadMesh.h"
 #include "io/meshes/WriteMesh.h"
 
-/// Mesh: a surface of triangles; and the files it is in.
+/// Mesh: a surface of triangles. Also reads and writes files of meshes.
 namespace velum {
 
 using io::readMesh;

@@ -3,7 +3,7 @@
 #include "io/models/ReadModel.h"
 #include "io/models/WriteModel.h"
 
-/// Model: molecules of a cell, and where they stand; and the files they are in.
+/// Model: the molecules of a cell and where each stands. Also reads and writes files of models.
 namespace velum {
 
 using io::readModel;

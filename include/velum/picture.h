@@ -3,7 +3,8 @@
 #include "io/images/ImageFile.h"
 #include "session/picture/Picture.h"
 
-/// Image: a picture; how one is to be drawn; and the files they are in, with their scene inside.
+/// Image: a picture. PictureOptions: how a picture is to be drawn. Also reads and writes files of pictures, which hold
+/// their scene.
 namespace velum {
 
 using io::readImage;

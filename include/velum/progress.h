@@ -1,4 +1,4 @@
 #pragma once
 #include "core/Task.h"
 
-/// Progress: how long work tells how far it is, and is told to stop.
+/// Progress: by it long work tells how far it is, and the caller can tell the work to stop.

@@ -3,7 +3,7 @@
 #include "scene/json/Json.h"
 #include "session/document/Open.h"
 
-/// Scene: every value that is saved; and scene files.
+/// Scene: every value that is saved. Also reads and writes scenes as JSON, and saves scene files.
 namespace velum {
 
 using scene::fromJson;

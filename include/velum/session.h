@@ -6,7 +6,8 @@
 #include "velum/progress.h"
 #include "velum/scene.h"
 
-/// Session: what is open, and goes on beside it. With the headers above: open files, run commands, draw pictures.
+/// Session: what is open, and the work that goes on in the background. With the headers above a program opens files,
+/// runs commands and draws pictures.
 namespace velum {
 
 using session::Session;

@@ -5,7 +5,7 @@
 #include "io/volumes/WriteVolume.h"
 #include "scene/Source.h"
 
-/// Volume: voxels, and where they lie; and the files they are in.
+/// Volume: voxels, and where in the world they lie. Also reads and writes files of volumes.
 namespace velum {
 
 using io::formats;

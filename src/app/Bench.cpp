@@ -15,7 +15,7 @@ namespace velum::app {
 
 namespace {
 
-/// Radians. A picture that is there is not drawn again: one that rests is moved by less than anybody sees.
+/// Radians. A complete picture is not drawn again, so a camera that rests is turned by less than anybody sees.
 constexpr double kLeastTurn = 1e-6;
 
 struct BenchOptions {
@@ -35,7 +35,7 @@ int run(const BenchOptions& options) {
   render::Frame frame;
   frame.scene = session.settled(consoleProgress());
   frame.scene.rayCast.samplesPerPixel = 1;
-  // As the window draws while the camera moves: fewer pixels, which the screen makes larger.
+  // As the window draws while the camera moves: a smaller picture, which is stretched on the screen.
   frame.pictureSize = glm::max(glm::ivec2(glm::dvec2(size) / options.coarse), 1);
   frame.isPreview = options.coarse > 1.0;
   Progress& progress = consoleProgress();

@@ -32,7 +32,7 @@ bool isTerminal() {
   return terminal;
 }
 
-/// What is asked to stop has so long to do so.
+/// Work that is asked to stop has so many seconds before the process is ended.
 constexpr int kPatienceSeconds = 10;
 
 volatile std::sig_atomic_t gSignal = 0;
@@ -70,19 +70,19 @@ void stopAfter(double seconds) {
   itimerval timer{};
   timer.it_value.tv_sec = time_t(seconds);
   timer.it_value.tv_usec = suseconds_t((seconds - std::floor(seconds)) * 1e6);
-  timer.it_interval.tv_sec = kPatienceSeconds;  // the second time nobody is asked
+  timer.it_interval.tv_sec = kPatienceSeconds;  // the second alarm ends the process
   ::setitimer(ITIMER_REAL, &timer, nullptr);
 }
 
 void stopOnSignals() {
-  consoleProgress();  // made here, for a handler may not
+  consoleProgress();  // made here, as a signal handler must not make it
   struct sigaction action {};
   action.sa_handler = onStop;
-  action.sa_flags = int(SA_RESETHAND);  // who asks twice does not want to wait
+  action.sa_flags = int(SA_RESETHAND);  // a second signal ends the process at once
   for (int signal : {SIGINT, SIGTERM, SIGHUP, SIGALRM}) {
     struct sigaction before {};
     ::sigaction(signal, &action, &before);
-    // nohup and shells in the background ask for that.
+    // nohup, and shells for jobs in the background, want the signal to be ignored.
     if (before.sa_handler == SIG_IGN) ::sigaction(signal, &before, nullptr);
   }
 }

@@ -11,12 +11,12 @@
 #include "core/Task.h"
 #include "gpu/Context.h"
 
-/// What the verbs share: options that all of them take, opening what they name, progress and reports.
+/// What the verbs share: the options that every verb takes, checks of the outputs that they name, progress and reports.
 namespace velum::app {
 
 using Json = nlohmann::ordered_json;
 
-/// What every verb takes.
+/// The options that every verb takes.
 struct Common {
   bool json = false;
   bool verbose = false;
@@ -24,23 +24,25 @@ struct Common {
 };
 
 void addCommon(CLI::App& verb, Common& common);
-/// Refuses an output that cannot be written, before the work for it begins. @param path  empty: none is asked for; -:
-/// standard output  @param expectFormat  of its extension, as io::expectImageFormat()  @throw InputError
+/// Refuses an output that cannot be written, before the work for it begins. @param path  of the output; empty: no
+/// output is asked for; "-": standard output  @param expectFormat  checks the path's extension, as
+/// io::expectImageFormat() does; null: no check  @throw InputError
 void expectOutput(const std::string& path, void (*expectFormat)(const std::filesystem::path&) = nullptr);
 /// A progress that writes one line to a terminal's stderr, and is cancelled by stopOnSignals().
 Progress& consoleProgress();
-/// From now on SIGINT, SIGTERM and SIGHUP cancel the progress, so that what is half done is put away; the second ends
-/// the process at once.
+/// From now on SIGINT, SIGTERM, SIGHUP and the alarm of stopAfter() cancel consoleProgress(), so that half-done outputs
+/// are put away; a second signal of the same kind ends the process at once.
 void stopOnSignals();
-/// The one that stopped it; SIGALRM: stopAfter() did.
+/// The signal that cancelled the progress; SIGALRM means that stopAfter() did.
 int stopSignal();
-/// The same after so many seconds; 0: never.
+/// Cancels the progress after so many seconds, as a signal does; 0: never.
 void stopAfter(double seconds);
-/// So many numbers with commas between them. @param form  for people, as "x,y,z"  @throw ArgumentError
+/// Reads `count` numbers with commas between them from an option's text. @param form  how they are to be written, for
+/// the error: "x,y,z"  @throw ArgumentError
 std::vector<double> numbersOf(const char* option, const std::string& text, std::size_t count, const char* form);
 /// Lets no option of a verb be NaN or infinite.
 void finiteNumbersOnly(CLI::App& verb);
-/// Each as a line "warning: PATH: ..." on stderr.
+/// Prints each warning as a line "warning: PATH: ..." on stderr.
 void printWarnings(const std::string& path, const std::vector<std::string>& warnings);
 /// Bytes that are not UTF-8, as paths may hold, become the replacement character. @param to  stdout or stderr
 void printJson(const Json& json, std::FILE* to = stdout);

@@ -7,11 +7,11 @@ namespace velum::app {
 
 namespace {
 
-/// An option as a shell completes it.
+/// An option as the shell is to complete it.
 struct Word {
   std::string name, doc;
   bool takesValue = false;
-  std::vector<std::string> values;  ///< That it may have; empty: any, a file's name among them.
+  std::vector<std::string> values;  ///< Values that the option may have; empty: any, such as the name of a file.
 };
 struct VerbWords {
   std::string name, doc;
@@ -58,7 +58,7 @@ std::string joined(const std::vector<Word>& options) {
   return text;
 }
 
-/// Between single quotes of a shell; what must not stand in zsh's brackets becomes a blank.
+/// A text between single quotes of a shell; characters that must not stand in zsh's brackets become blanks.
 std::string quoted(std::string text) {
   std::string out;
   for (char c : text)

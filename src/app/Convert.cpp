@@ -31,7 +31,7 @@ struct ConvertOptions {
 
 using Lines = std::vector<std::string>;
 
-/// Labels of a scene with its names and colours, as surfaces or as a label volume.
+/// Writes the labels of a scene with the structures' names and colours, as surfaces or as a label volume.
 Lines writeStructures(const scene::Scene& scene, const ConvertOptions& options, Json& json) {
   LabelVolume labels = session::labelsOf(scene);
   session::StructureExport what{session::findStructures(labels.table, options.structures), options.smoothness,
@@ -42,7 +42,7 @@ Lines writeStructures(const scene::Scene& scene, const ConvertOptions& options, 
   return session::exportStructures(scene, options.output, what, consoleProgress());
 }
 
-/// What shows of a scene's model. Membranes come to rest first, for which there must be a graphics driver.
+/// Writes what cuts leave of a scene's model. Membranes come to rest first, which needs a graphics driver.
 Lines writeModel(session::Session& session, const ConvertOptions& options, Json& json) {
   scene::Scene scene = session.settled(consoleProgress());
   session::ModelExport written = session::exportModel(scene, options.output, consoleProgress());
@@ -58,7 +58,7 @@ bool isOfModel(const scene::Scene& scene, const ConvertOptions& options) {
   return scene.model.data && session::isModelFile(options.output) && !wantsLabels;
 }
 
-/// What the input holds. @throw ArgumentError when it is no labels and surfaces are to be made of it
+/// Reads the input. @throw ArgumentError when surfaces are to be made and the input holds no labels
 std::variant<Volume, LabelVolume> readVoxels(const scene::Source& source, const ConvertOptions& options,
                                              Progress& progress) {
   if (options.labels) return io::readLabels(source, progress);
@@ -71,8 +71,8 @@ std::variant<Volume, LabelVolume> readVoxels(const scene::Source& source, const 
   return voxels;
 }
 
-/// Which kind of data the input is shows when it is read; what no kind is written as is refused before. @param path  of
-/// the output
+/// Refuses an output whose format no kind of data is written in, before the input is read and its kind is known.
+/// @param path  of the output
 void expectSomeFormat(const std::filesystem::path& path) {
   bool isKnown = session::isLookFile(path) || session::isSurfaceFile(path) || session::isModelFile(path) ||
                  io::isLabelFormat(path);

@@ -55,13 +55,14 @@ void printHiding(const session::Hiding& hiding) {
                hider.path.empty() ? "what is no model" : hider.path);
 }
 
-/// What can be counted of instances alone.
+/// True for options that only instances of a model can meet.
 bool wantsModel(const CountOptions& options) {
   return !options.targets.counts.empty() || !options.targets.visibles.empty() || !options.instances.empty() ||
          !options.whatHides.empty() || !options.clearTheWay.empty();
 }
 
-/// In structures what counts is the area, which a small picture tells; of instances many are small.
+/// The usual size of the picture: for the areas of structures a small one is enough, instances are often small and need
+/// a larger one.
 std::string sizeOf(const CountOptions& options, bool hasModel) {
   return options.size.empty() ? hasModel ? "1280x720" : "320x180" : options.size;
 }

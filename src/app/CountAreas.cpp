@@ -20,7 +20,7 @@ namespace velum::app {
 
 namespace {
 
-/// A target as it was asked for; its number is of pixels, or of all whose rays meet the structure.
+/// A target as it was asked for; its number is in pixels, or a percentage of all pixels whose rays meet the structure.
 struct WantedArea {
   int structure = 0;
   WantedNumber number;

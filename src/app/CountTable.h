@@ -7,11 +7,12 @@
 
 namespace velum::app {
 
-/// The numbers of kCountKinds, and their total.
+/// The number of each kind in kCountKinds, and the total.
 Json countJson(const Counts& counts);
 
-/// A line a row, with those numbers; columns are as wide as what they hold.
-/// @param pixels  of the picture: there is a last column, how much of it shows the row
+/// Prints one line for each row with the number of each kind and the total; the column of names is as wide as the
+/// longest name. @param pixels  how many the picture has; with it a last column tells which percentage of the picture
+/// shows the row
 void printCounts(const std::vector<session::CountRow>& rows, std::optional<double> pixels = std::nullopt);
 
 }  // namespace velum::app

@@ -29,7 +29,7 @@ struct GrowOptions {
   std::string name, output;
 };
 
-/// Which options the fields of a command are.
+/// Which options stand for the fields of a command.
 const Words kOptions{{"growth.grow seeds or strokes", "--seed or --stroke"},
                      {"growth.grow distance needs plane", "--distance needs --plane"},
                      {"growth.grow guard needs plane", "--guard needs --plane"},
@@ -71,7 +71,7 @@ session::GrowStructure askedOf(const GrowOptions& options) {
   return asked;
 }
 
-/// What a guard asks of a range that nobody has typed. @throw ArgumentError
+/// Refuses a range that was not typed where the guard of the growth has doubts. @throw ArgumentError
 void refuseDoubts(const session::GrowthStatus& status, const scene::Growth& step) {
   if (status.leak && status.leak->times == 0.0)
     throw ArgumentError(

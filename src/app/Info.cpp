@@ -36,7 +36,7 @@ Json list(const V& v, int n) {
   return out;
 }
 
-/// LPS world, so columns of the direction are where voxel axes point; row by row here.
+/// The direction matrix row by row. Its columns are the directions of the voxel axes in the LPS world.
 Json directionRows(const glm::dmat3& d) {
   Json out = Json::array();
   for (int row = 0; row < 3; ++row)
@@ -44,7 +44,7 @@ Json directionRows(const glm::dmat3& d) {
   return out;
 }
 
-/// {first, count} each.
+/// Each gap as {first, count}.
 Json listOfGaps(const Volume& v) {
   Json gaps = Json::array();
   for (glm::ivec2 gap : v.gaps) gaps.push_back({gap[0], gap[1]});
@@ -160,7 +160,7 @@ Json describe(const Model& model, const MoleculeType& type) {
   return json;
 }
 
-/// What the files have is counted; what was made of curves, or to complete them, is listed apart.
+/// Counts what the files hold; molecules that were made from curves, or to complete them, are listed apart.
 Json describe(const Model& model) {
   std::size_t types = 0;
   std::uint64_t instances = 0, atoms = 0, beads = 0;

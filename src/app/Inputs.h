@@ -9,10 +9,10 @@
 #include "session/Session.h"
 #include "session/command/Command.h"
 
-/// What verbs open, and with which options: each option is a command that is run when the data is there.
+/// What verbs open, and the options for it: each option stands for a command that is run once the data has been read.
 namespace velum::app {
 
-/// What verbs that open data take.
+/// The options of verbs that open data.
 struct InputOptions {
   std::vector<std::string> inputs;
   std::vector<std::string> sets;  ///< path=value
@@ -28,11 +28,12 @@ void addInput(CLI::App& verb, InputOptions& input, bool withScene);
 scene::Source firstSource(const InputOptions& input);
 /// Opens all inputs in a session and runs the commands that the options stand for: preset, transfer function, surface,
 /// table, view, finish and --set, in this order; then lets all that grows come to rest. Shows progress on a terminal.
-/// @param aspect  of the picture that is to hold what is opened
+/// @param aspect  width by height of the picture in which the camera is to show everything that is opened
 void openInputs(session::Session& session, const InputOptions& input, double aspect);
-/// With which words of a command an error begins, and the option that was meant.
+/// Pairs: the words of a command that an error may begin with, and the option of the command line that they stand for.
 using Words = std::vector<std::pair<std::string, std::string>>;
-/// Runs a command and says what there is to say of it. @throw as session::run(), in the words of the options
+/// Runs a command and prints, as warnings, what the command tells. @param options  see Words  @throw what
+/// session::run() throws; an ArgumentError names the option in place of the command's own words
 void run(session::Session& session, const session::Call& call, Words options = {});
 
 }  // namespace velum::app

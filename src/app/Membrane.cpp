@@ -40,7 +40,7 @@ std::vector<scene::Cut> membranesOf(const scene::Scene& scene) {
   return membranes;
 }
 
-/// Which options the fields of a new membrane are.
+/// Which options stand for the fields of a new membrane.
 const Words kMembraneWords{{"membrane.hang values", "--protect"},
                            {"membrane.hang place", "--protect-at"},
                            {"membrane.hang structures", "--protect-structure"},

@@ -32,7 +32,7 @@ struct RenderOptions {
   bool layers = false, transparent = false, bruteForce = false;
 };
 
-/// Refuses what cannot be written, before anything is read.
+/// Refuses outputs that cannot be written, before anything is read.
 void expectOutputs(const RenderOptions& options) {
   const auto& inputs = options.input.inputs;
   bool isFromStandardInput = std::find(inputs.begin(), inputs.end(), kStandardInput) != inputs.end();

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A folder with the copy in it.
+/// A folder that holds the copy of standard input.
 class Copy {
  public:
   Copy() {
@@ -47,7 +47,8 @@ class Copy {
   std::string file() const { return mFile.string(); }
 
  private:
-  /// Scenes and pictures of ours are known by their names, all else by what it holds.
+  /// Velum's scenes and pictures are known by their file names, so the copy gets one; all other formats by their
+  /// contents.
   void giveExtension(std::string_view head) {
     fs::path named = mFile;
     if (head.starts_with("\x89PNG")) named += ".png";

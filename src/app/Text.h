@@ -4,11 +4,11 @@
 
 namespace velum::app {
 
-/// What `info` reports, as text for people on stdout: what it is, then a line for each thing that one wants to know of
-/// it, with units and sensible digits. Programs read the JSON.
+/// Prints the report of `info` as text for people on stdout: what the input is, then a line for each fact about the
+/// input, with units and sensible digits. Programs read the JSON.
 void printForPeople(const Json& report);
 
-/// What a scan measured in a structure, as reports have it.
+/// The values that a scan measured in a structure, as reports have them.
 Json valuesJson(const session::StructureValues& values);
 
 }  // namespace velum::app

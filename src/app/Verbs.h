@@ -3,10 +3,11 @@
 
 #include "app/Common.h"
 
-/// The verbs of velum-batch, one file each. A verb registers its options and returns what it does.
+/// The verbs of velum-batch, one file each. Each function adds its verb's options to `verb` and returns the function
+/// that does the verb's work.
 namespace velum::app {
 
-/// Exit code.
+/// Does a verb's work and returns the exit code.
 using Run = std::function<int()>;
 Run registerInfo(CLI::App& verb);
 Run registerRender(CLI::App& verb);

@@ -114,7 +114,8 @@ int run(const ViewOptions& options) {
   glm::ivec2 size = session::parsePictureSize(options.size, 0);
   Viewer viewer;
   {
-    session::Session session;  // its context, where it needs one, goes before the window's is made
+    session::Session
+        session;  // the session's own context, if it needs one, is gone before the window's context is made
     session.setContextKind(options.common.context);
     openInputs(session, options.input, double(size.x) / size.y);
     viewer.scene = session.settled(consoleProgress());

@@ -16,7 +16,7 @@ namespace {
 
 using Verbs = std::vector<std::pair<CLI::App*, velum::app::Run>>;
 
-/// What to say of a first word that is no verb; empty where it is one, or an option.
+/// The error for a first word that is no verb; empty where the word is a verb, or an option.
 std::string unknownVerb(int argc, char** argv, const Verbs& verbs) {
   std::string word = argc > 1 ? argv[1] : "";
   std::vector<std::string> names;

@@ -3,8 +3,9 @@
 
 namespace velum {
 
-/// The first time step of a channel between its own least and largest value, where computeHistogram() takes the
-/// volume's: beside a bright channel a dim one would lie in a bin or two. O(voxels), all cores. Any thread.
+/// Histogram of the first time step of one channel, over the range from that channel's least value to its largest.
+/// computeHistogram() takes the range of the whole volume instead, in which a dim channel beside a bright one would
+/// fill only a bin or two. O(voxels), all cores. Any thread.
 Histogram computeChannelHistogram(const Volume& volume, int channel, int bins = 4096);
 
 }  // namespace velum

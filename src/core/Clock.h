@@ -3,7 +3,7 @@
 
 namespace velum {
 
-/// What we measure time with. It never enters a picture.
+/// The clock with which we measure how long work takes. Its times never influence a picture.
 using Clock = std::chrono::steady_clock;
 
 /// Milliseconds from @p start to now. Any thread.

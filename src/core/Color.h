@@ -3,7 +3,7 @@
 
 namespace velum {
 
-/// A linear share of sRGB's (IEC 61966-2-1), both 0..1; what is below 0 is mirrored.
+/// The linear share that a share in sRGB stands for (IEC 61966-2-1), both 0..1. Shares below 0 are mirrored about 0.
 template <class Number>
 Number linearFromSrgb(Number share) {
   Number a = std::abs(share);
@@ -11,7 +11,7 @@ Number linearFromSrgb(Number share) {
       a <= Number(0.04045) ? a / Number(12.92) : std::pow((a + Number(0.055)) / Number(1.055), Number(2.4)), share);
 }
 
-/// Back.
+/// The inverse of linearFromSrgb().
 template <class Number>
 Number srgbFromLinear(Number share) {
   Number a = std::abs(share);

@@ -6,24 +6,25 @@
 
 namespace velum {
 
-/// What a counter of the bars counts ([VE] 3): what became of instances of a model, or of the pixels of a structure.
+/// One kind of thing that the counters of the bars count ([VE] 3): what became of the instances of a model, or of the
+/// pixels of a structure.
 struct CountKind {
-  std::string_view name;          ///< of its column in tables, files and JSON
+  std::string_view name;          ///< name of the kind's column in tables, files and JSON
   std::string_view adjective;     ///< in the window: "By share that is seen"
-  std::string_view role;          ///< colour of its part of a bar in the window, see gui/kit/Theme.h
+  std::string_view role;          ///< which colour its part of a bar has in the window, see gui/kit/Theme.h
   std::string_view fill, letter;  ///< its colours in files of bars, sRGB
-  bool isSeen;                    ///< some pixel shows these
-  bool isLeft;                    ///< cuts leave these
-  std::string_view instances;     ///< which instances it counts, in the window: "Seen: 12"
-  std::string_view pixels;        ///< of a structure, a share of whose pixels it is: "%1 % show it"
+  bool isSeen;                    ///< some pixel shows instances or pixels of this kind
+  bool isLeft;                    ///< instances or pixels of this kind are left by cuts
+  std::string_view instances;     ///< names the counted instances in the window: "Seen: 12"
+  std::string_view pixels;  ///< says in the window which share of a structure's pixels is of this kind: "%1 % show it"
 };
 
-/// Places in kCountKinds.
+/// Indices into kCountKinds.
 enum class CountOf : std::size_t { Visible, Hidden, Clipped };
 
-/// All there are; each instance or pixel is of one of them. A bar is their parts, in this order: those that are left
-/// come first, and of these what is seen. They differ in lightness: whoever sees red and green alike, and prints
-/// without colours, can tell them apart.
+/// All kinds; each instance or pixel is of exactly one of them. A bar shows their parts in this order: the kinds that
+/// cuts leave come first, and of these the kinds that are seen. The colours differ in lightness, so that people who
+/// cannot tell red from green, and prints without colours, still show the parts apart.
 inline constexpr std::array kCountKinds{
     CountKind{"visible", "seen", "seen", "#0f6b52", "#ffffff", true, true, "Seen", "%1 % show it"},
     CountKind{"hidden", "hidden", "hidden", "#84cbb2", "#0b2b22", false, true,
@@ -32,17 +33,17 @@ inline constexpr std::array kCountKinds{
               "on %1 % cuts remove it"},
 };
 
-/// How many of each kind.
+/// How many instances or pixels there are of each kind.
 struct Counts {
   std::array<std::uint64_t, kCountKinds.size()> parts{};
 
   std::uint64_t& operator[](CountOf kind) { return parts[std::size_t(kind)]; }
   std::uint64_t operator[](CountOf kind) const { return parts[std::size_t(kind)]; }
-  /// Some pixel shows these; of a structure: they show it.
+  /// Instances that some pixel shows; for a structure: pixels that show the structure.
   std::uint64_t visible() const { return sumOf(&CountKind::isSeen); }
-  /// Left by cuts, but behind others, beside the picture, or smaller than a pixel sees.
+  /// Left by cuts, but hidden behind other things, outside the picture, or too small for any pixel to show.
   std::uint64_t hidden() const { return (*this)[CountOf::Hidden]; }
-  /// Removed by cuts, or of what is not shown.
+  /// Removed by cuts, or part of something that is switched off.
   std::uint64_t clipped() const { return (*this)[CountOf::Clipped]; }
   std::uint64_t left() const { return sumOf(&CountKind::isLeft); }
   std::uint64_t total() const {
@@ -64,15 +65,16 @@ struct Counts {
   }
 };
 
-/// Of so many that are left and so many in all, as many are seen as of those of `before` that were left; all, where
-/// none was.
+/// A forecast of the counts when cuts leave `left` of `total` instances: the share of the left ones that is seen is
+/// taken to be the same as in `before`, or all of them where `before` had none left.
 Counts expectedCounts(const Counts& before, std::uint64_t left, std::uint64_t total);
 
-/// "visible,hidden,clipped,total", and numbers in their places: the columns of tables.
+/// The columns of tables: countColumns() gives their names, "visible,hidden,clipped,total", countFields() the numbers
+/// in the same order.
 std::string countColumns();
 std::string countFields(const Counts& counts);
 
-/// For people: "12,345".
+/// The count as people read it: "12,345".
 std::string countText(std::uint64_t count);
 
 }  // namespace velum

@@ -26,8 +26,8 @@ struct FieldInfo {
   Range range = {};
   std::string_view doc = "";
   bool leftOutByDefault = false;  ///< A value like that of a new object is not written.
-  bool nullIsEndless = false;     ///< A number that may be infinite, which JSON has no number for: null.
-  std::size_t most = 70'000;  ///< Items of a list: more than any that we write; keeps hostile files small in memory.
+  bool nullIsEndless = false;     ///< The number may be infinite; JSON has no such number, so null is written for it.
+  std::size_t most = 70'000;  ///< Most items of a list; more than we ever write. Keeps hostile files small in memory.
 };
 
 /// Names of an enumeration's values, in order. Specialise `kNames` as a constexpr array of string_view.
@@ -41,7 +41,7 @@ constexpr std::string_view enumName(E value) {
   return EnumNames<E>::kNames[static_cast<std::size_t>(value)];
 }
 
-/// The value of that name; nothing when there is none.
+/// The value that has this name; nothing when no value has it.
 /// @param isSame  compares two names: to the letter unless told otherwise
 template <class E, class Same = std::equal_to<std::string_view>>
 constexpr std::optional<E> enumValue(std::string_view name, Same isSame = {}) {

@@ -5,11 +5,11 @@
 
 namespace velum {
 
-/// A to Z in lower case; everything else as it is, whatever the locale.
+/// The text with A to Z in lower case and every other character unchanged, whatever the locale.
 std::string lowerCase(std::string_view text);
 
-/// The name from its last dot, ".gz" joined with what stands before it (".nii.gz"); lower case. Empty when there is
-/// none.
+/// The file's extension from the last dot of its name, in lower case. ".gz" comes together with the extension before it
+/// (".nii.gz"). Empty when the name has no dot.
 std::string lowerExtension(const std::filesystem::path& file);
 
 }  // namespace velum

@@ -2,10 +2,10 @@
 
 namespace velum {
 
-/// What `main` does first. A write that the system refuses, beyond a limit of size (SIGXFSZ) or to a reader that has
-/// gone (SIGPIPE), returns an error from now on, which is said like any other, instead of ending the process. A
-/// standard stream that is closed leads nowhere, so that no file of ours takes its number and what is said goes into
-/// it.
+/// To be called first in `main`. A write that the system refuses, beyond a limit of size (SIGXFSZ) or to a reader that
+/// has gone (SIGPIPE), returns an error from now on, which is reported like any other, instead of ending the process.
+/// Standard streams that are closed are opened onto nothing, so that none of our files gets the number of a standard
+/// stream and our messages are not written into that file.
 void guardWrites();
 
 }  // namespace velum

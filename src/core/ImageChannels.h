@@ -8,10 +8,11 @@
 
 namespace velum {
 
-/// Which of the channels has a name; -1: none has.
+/// Index of the channel with this name; -1 when the picture has no such channel.
 std::ptrdiff_t channelIndex(const Image& image, std::string_view name);
 
-/// The channels named, in that order; those that the picture has not are left out.
+/// A picture of the named channels only, in the order of the names. Names of channels that the picture does not have
+/// are left out.
 Image channelsOf(const Image& image, const std::vector<std::string>& names);
 
 }  // namespace velum

@@ -37,8 +37,8 @@ class LabelVolume {
   const glm::dmat4& worldFromVoxel() const { return mWorldFromVoxel; }
   /// Id at a voxel; 0 outside.
   std::uint16_t at(glm::ivec3 voxel) const;
-  /// Writes a box of ids, shape [size.z][size.y][size.x], and keeps bricks small where they are uniform. Bricks that
-  /// hold the same as before stay the same.
+  /// Writes a box of ids, shape [size.z][size.y][size.x]. Bricks that become uniform are stored as one id. Bricks whose
+  /// ids do not change keep their brickId().
   /// @throw ArgumentError when the box leaves the grid or the span is short
   void write(glm::ivec3 origin, glm::ivec3 size, std::span<const std::uint16_t> ids);
   /// Copies a box out, the counterpart of write().
@@ -46,7 +46,8 @@ class LabelVolume {
 
   glm::ivec3 brickGrid() const { return mBrickGrid; }
   const Brick& brick(glm::ivec3 index) const;
-  /// Never repeats: bricks of two label volumes that have the same id hold the same.
+  /// Number of a brick's contents, never used twice: bricks of two label volumes that have the same number hold the
+  /// same ids.
   std::uint64_t brickId(glm::ivec3 index) const;
   /// Bytes held by bricks that are not uniform.
   std::size_t storedBytes() const;
@@ -69,7 +70,8 @@ class LabelVolume {
   std::vector<Shared<Brick>> mBricks;
 };
 
-/// A calm, colour-blind-friendly colour for an id that has none. The same id gives the same colour.
+/// A calm, colour-blind-friendly colour, sRGB, for an id for which no colour is known. The same id gives the same
+/// colour.
 glm::vec3 defaultLabelColor(std::uint16_t id);
 
 }  // namespace velum

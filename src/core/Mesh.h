@@ -13,7 +13,7 @@ struct Mesh {
   std::vector<glm::vec3> normals;
   std::vector<std::uint32_t> indices;  ///< Three per triangle.
   std::string name;
-  std::optional<glm::vec3> color;     ///< sRGB, where the file gives all of it one colour.
+  std::optional<glm::vec3> color;     ///< sRGB, where the file gives the whole mesh one colour.
   std::vector<std::string> warnings;  ///< What the reader had to assume or leave out, one line each.
 };
 

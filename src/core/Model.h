@@ -13,24 +13,26 @@ namespace velum {
 /// One atom in the frame of its molecule.
 struct Atom {
   glm::vec3 position{0.0f};  ///< angstrom
-  std::uint8_t element = 6;  ///< Atomic number; kResidue: a whole residue, as files of C-alpha atoms have them.
+  std::uint8_t element = 6;  ///< Atomic number; kResidue: a whole residue, as in files that have C-alpha atoms only.
   std::uint16_t chain = 0;   ///< Chains of the molecule, counted from 0.
   bool operator==(const Atom&) const = default;
 };
 constexpr std::uint8_t kResidue = 0;
 
-/// Van der Waals radius (A. Bondi, 1964), angstrom; of a residue that of a ball of its volume.
+/// Van der Waals radius of an element (A. Bondi, 1964), angstrom; for kResidue the radius of a ball of a residue's
+/// volume.
 float radiusOf(std::uint8_t element);
-/// Standard atomic weight, dalton; of a residue the mean one of proteins.
+/// Standard atomic weight of an element, dalton; for kResidue the mean mass of a residue in proteins.
 double massOf(std::uint8_t element);
 
-/// What instances are copies of: atoms, or balls that stand for several atoms, or both.
+/// The shape that instances are copies of: atoms, or beads (balls that stand for several atoms), or both.
 struct Molecule {
-  std::uint32_t type = 0;                     ///< in Model::types
-  std::vector<Atom> atoms;                    ///< Empty where only beads are known.
-  std::vector<std::vector<glm::vec4>> beads;  ///< Coarser and coarser: centre and radius, angstrom.
+  std::uint32_t type = 0;   ///< in Model::types
+  std::vector<Atom> atoms;  ///< Empty where only beads are known.
+  std::vector<std::vector<glm::vec4>>
+      beads;  ///< Levels of beads, finest first; each bead is centre and radius, angstrom.
   std::uint32_t firstInstance = 0, instanceCount = 0;
-  glm::vec3 centre{0.0f};  ///< Of a sphere around all of it.
+  glm::vec3 centre{0.0f};  ///< Centre of a sphere around the whole molecule, angstrom.
   float radius = 0.0f;
 };
 
@@ -58,14 +60,14 @@ struct EnumNames<Origin> {
   static constexpr std::string_view kNames[] = {"file", "curves", "added"};
 };
 
-/// An ingredient. Lipids of one kind have many shapes: a type is one molecule or several.
+/// An ingredient. A type has one molecule or several, as lipids of one kind have many shapes.
 struct MoleculeType {
   std::string name;
   std::uint32_t compartment = 0;  ///< in Model::compartments
   MoleculeKind kind = MoleculeKind::Protein;
   std::string function;     ///< "DNA repair"; empty when unknown.
   std::string description;  ///< For people; may be Markdown.
-  std::string structure;    ///< The entry or file that its atoms are from.
+  std::string structure;    ///< The database entry or file that the type's atoms come from.
   double mass = 0.0;        ///< Of one instance, dalton.
   MassSource massSource = MassSource::Unknown;
   std::optional<glm::vec3> color;  ///< sRGB, where the file gives one.
@@ -85,7 +87,8 @@ struct Instance {
 /// A part of the tree that types hang in.
 struct Compartment {
   std::string name;
-  std::int32_t parent = -1;  ///< Stands before its children; -1: the root, which is the first.
+  std::int32_t parent = -1;  ///< Index of the compartment around this one, always smaller than its own; -1: this is the
+                             ///< root, the first of all.
 };
 
 /// A strand: instances of one type along a curve.
@@ -97,8 +100,8 @@ struct Fibre {
 
 /// Molecules and where their copies stand, as cells and viruses are described. World: angstrom, right-handed.
 ///
-/// Instances are in the order of their molecules, and these in the order of their types: those of a type, and of a
-/// molecule, stand in a row. Made by a ModelBuilder, then held as `Shared<Model>` and never changed.
+/// Instances are sorted by molecule, and molecules by type, so that all instances of a type, and of a molecule, follow
+/// each other. Made by a ModelBuilder, then held as `Shared<Model>` and never changed.
 struct Model {
   std::vector<Compartment> compartments;
   std::vector<MoleculeType> types;
@@ -114,11 +117,12 @@ struct Model {
 /// The names from the root to the type with dots between them: "root.capsid.surface.CA".
 std::string pathOf(const Model& model, const MoleculeType& type);
 
-/// 0 to before 1, fixed for each instance: what a share of its type is measured by.
-/// @param stream  several independent ones for each instance
+/// A random number from 0 to before 1, fixed for each instance: a share of a type's instances are those whose number is
+/// below the share.
+/// @param stream  numbers of different streams are independent of each other
 float randomOf(std::uint32_t instance, std::uint32_t stream = 0);
 
-/// Over all instances of a type; atoms and beads of the finest level are counted apart.
+/// How many atoms, and how many beads of the finest level, all instances of a type have together.
 std::uint64_t atomCount(const Model& model, const MoleculeType& type);
 std::uint64_t beadCount(const Model& model, const MoleculeType& type);
 /// Bytes that the model takes.

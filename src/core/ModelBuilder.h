@@ -10,7 +10,7 @@
 
 namespace velum {
 
-/// Puts a model together, in any order.
+/// Builds a model out of parts that may be added in any order.
 class ModelBuilder {
  public:
   explicit ModelBuilder(std::string name);
@@ -19,15 +19,16 @@ class ModelBuilder {
   std::uint32_t compartment(std::span<const std::string> path);
   /// @param type  name, compartment and what is known; its ranges are filled by build()
   std::uint32_t addType(MoleculeType type);
-  /// @return what instances name
+  /// @return number of the molecule, for addInstance()
   std::uint32_t addMolecule(std::uint32_t type, std::vector<Atom> atoms,
                             std::vector<std::vector<glm::vec4>> beads = {});
-  /// In the place of those that it has.
+  /// Replaces the atoms of a molecule.
   void setAtoms(std::uint32_t molecule, std::vector<Atom> atoms);
   /// @param position  finite
-  /// @param rotation  normalised here; what is no rotation becomes none
+  /// @param rotation  normalised here; where it cannot be, the instance is not rotated
   void addInstance(std::uint32_t molecule, glm::vec3 position, glm::quat rotation);
-  /// Instances that were added since the last fibre, or the last call of beginFibre(), in the order of the strand.
+  /// addFibre() adds a fibre of the instances that were added since the last fibre, or since the last call of
+  /// beginFibre(), in the order of the strand.
   void beginFibre();
   void addFibre(std::uint32_t type, std::vector<glm::vec3> points);
 

@@ -5,11 +5,11 @@
 
 namespace velum {
 
-/// Of several names the one that most likely is meant: first one that holds what was typed, three letters or more, in
-/// capitals or not, the shortest of those; else one with letters left out, added, changed or swapped, up to a third of
-/// them. @return empty when none is that near
+/// The name that was most likely meant by a text that somebody typed. Names that contain the text (three letters or
+/// more, capitals do not matter) come first, the shortest of them; else the nearest name by letters left out, added,
+/// changed or swapped, up to a third of the letters. @return empty when none is that near
 std::string nearestName(std::string_view typed, const std::vector<std::string>& names);
-/// It as a question within a message, " (is 'bone' meant?)"; empty when none is that near.
+/// nearestName() as a question for the end of a message, " (is 'bone' meant?)"; empty when no name is near enough.
 std::string meantText(std::string_view typed, const std::vector<std::string>& names);
 
 }  // namespace velum

@@ -9,13 +9,14 @@ namespace velum {
 
 namespace detail {
 
-/// A piece of work without its type: whoever shares it out is one .cpp, which alone knows the threads.
+/// A loop body without its type, so that sharing it out to threads is compiled in a single .cpp, which alone includes
+/// the thread library.
 struct RangeWork {
   const void* body;
   void (*call)(const void* body, std::size_t first, std::size_t end);
 };
 
-/// Pieces of about `grain` or more.
+/// Calls the work for pieces of 0..count of about `grain` indices or more.
 void forRanges(std::size_t count, std::size_t grain, const RangeWork& work);
 
 struct Work {
@@ -26,10 +27,10 @@ void isolated(const Work& work);
 
 }  // namespace detail
 
-/// Calls body(first, end) for pieces of [first, end) that make it up, on all cores, in no order; the calling thread
-/// helps. For bodies that keep something from index to index. What a body throws is thrown here; pieces that had not
-/// begun by then are left out.
-/// @param grain  pieces are at least half as large
+/// Divides [first, end) into pieces and calls body(first, end) for each of them, on all cores, in no order; the calling
+/// thread helps. For bodies that keep something from one index to the next. An exception that a body throws is thrown
+/// on to the caller; pieces that had not begun by then are left out.
+/// @param grain  pieces have at least half as many indices as this
 template <class Index, class Body>
 void parallelForRanges(Index first, Index end, Index grain, const Body& body) {
   if (!(first < end)) return;
@@ -44,7 +45,7 @@ void parallelForRanges(Index first, Index end, Index grain, const Body& body) {
   detail::forRanges(std::size_t(end - first), std::size_t(grain), {&loop, call});
 }
 
-/// Calls body(i) for each i from first to before end, as above.
+/// Calls body(i) for each i from first to before end, as parallelForRanges() does.
 template <class Index, class Body>
 void parallelFor(Index first, Index end, const Body& body) {
   parallelForRanges(first, end, Index(1), [&body](Index from, Index to) {
@@ -52,8 +53,8 @@ void parallelFor(Index first, Index end, const Body& body) {
   });
 }
 
-/// Joins what body(first, end) returns for pieces of `grain` indices. Pieces and the order in which they are
-/// joined are the same whatever the machine: so is the result, even of floats.
+/// Joins the values that body(first, end) returns for pieces of `grain` indices. The pieces and the order in which
+/// their values are joined are the same on every machine, and so is the result, even of floats.
 /// @param identity  join(identity, x) is x
 template <class Index, class Value, class Body, class Join>
 Value parallelReduce(Index first, Index end, Index grain, const Value& identity, const Body& body, const Join& join) {
@@ -73,15 +74,16 @@ Value parallelReduce(Index first, Index end, Index grain, const Value& identity,
   return result;
 }
 
-/// Calls body() here. While it waits for loops of its own, this thread takes up pieces of these only, none of other
-/// loops: for who holds a lock that those might want, too.
+/// Calls body() on this thread. While the thread waits for parallel loops that body() has started, it works only on
+/// pieces of these loops, never of other ones: for callers that hold a lock which the pieces of other loops might want,
+/// too.
 template <class Body>
 void isolated(const Body& body) {
   detail::isolated({&body, [](const void* of) { (*static_cast<const Body*>(of))(); }});
 }
 
-/// Calls `entered` in each thread that helps with loops, from now on, when it comes to help: at least once a thread,
-/// before its first piece. Once in a program. @param entered  does not throw
+/// From now on `entered` is called in each thread that comes to help with loops: at least once a thread, before its
+/// first piece. To be called once in a program. @param entered  does not throw
 void onHelpers(void (*entered)());
 
 }  // namespace velum

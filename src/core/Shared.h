@@ -14,8 +14,8 @@ inline std::uint64_t nextPayloadId() {
 }
 }  // namespace detail
 
-/// Immutable payload: cheap to copy, equal when it is the same one. The id never repeats (an address may), so it
-/// is the key of every cache. Empty by default, with id 0. Any thread.
+/// An immutable payload that copies share: cheap to copy; two are equal when they hold the same payload. The id is
+/// never used twice (an address may be), so it is the key of every cache. Empty by default, with id 0. Any thread.
 template <class T>
 class Shared {
  public:

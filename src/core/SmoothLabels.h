@@ -16,14 +16,15 @@ struct ShapeSmoothing {
   bool operator==(const ShapeSmoothing&) const = default;
 };
 
-/// The widest Gaussian, in voxels along an axis: a wider one is taken as that wide.
+/// The largest standard deviation, in voxels along an axis; larger ones are reduced to it.
 constexpr double kWidestSmoothing = 5.0;
 
-/// Gives each voxel to the structure whose smoothed shape has the largest share of it, among those that are named and
-/// what has no label; all other structures stay as they are, and what they fill counts for nobody. The share is g
-/// + 2.41 (g - h), where g is the Gaussian of a shape and h the Gaussian of g, so that what is round does not shrink.
-/// What is thinner than the Gaussian stays: a voxel keeps its structure where the share is at least 0.85 of the largest
-/// nearby. Bricks without a border of a named structure stay the same ones.
+/// Smooths the shapes of the structures that `smoothings` names. Each voxel goes to the structure whose smoothed shape
+/// has the largest share of the voxel; only the named structures and unlabelled material take part. All other
+/// structures stay as they are, and their voxels add to nobody's share. The share is g + 2.41 (g - h), where g is the
+/// Gaussian of a shape and h the Gaussian of g, so that round shapes do not shrink. Parts thinner than the Gaussian
+/// stay: a voxel keeps its structure where that structure's share is at least 0.85 of the largest nearby. Bricks
+/// without a border of a named structure are shared with `labels`.
 /// @param smoothings  ascending by id; no id twice
 /// @throw ArgumentError where a deviation is not above 0; Cancelled. Any thread.
 /// @note O(voxels near borders of named structures x width of the Gaussian x structures that meet there).
@@ -32,13 +33,14 @@ LabelVolume smoothLabels(const LabelVolume& labels, std::span<const ShapeSmoothi
 /// A structure that is made of blocks rather than of voxels.
 struct BlockShape {
   std::uint16_t id = 0;
-  glm::dvec3 size{1.0};  ///< of its blocks, in voxels; 1 along axes with steps of single voxels
+  glm::dvec3 size{1.0};  ///< size of the structure's blocks, in voxels; 1 along axes on which its surface has steps of
+                         ///< single voxels
 };
 
-/// The structures with steps of more than 1.4 voxels along at least two axes, as labels have that were brought onto a
-/// finer grid by the nearest voxel. Blocks of structures may differ, and their size needs not be a whole number: then
-/// steps are of the whole numbers around it. Looked at is where structures border on what has no label; those with
-/// fewer than eight steps along an axis have none there.
+/// The structures whose surfaces have steps of more than 1.4 voxels along at least two axes, as in labels that were
+/// brought onto a finer grid by the nearest voxel. Structures may have blocks of different sizes, and a size need not
+/// be a whole number: then the steps alternate between the whole numbers around it. Only borders to unlabelled material
+/// are looked at; along an axis with fewer than eight steps a structure counts as having no blocks.
 /// @return ascending by id. Any thread. O(voxels of the bricks that are not uniform).
 std::vector<BlockShape> findBlocks(const LabelVolume& labels);
 

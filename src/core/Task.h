@@ -7,8 +7,8 @@
 
 namespace velum {
 
-/// What long work tells, and is told, while it runs. The worker calls `report`; anybody may call `cancel`.
-/// A default-made Progress listens to nobody and is never cancelled. Any thread.
+/// Connects long work with whoever waits for it: the worker calls `report` as it goes on; anybody may call `cancel`. A
+/// default-made Progress listens to nobody and is never cancelled. Any thread.
 class Progress {
  public:
   using Listener = std::function<void(double fraction, const std::string& what)>;

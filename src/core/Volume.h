@@ -24,7 +24,7 @@ struct EnumNames<SampleType> {
 /// Bytes of one sample.
 std::size_t sampleSize(SampleType type);
 
-/// What made the volume, as far as the file says; chooses the default preset.
+/// The kind of device that made the volume, as far as the file says; the default preset is chosen by it.
 enum class Modality { Unknown, CT, MR, Angiography, Ultrasound, Microscopy, Seismic, PET };
 template <>
 struct EnumNames<Modality> {
@@ -69,18 +69,19 @@ struct Volume {
   glm::dvec2 range{0.0, 0.0};  ///< Smallest and largest finite value, over all time steps and channels.
   std::string unit;            ///< "HU", "m/s", empty when unknown.
   Modality modality = Modality::Unknown;
-  bool isSpacingKnown = true;             ///< False: the file had none and 1 was taken.
+  bool isSpacingKnown = true;             ///< False: the file gave no spacing, and 1 was taken.
   bool isOrientationKnown = true;         ///< False: patient letters must not be shown.
-  double timeStepSeconds = 0.0;           ///< Time between them; 0 when unknown.
+  double timeStepSeconds = 0.0;           ///< Time from one time step to the next; 0 when unknown.
   std::string name;                       ///< For people: series description or file name.
   std::vector<std::string> channelNames;  ///< Empty, or one per channel.
   std::vector<glm::vec3> channelColors;   ///< As the file gives them, sRGB: empty, or one per channel.
-  std::vector<glm::ivec2> gaps;           ///< Planes along z that no slice gave, {first, count}; filled in linearly.
-  std::vector<std::string> warnings;      ///< What the reader had to assume or mend, one line each.
+  std::vector<glm::ivec2> gaps;  ///< Planes along z for which the file has no slice, {first, count}; their values are
+                                 ///< interpolated linearly.
+  std::vector<std::string> warnings;  ///< What the reader had to assume or mend, one line each.
 };
 
 std::size_t voxelCount(const Volume& volume);     ///< dims.x * dims.y * dims.z
-std::size_t timeStepBytes(const Volume& volume);  ///< Bytes of one of them.
+std::size_t timeStepBytes(const Volume& volume);  ///< Bytes of one time step.
 glm::dvec3 spacingOf(const Volume& volume);       ///< Lengths of the columns of worldFromVoxel.
 /// worldFromVoxel in another unit.
 glm::dmat4 worldFromVoxelIn(LengthUnit unit, const Volume& volume);
@@ -96,8 +97,8 @@ double valueAt(const Volume& volume, glm::ivec3 voxel, int channel = 0, int time
 /// O(samples), all cores.
 void computeRange(Volume& volume);
 
-/// Calls `body(const T* samples, T{})`-style code for the volume's type: `visitSamples(v, [&](auto* p) { ... })`,
-/// p pointing at time step 0.
+/// Calls a generic body with a pointer to the volume's samples in their own type: `visitSamples(v, [&](auto* p) { ...
+/// })`; p points at time step 0.
 template <class Body>
 decltype(auto) visitSamples(const Volume& volume, Body&& body) {
   const void* p = volume.voxels.data();
@@ -122,7 +123,8 @@ decltype(auto) visitSamples(const Volume& volume, Body&& body) {
   return body(static_cast<const double*>(p));
 }
 
-/// Where `fraction` (0..1) of the finite values of channel 0, time step 0 lie at or below. From a 4096-bin histogram.
+/// How many finite values of one channel at one time step lie in each of some bins. quantile() gives the value at or
+/// below which `fraction` (0..1) of them lie, to the precision of a bin.
 struct Histogram {
   std::vector<std::uint64_t> counts;  ///< Bins of equal width over `range`.
   glm::dvec2 range{0.0};
@@ -130,7 +132,8 @@ struct Histogram {
 Histogram computeHistogram(const Volume& volume, int bins = 4096, int channel = 0, int timeStep = 0);
 double quantile(const Histogram& histogram, double fraction);
 
-/// The box that holds all voxels, in voxel space: from -0.5 to dims - 0.5. Centre and radius of its sphere, world.
+/// Centre and radius, in the world, of the sphere around the box that holds all voxels: in voxel space the box from
+/// -0.5 to dims - 0.5.
 glm::dvec3 centreOf(const Volume& volume);
 double radiusOf(const Volume& volume);
 

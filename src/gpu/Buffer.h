@@ -11,31 +11,34 @@ namespace velum::gpu {
 
 void deleteBuffer(unsigned id);
 
-/// Bytes on the GPU. GL thread.
+/// A buffer of bytes on the GPU. GL thread.
 class Buffer : public Handle<deleteBuffer> {
  public:
   Buffer() = default;
   /// @param data  nullptr leaves the bytes unset
-  /// @throw GpuError when the driver has no memory for it
+  /// @throw GpuError when the driver has no memory for the buffer
   Buffer(std::string_view label, std::size_t bytes, const void* data = nullptr);
   template <class T>
   Buffer(std::string_view label, std::span<const T> values) : Buffer(label, values.size_bytes(), values.data()) {}
 
-  /// Bytes that the processor reads in place, through mapped(), what the GPU has copied there and a Fence says is done.
+  /// A buffer that the processor reads in place, through mapped(): once a Fence says that the GPU's copy into the
+  /// buffer is done.
   static Buffer makeReadable(std::string_view label, std::size_t bytes);
 
   std::size_t bytes() const { return mBytes; }
   void write(std::size_t offset, std::size_t bytes, const void* data);
   /// Waits for the GPU.
   void read(std::size_t offset, std::size_t bytes, void* data) const;
-  /// Where the bytes lie for the processor, as long as the buffer lives; nullptr unless it is readable.
+  /// The address at which the processor reads the bytes, valid as long as the buffer lives; nullptr unless it was made
+  /// by makeReadable().
   const std::byte* mapped() const { return mMapped; }
-  /// All of it into a larger buffer, on the GPU. @param offset  bytes from that one's beginning
+  /// Copies the whole buffer into another one that is at least as large, on the GPU. @param offset  where the copy
+  /// begins in the target, bytes
   void copyTo(Buffer& target, std::size_t offset) const { copyTo(target, offset, 0, mBytes); }
-  /// Part of it. @param from  bytes from the beginning of this one
+  /// Copies a part of the buffer. @param from  where the part begins in this buffer, bytes
   void copyTo(Buffer& target, std::size_t offset, std::size_t from, std::size_t bytes) const;
   void clear();
-  /// All words of it.
+  /// Sets every 32-bit word of the buffer.
   void fill(std::uint32_t word);
   void bindStorage(unsigned binding) const;
   void bindUniform(unsigned binding) const;
@@ -45,7 +48,7 @@ class Buffer : public Handle<deleteBuffer> {
   const std::byte* mMapped = nullptr;
 };
 
-/// A uniform block with the layout of a struct from shaders/shared. Written at once, read by every stage.
+/// A uniform block with the layout of a struct from shaders/shared. Always written as a whole; read by every stage.
 template <class T>
 class UniformBuffer {
  public:

@@ -15,9 +15,9 @@ struct Limits {
   int texture2d = 0;              ///< Largest side of a 2D texture, texels.
   std::size_t textureBuffer = 0;  ///< Most texels of a buffer's texture. VELUM_MAX_TEXTURE_BUFFER overrides.
   std::size_t storageBlock = 0;   ///< Most bytes of a storage block. VELUM_MAX_STORAGE_BLOCK overrides.
-  std::size_t memoryBytes = 0;  ///< What textures may take: the card's free memory, or half of the machine's where the
-                                ///< driver is software or does not say. VELUM_GPU_MEMORY_MB overrides.
-  bool isSoftware = false;      ///< llvmpipe and the like: the processor draws. VELUM_SOFTWARE_DRIVER overrides: 0, 1.
+  std::size_t memoryBytes = 0;    ///< Memory that textures may take: the card's free memory, or half of the machine's
+                                ///< memory where the driver is software or does not say. VELUM_GPU_MEMORY_MB overrides.
+  bool isSoftware = false;  ///< llvmpipe and the like: the processor draws. VELUM_SOFTWARE_DRIVER overrides: 0, 1.
 };
 
 /// An OpenGL 4.5 core context and its table of functions.
@@ -35,23 +35,25 @@ class Context {
   static std::unique_ptr<Context> createEgl();
   /// Mesa's off-screen software renderer. @throw GpuError
   static std::unique_ptr<Context> createOsMesa();
-  /// Auto: EGL, else OSMesa. The context is current on return. @throw GpuError saying what each of them said
+  /// Auto: EGL, else OSMesa. The context is current on return. @throw GpuError with the reasons of both
   static std::unique_ptr<Context> create(ContextKind kind);
-  /// Takes over a context that a window made and that is current now; does not destroy it. @throw GpuError
-  /// From then on it must be current, by the word of @p current, wherever GL is called: others in the window share its
-  /// programs and textures, and what is given back in one of those hits the wrong things, and drivers' mistakes.
+  /// Takes over a context that a window made and that is current now; does not destroy it. @throw GpuError From then on
+  /// the context must be current, as @p current tells, wherever GL is called. Other contexts of the window share its
+  /// programs and textures; objects deleted while one of those is current would be the wrong ones, and such deletions
+  /// meet bugs of drivers.
   static std::unique_ptr<Context> adopt(ProcAddress procAddress, Current current);
 
   virtual ~Context();
   Context(const Context&) = delete;
   Context& operator=(const Context&) = delete;
 
-  /// Binds context and function table to this thread. For an adopted context the window must have made it current.
+  /// Binds the context and its function table to this thread. An adopted context must have been made current by the
+  /// window before.
   virtual void makeCurrent();
   const Limits& limits() const { return mLimits; }
-  /// What drivers have reported so far in any context of the process: errors, what is undefined, whatever is of high
-  /// severity. Each is logged, too; tests want none (VELUM_DRIVER_ERRORS=fatal ends the program at the first). What is
-  /// refused and becomes a GpuError is none. Any thread.
+  /// How many messages drivers have sent so far, in any context of the process, about errors, undefined behaviour or
+  /// anything of high severity. Each is logged, too; tests want none (VELUM_DRIVER_ERRORS=fatal ends the program at the
+  /// first). Requests that a driver refuses and that become a GpuError are not counted. Any thread.
   static int errorCount();
 
  protected:

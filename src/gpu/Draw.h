@@ -22,20 +22,20 @@ struct DrawRange {
   int baseVertex = 0;     ///< Indexed draws: added to each index.
 };
 
-/// Draws into the framebuffer that is bound. Vertices are made from gl_VertexID and gl_InstanceID, or are a vertex
-/// array's. GL thread, as all of these.
+/// Draws into the framebuffer that is bound. The vertex shader makes vertices from gl_VertexID and gl_InstanceID, or
+/// reads them from a vertex array. GL thread, as all functions here.
 void draw(const Program& program, Primitive primitive, const DrawRange& range, const DrawState& state = {});
 void draw(const Program& program, const VertexArray& vertices, Primitive primitive, const DrawRange& range,
           const DrawState& state = {});
-/// Vertices in the order of the array's indices.
+/// Draws the vertices that the indices of the vertex array name, in the order of the indices.
 void drawIndexed(const Program& program, const VertexArray& vertices, Primitive primitive, const DrawRange& range,
                  const DrawState& state = {});
-/// Draws what the shared::DrawCommands of a buffer say when the GPU comes to them: for what a shader culls or chooses
-/// (shaders/shared/draw.h). After gpu::barrier() where a shader wrote them.
-/// @param count  commands, from the `first` on
+/// Draws what the shared::DrawCommands in a buffer say at the time when the GPU reaches them: for vertices and
+/// instances that a shader culls or chooses (shaders/shared/draw.h). After gpu::barrier() where a shader wrote them.
+/// @param count  how many commands are drawn, from command `first` on
 void drawIndirect(const Program& program, const VertexArray& vertices, Primitive primitive, const Buffer& commands,
                   int first, int count, const DrawState& state = {});
-/// As drawIndirect(), by shared::DrawIndexedCommands.
+/// As drawIndirect(), but the buffer holds shared::DrawIndexedCommands.
 void drawIndexedIndirect(const Program& program, const VertexArray& vertices, Primitive primitive,
                          const Buffer& commands, int first, int count, const DrawState& state = {});
 

@@ -11,14 +11,14 @@ namespace velum::gpu {
 
 void deleteFramebuffer(unsigned id);
 
-/// Where drawing goes: textures of ours, or a window's framebuffer by its name. GL thread.
+/// The target of draws: textures of ours. GL thread.
 class Framebuffer : public Handle<deleteFramebuffer> {
  public:
   Framebuffer() = default;
   Framebuffer(std::string_view label, std::initializer_list<const Texture*> colors, const Texture* depth = nullptr);
-  /// Integer attachments become 0.
+  /// Sets all colour attachments and the depth; integer attachments become 0 whatever @p color is.
   void clear(glm::vec4 color, float depth) const;
-  /// Makes it the target of draws and sets the viewport to its whole size.
+  /// Makes this framebuffer the target of draws and sets the viewport to its whole size.
   void bind() const;
   glm::ivec2 size() const { return mSize; }
 

@@ -1,7 +1,8 @@
 #pragma once
 #include <GL/glcorearb.h>
 
-/// The GL functions in use, filled from any getProcAddress, so that EGL, OSMesa, Qt and GLFW are all alike.
+/// The GL functions that we use. Their table is filled by any getProcAddress, so that EGL, OSMesa, Qt and GLFW are
+/// treated alike.
 namespace velum::gpu {
 
 struct Limits;
@@ -110,12 +111,14 @@ struct GlTable {
 #define VELUM_GL_MEMBER(type, name) type name = nullptr;
   VELUM_GL_FUNCTIONS(VELUM_GL_MEMBER)
 #undef VELUM_GL_MEMBER
-  /// Tells whose functions these are, where a window made the context, and what is current now.
+  /// Where a window made the context: tells which context of the window system is current now; `context` is the one
+  /// that these functions belong to.
   const void* (*current)() = nullptr;
   const void* context = nullptr;
   const Limits* limits = nullptr;
-  bool compilesBeside = false;  ///< Programs are compiled on threads of the driver's, and it says when they are done.
-  GLuint emptyVertexArray = 0;  ///< Core profile draws need one bound, also where vertices are made from their numbers.
+  bool compilesBeside = false;  ///< The driver compiles on threads of its own and says when a program is done.
+  GLuint emptyVertexArray = 0;  ///< In the core profile a vertex array must be bound for every draw, also where
+                                ///< vertices are made from their numbers.
 };
 
 /// The table of this thread's current context. A context is thread-bound in GL itself, hence thread_local and no
@@ -124,8 +127,9 @@ const GlTable& gl();
 bool hasGl();
 void setGl(const GlTable* table);
 
-/// While one lives, its thread asks for what the driver may refuse, and who asks looks whether it has: what the driver
-/// says of it is no error of ours, and nobody is told twice.
+/// While an object of this class lives, its thread makes requests that the driver may refuse, and the caller checks
+/// whether it did. What the driver then reports does not count as an error of ours, so that a refusal is not reported
+/// twice.
 class MayRefuse {
  public:
   MayRefuse();

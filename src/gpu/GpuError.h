@@ -3,7 +3,7 @@
 
 namespace velum::gpu {
 
-/// No usable driver, a shader that does not compile, memory that the card does not have.
+/// Thrown when there is no usable driver, a shader does not compile, or the card has not enough memory.
 class GpuError : public Error {
  public:
   explicit GpuError(const std::string& message) : Error(ExitCode::Gpu, message) {}

@@ -3,7 +3,8 @@
 
 namespace velum::gpu {
 
-/// Owner of one GL name: empty by default, move-only, destroyed by its destructor. Needs the context current.
+/// Owner of one GL object by its name (a number): empty by default, move-only; its destructor deletes the object. The
+/// context must be current then.
 template <void (*Destroy)(unsigned)>
 class Handle {
  public:

@@ -18,22 +18,22 @@ void deleteProgram(unsigned id);
 /// Words that a shader is compiled with: {"MODE", "2"} becomes `#define MODE 2`.
 using Defines = std::vector<std::pair<std::string, std::string>>;
 
-/// What a program is made of, for lists of them.
+/// The files and defines that a program is made of, for lists of programs.
 struct ProgramSource {
   std::vector<std::string> files;  ///< one .comp, or a .vert and a .frag, under shaders/
   Defines defines;
 };
 
-/// A program from entry points under shaders/ (`render/ray_cast.comp`). Many drivers compile it beside this thread, as
-/// it may take seconds: whoever uses it before isReady() waits. Compile errors name file and line of the included text.
-/// GL thread. @throw GpuError with the driver's message, `file:line: text`, when it is made or, from drivers that
-/// compile beside, by isReady() and whenever it is used
+/// A program from entry points under shaders/ (`render/ray_cast.comp`). Many drivers compile the program on threads of
+/// their own, as that may take seconds: whoever uses the program before isReady() waits. Compile errors name file and
+/// line of the included text. GL thread. @throw GpuError with the driver's message, `file:line: text`: by the
+/// constructor or, with drivers that compile on threads of their own, by isReady() and by every use of the program
 class Program : public Handle<deleteProgram> {
  public:
   Program() = default;
   /// @param files  one .comp, or a .vert and a .frag
   Program(std::initializer_list<std::string_view> files, const Defines& defines = {});
-  /// Nobody waits who uses it now.
+  /// True when the program is compiled: whoever uses it now does not wait.
   bool isReady() const;
   /// Offset of a uniform block's member in bytes, -1 when there is none; for the layout tests.
   int memberOffset(const std::string& block, const std::string& member) const;
@@ -48,26 +48,29 @@ class Program : public Handle<deleteProgram> {
   struct Making;
   void finish() const;
   unsigned finishedId() const;
-  mutable std::shared_ptr<Making> mMaking;  ///< Until the driver has said what became of it.
+  mutable std::shared_ptr<Making> mMaking;  ///< Kept until the driver has said whether the program compiled.
 };
 
-/// As many groups along an axis as every driver takes (OpenGL 4.5, table 23.75). Most take more along some axis: what
-/// works by that fails on another.
+/// The number of groups along an axis that every driver takes (OpenGL 4.5, table 23.75). Most drivers take more along
+/// some axis; code that relies on that fails on other drivers.
 inline constexpr int kMostGroups = 65535;
 
-/// Runs a compute program. Group counts, not threads, each up to kMostGroups. Every dispatch comes through here.
+/// Runs a compute program. @p groups counts work groups, not threads; up to kMostGroups along each axis. Every dispatch
+/// of the program is made by this function.
 void dispatch(const Program& program, glm::ivec3 groups);
-/// Runs groups that are numbered one after the other, however many: they lie in rows, and the shader asks
-/// shaders/common/line.glsl for their numbers. @param parts  groups of each number, gl_WorkGroupID.z
+/// Runs any number of groups, numbered one after the other: they are laid out in rows, and the shader gets its group's
+/// number from shaders/common/line.glsl. @param parts  how many groups have the same number; gl_WorkGroupID.z tells
+/// them apart
 void dispatchLine(const Program& program, std::uint32_t groups, int parts = 1);
-/// Runs it for as many groups as shared::DispatchCommand `index` of a buffer says when the GPU comes to it: for work
-/// whose amount a shader finds out. After gpu::barrier() where a shader wrote the command.
+/// Runs a compute program for as many groups as the shared::DispatchCommand number `index` in a buffer says at the time
+/// when the GPU reaches it: for work whose amount a shader finds out. After gpu::barrier() where a shader wrote the
+/// command.
 void dispatchIndirect(const Program& program, const Buffer& commands, int index = 0);
-/// What shaders have written becomes visible to later reads of any kind.
+/// Makes everything that shaders have written visible to later reads of any kind.
 void barrier();
-/// Hands the commands over and waits until they are done.
+/// Hands all commands given so far over to the GPU and waits until they are done.
 void finish();
-/// Hands the commands over.
+/// Hands all commands given so far over to the GPU.
 void flush();
 
 /// Every entry point under shaders/, for the test that compiles them all.

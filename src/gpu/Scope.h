@@ -5,14 +5,14 @@
 
 namespace velum::gpu {
 
-/// Milliseconds that passes took since the last reset, by name. GPU timestamps; reading them waits for the GPU.
+/// Collects how long named passes take on the GPU, by timestamps.
 class PassTimes {
  public:
   PassTimes() = default;
   ~PassTimes();
   PassTimes(const PassTimes&) = delete;
   PassTimes& operator=(const PassTimes&) = delete;
-  /// Sums by name. Waits.
+  /// Milliseconds that the passes took since the last call, summed by name. Waits for the GPU.
   std::map<std::string, double> collectMs();
 
  private:

@@ -29,13 +29,13 @@ enum class Format {
 };
 enum class Filter { Nearest, Linear };
 enum class Access { Read, Write, ReadWrite };
-/// What a shader gets as one component of a texel: one of the texture's, or a constant.
+/// What a shader gets as one component of a texel: one of the texel's own components, or a constant.
 enum class Component { Red, Green, Blue, Alpha, Zero, One };
 
 /// Bytes of one texel as uploaded and read back.
 std::size_t texelBytes(Format format);
 
-/// True of formats whose texels are integers and come to shaders as such.
+/// True for formats whose texels are integers and reach shaders as integers.
 bool isInteger(Format format);
 
 void deleteTexture(unsigned id);
@@ -43,41 +43,42 @@ void deleteTexture(unsigned id);
 /// How many levels it takes to halve a size down to one texel.
 int levelCountOf(glm::ivec3 size);
 
-/// A 2D (depth 1) or 3D texture, clamped to its edge, with one level or several: each half as long along each axis as
-/// the one before, rounded down, at least one texel. GL thread.
+/// A 2D (depth 1) or 3D texture, clamped to its edge, with one level or several: each level is half as long along each
+/// axis as the one before, rounded down, and at least one texel. GL thread.
 class Texture : public Handle<deleteTexture> {
  public:
   Texture() = default;
   /// @param levels  with more than one, Linear also interpolates between levels and Nearest takes the nearest level
-  /// @throw GpuError when the driver has no memory for it
+  /// @throw GpuError when the driver has no memory for the texture
   static Texture make2d(std::string_view label, Format format, glm::ivec2 size, Filter filter = Filter::Nearest,
                         int levels = 1);
-  /// The values of a buffer, for texelFetch from a samplerBuffer. Lives no longer than the buffer.
+  /// A texture that shows the values of a buffer, for texelFetch from a samplerBuffer. Must not be used after the
+  /// buffer is gone.
   static Texture makeOfBuffer(std::string_view label, Format format, const Buffer& buffer);
   static Texture make3d(std::string_view label, Format format, glm::ivec3 size, Filter filter = Filter::Linear,
                         int levels = 1);
 
   glm::ivec3 size() const { return mSize; }
-  /// Texels of a level.
+  /// Size of a level, texels.
   glm::ivec3 size(int level) const;
   int levelCount() const { return mLevels; }
   Format format() const { return mFormat; }
-  /// Tightly packed texels, x fastest.
+  /// Writes a box of texels, given tightly packed, x fastest.
   void write(glm::ivec3 origin, glm::ivec3 size, const void* texels, int level = 0);
-  /// Waits for the GPU. Whole level, tightly packed.
+  /// Reads a whole level, tightly packed. Waits for the GPU.
   void read(void* texels, std::size_t bytes, int level = 0) const;
-  /// One box of a texture. Waits for the GPU.
+  /// Reads one box of a level, tightly packed. Waits for the GPU.
   void read(glm::ivec3 origin, glm::ivec3 size, void* texels, std::size_t bytes, int level = 0) const;
-  /// One box into the beginning of a buffer, tightly packed, on the GPU.
+  /// Copies one box of a level to the beginning of a buffer, tightly packed, on the GPU.
   void copyTo(Buffer& target, glm::ivec3 origin, glm::ivec3 size, int level = 0) const;
-  /// The first level to zero.
+  /// Sets the first level to zero.
   void clear();
-  /// Fills all levels but the first with means of the level before. Not for integer formats.
+  /// Fills each level after the first with means of the level before it. Not for integer formats.
   void generateLevels();
   void bindSampler(unsigned unit) const;
-  /// What shaders get from now on as r, g, b and a of a texel that they sample.
+  /// Chooses what shaders that sample the texture get, from now on, as r, g, b and a of a texel.
   void setComponents(const std::array<Component, 4>& components);
-  /// One level for imageLoad and imageStore.
+  /// Binds one level for imageLoad and imageStore.
   void bindImage(unsigned unit, Access access, int level = 0) const;
 
  private:

@@ -17,13 +17,13 @@ struct Attribute {
   const Buffer* buffer = nullptr;
   int components = 4;  ///< 1..4, four bytes each
   Type type = Type::Float;
-  std::size_t offset = 0;    ///< Bytes to the first vertex's.
+  std::size_t offset = 0;    ///< Bytes from the buffer's beginning to the first vertex's value.
   std::size_t stride = 0;    ///< Bytes from one vertex to the next; 0: tightly packed.
-  bool perInstance = false;  ///< One for each instance, from the draw's first instance on. In OpenGL 4.5 this is how
-                             ///< the instances of an indirect draw know their numbers.
+  bool perInstance = false;  ///< One value for each instance, from the draw's first instance on. In OpenGL 4.5 this is
+                             ///< how instances of an indirect draw know their numbers.
 };
 
-/// What indexed draws and draws with attributes read. GL thread.
+/// The attributes and indices that draws read. GL thread.
 class VertexArray : public Handle<deleteVertexArray> {
  public:
   VertexArray() = default;

@@ -9,7 +9,7 @@
 
 namespace velum::growth {
 
-/// Which voxels may join a region, a row at a time: by value, owner, gradient and barriers. Any thread.
+/// Tells, row by row, which voxels may join a region: by their value, owner and gradient, and by barriers. Any thread.
 class Admission {
  public:
   /// @param labels  on the volume's grid
@@ -23,7 +23,7 @@ class Admission {
   void open(int y, int z, Word* bits) const;
 
  private:
-  /// Of the bricks along a row.
+  /// How many voxels of the bricks along a row have no owner.
   enum class Free : std::uint8_t { None, Some, All };
   Free freeAlong(int by, int bz) const;
   void keepFree(int y, int z, Word* bits) const;
@@ -37,12 +37,12 @@ class Admission {
   std::vector<Free> mFree;  ///< [brick z][brick y]
   glm::dmat3 mWorldFromSlope;
   struct Box {
-    glm::ivec3 first, last;  ///< last included; empty where the barrier lies outside
+    glm::ivec3 first, last;  ///< both included; empty where the barrier lies outside the volume
   };
-  std::vector<Box> mBarriers;  ///< voxels that each may hold
+  std::vector<Box> mBarriers;  ///< for each barrier: box of the voxels that it may hold
 };
 
-/// 1 where a label volume has a label, in a row of its own.
+/// Writes a row of bits: 1 where the label volume's row (y, z) has the label `id`.
 /// @param bits  wordsOf(dims.x), all written
 void labelBits(const LabelVolume& labels, int y, int z, std::uint16_t id, Word* bits);
 

@@ -6,7 +6,7 @@
 
 namespace velum::growth {
 
-/// A bit for each voxel of a box, in rows.
+/// A bit for each voxel of a box, stored row by row (see RowBits.h).
 class BitGrid {
  public:
   explicit BitGrid(glm::ivec3 dims)
@@ -17,7 +17,7 @@ class BitGrid {
   bool holdsRow(int y, int z) const { return y >= 0 && z >= 0 && y < mDims.y && z < mDims.z; }
   Word* row(int y, int z) { return mBits.data() + place(y, z); }
   const Word* row(int y, int z) const { return mBits.data() + place(y, z); }
-  /// Each bit turned.
+  /// Turns each bit to its opposite.
   void invert();
 
  private:
@@ -30,21 +30,24 @@ class BitGrid {
   std::vector<Word> mBits;
 };
 
-/// Moves a row's bits towards higher x, or lower where `by` is negative; what leaves the row is lost.
-/// @param to  not the same row
+/// Moves a row's bits towards higher x, or lower where `by` is negative; bits that leave the row are lost.
+/// @param to  must not be the row `from`
 void shiftRow(const Word* from, int fromWords, int by, Word* to, int toWords, int toWidth);
 
-/// Voxels of a ball around one voxel that lie in one row: offsets, from low to high, both included.
+/// The part of a ball around a voxel that lies in one row, as offsets from that voxel: the row (y, z), and x from low
+/// to high, both included.
 struct BallRow {
   int y, z, low, high;
 };
-/// @param worldFromVoxel  steps of the axes  @param radius  in the world; what lies at it is in
+/// @param worldFromVoxel  the steps from voxel to voxel along the axes, in the world @param radius  world length;
+/// voxels exactly this far away belong to the ball
 std::vector<BallRow> ballRows(const glm::dmat3& worldFromVoxel, double radius);
 
-/// All voxels that lie in a ball around one that is set. All cores.
+/// A grid in which all voxels are set that lie in a ball around any voxel set in `grid`. All cores.
 BitGrid dilated(const BitGrid& grid, const std::vector<BallRow>& ball);
 
-/// What is joined by faces, through voxels of `open`, to those of it at the border of the box.
+/// The voxels of `open` that are joined by faces, through voxels of `open`, to voxels of `open` at the border of the
+/// box.
 BitGrid joinedToBorder(const BitGrid& open);
 
 }  // namespace velum::growth

@@ -7,15 +7,16 @@
 
 namespace velum::growth {
 
-/// Whose a voxel of a region is.
+/// To which kind of seeds a voxel of a region belongs; Nobody: no seed reaches it.
 enum class Owner : std::uint8_t { Nobody, Own, Others };
 
-/// Divides a region between its own seeds and others: each voxel goes to the kind from which the cheaper way leads to
-/// it, to its own where both cost the same ([IFT]: a forest of shortest paths, by buckets as in [DIAL]). Nobody's is
-/// what no seed reaches. What is its own is joined to its seeds by faces through what is its own. O(voxels) but for a
-/// bucket each for the costs of one step. Five bytes a voxel of the box, and eight for each that waits.
-/// @param own, others  places of the box of the costs; those outside of the region are passed over
-/// @return [place]  @throw Cancelled
+/// Divides a region between its own seeds and those of others: each voxel goes to the kind of seeds from which the
+/// cheapest path leads to it, to its own seeds where both paths cost the same ([IFT]: a forest of shortest paths, by
+/// buckets as in [DIAL]). Voxels that no seed reaches are Nobody's. Every voxel of the own part is joined to an own
+/// seed by faces through voxels of the own part. O(voxels), beside one bucket for each cost that a step may have. Five
+/// bytes for each voxel of the box, and eight for each that waits in a bucket.
+/// @param own, others  seeds, as places in the box of the costs; seeds outside the region are ignored
+/// @return the owner of each place of the box @throw Cancelled
 std::vector<Owner> divideRegion(const PassageCosts& costs, std::span<const std::size_t> own,
                                 std::span<const std::size_t> others, Progress& progress);
 

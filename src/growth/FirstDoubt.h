@@ -6,17 +6,20 @@
 
 namespace velum::growth {
 
-/// Before a structure grows that somebody has clicked on, not typed: what makes it unlikely that it is meant.
+/// Signs, checked before a structure grows from a click (not from typed values), that what would grow is hardly what
+/// the user meant.
 ///
-/// The values reach the least of the data, as those of what is around everything do. Of the data's values a hundredth
-/// counts as the least, so that a scan's circle does not hide its air. O(voxels).
+/// True when the step's range of values reaches down to the least values of the data, as the surroundings of every
+/// object (air) do. The lowest hundredth of the data's values counts as the least, so that the circle around a scan
+/// does not hide its air. O(voxels).
 bool reachesTheDarkest(const Volume& volume, const scene::Growth& step);
 
-/// Up to which depth a step is looked at: the end of the first slab that has something of the data.
+/// The depth up to which a step is looked at: where the first slab that holds some of the data ends.
 double firstSlabEnd(const Volume& volume, const scene::Growth& step);
 
-/// It is most of what there is before its plane, from the first slab on: of the data's box a good part, and more than
-/// three fifths of what is brighter than halfway from the data's least value to the step's.
+/// True when the structure is most of what the first slab behind the step's plane holds: more than three tenths of the
+/// slab's voxels, and more than three fifths of the voxels brighter than halfway from the data's least value to the
+/// step's lowest.
 /// @param labels  with the structure grown so far, up to the step's distance
 bool isMostOfItsPlane(const Volume& volume, const LabelVolume& labels, const scene::Growth& step);
 

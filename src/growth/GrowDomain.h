@@ -13,8 +13,8 @@ struct RowSpan {
   bool operator==(const RowSpan&) const = default;
 };
 
-/// Where a step of growing goes: all voxels whose middle lies deep in the removed side of a plane, but no deeper than
-/// it says ([ACS] Prop. 1). A row of voxels meets it in one span.
+/// The domain in which a step may grow: all voxels whose middle lies in the removed side of a plane, no deeper than a
+/// distance ([ACS] Prop. 1). A row of voxels meets the domain in a single span.
 class GrowDomain {
  public:
   /// Everywhere.
@@ -26,22 +26,23 @@ class GrowDomain {
 
   /// The same plane with another distance.
   GrowDomain upTo(double distance) const;
-  /// What lies from one depth, not itself, to another; may be negative.
+  /// The part of the domain's half-space with depths from `from` (excluded) to `to` (included); both may be negative.
   GrowDomain between(double from, double to) const;
 
   bool isEverywhere() const { return mIsEverywhere; }
   double distance() const { return mTo; }
-  /// Of a voxel's middle; 0 where it is everywhere. Never falls along an axis and rises elsewhere on it, though
-  /// rounded.
+  /// Depth of a voxel's middle; 0 where the domain is everywhere. Along each axis it only rises or only falls, in spite
+  /// of rounding.
   double depth(glm::ivec3 voxel) const;
   bool contains(glm::ivec3 voxel) const;
-  /// Exactly what contains() says of a row's voxels from 0 to before `width`.
+  /// The voxels x = 0 to before `width` of row (y, z) for which contains() is true.
   RowSpan rowSpan(int y, int z, int width) const;
-  /// False only when no voxel of a box lies in it. @param last  included
+  /// False only when no voxel of the box lies in the domain. @param last  included
   bool mayMeet(glm::ivec3 first, glm::ivec3 last) const;
   /// Smallest and largest depth of a box of voxels. @param last  included
   glm::dvec2 depthRange(glm::ivec3 first, glm::ivec3 last) const;
-  /// Depth between neighbours along x, y and z, all added up: a layer as thick holds together by faces.
+  /// The differences of depth between neighbours along x, y and z, added up: the voxels of a layer this thick are
+  /// joined by faces.
   double layer() const;
 
  private:
@@ -51,7 +52,8 @@ class GrowDomain {
   glm::dvec3 mPerVoxel{0.0};
 };
 
-/// Two diagonals of a voxel: what is grown at a time ([ACS] 4.2), the volume's unit of length.
+/// Thickness of a slab, the layer that is grown at a time ([ACS] 4.2): two diagonals of a voxel, in the volume's unit
+/// of length.
 double slabThickness(const Volume& volume);
 
 }  // namespace velum::growth

@@ -12,41 +12,44 @@
 namespace velum::growth {
 
 struct GrowOptions {
-  bool guard = false;         ///< stops before a slab in which the region leaks; not of a step that has others
-  Shared<LabelVolume> begun;  ///< it begins at what the structure has in these, too, where that may join
-  /// And its others at what has label 1 in these: Grown::others of what begun is from.
+  bool guard = false;  ///< growing stops before a slab in which the region leaks; ignored for a step that has others
+  Shared<LabelVolume>
+      begun;  ///< the step also begins at the voxels that its structure has in these labels, where they may join
+  /// The step's others also begin at the voxels with label 1 in these: the Grown::others that belong to `begun`.
   Shared<LabelVolume> othersBegun = {};
 };
 
-/// Where a guard has stopped a step.
+/// Where and why the guard has stopped a step.
 struct Leak {
-  double depth = 0.0;                     ///< at which the slab that leaks ends
-  double area = 0.0, widestBefore = 0.0;  ///< of it, and what was expected at most; the scene's unit, squared
+  double depth = 0.0;                     ///< depth at which the leaking slab ends
+  double area = 0.0, widestBefore = 0.0;  ///< width of that slab, and the width expected of it; scene's unit, squared
 };
 
-/// What a step has done.
+/// The result of a step.
 struct Grown {
-  Shared<LabelVolume> labels;  ///< with it; the same as before where nothing joined
+  Shared<LabelVolume> labels;  ///< labels after the step; the same payload as before where nothing joined
   VoxelBox box;                ///< around the voxels that changed
-  std::size_t voxels = 0;      ///< that joined
+  std::size_t voxels = 0;      ///< how many voxels joined
   int slabs = 0;
   double ms = 0.0;
-  double distance = 0.0;  ///< to which it has grown: the step's, or what is safe
+  double distance = 0.0;  ///< depth down to which it has grown: the step's, or the last one before the leak
   std::optional<Leak> leak;
-  /// Label 1 where the step's others have it, of what it would have taken without them; nothing where they have none.
+  /// Label 1 on the voxels that the step would have taken but for its others, and that went to these; empty where no
+  /// voxel did.
   Shared<LabelVolume> others;
 };
 
-/// Does steps of growing one after the other, but for their end, see smoothRegion(). A step's result depends on the
-/// volume, the labels before it and the step alone; what a Grower keeps between steps only saves time. One thread at a
-/// time; a step works on all cores.
+/// Does growing steps one after the other, except for their ends (smoothRegion()). The result depends only on the
+/// volume, the labels before the step, the step and the options; what a Grower keeps between steps only saves time. One
+/// thread at a time; a step works on all cores.
 ///
-/// A step with others is done whole, whatever was grown of it before: where a border between the two kinds of seeds
-/// lies depends on all of the region. Nobody guards it, for who says what it is not has seen where it leaks.
+/// A step with others (places that are not of the structure) is always done as a whole, whatever was grown of it
+/// before: the border between the two kinds of seeds depends on the whole region. Such a step is not guarded, for a
+/// user who names others has seen where the region leaks.
 class Grower {
  public:
-  /// @param before  on the volume's grid, see labelsFor()
-  /// @throw Cancelled, and nothing has changed
+  /// @param before  labels before the step, on the volume's grid, see labelsFor()
+  /// @throw Cancelled; then no labels have changed
   /// @throw ArgumentError when the labels are on another grid, or the step's channel, plane or structure makes no sense
   Grown grow(const Shared<Volume>& volume, const Shared<LabelVolume>& before, const scene::Growth& step,
              const GrowOptions& options, Progress& progress);
@@ -56,14 +59,14 @@ class Grower {
     Shared<Volume> volume;
     int structure;
     RegionGrow region;
-    std::optional<scene::Growth> last;  ///< step that it has done whole
+    std::optional<scene::Growth> last;  ///< the step that the region has done whole
     bool hasDone(const scene::Growth& step) const;
   };
   void divide(const Shared<Volume>& volume, const Shared<LabelVolume>& before, const scene::Growth& step,
               const GrowOptions& options, Grown& grown, Progress& progress) const;
   std::list<Kept>::iterator keep(const Shared<Volume>& volume, const Shared<LabelVolume>& labels,
                                  const scene::Growth& step);
-  std::list<Kept> mKept;  ///< the last one used comes first
+  std::list<Kept> mKept;  ///< the one used most recently comes first
 };
 
 }  // namespace velum::growth

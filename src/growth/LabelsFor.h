@@ -5,8 +5,8 @@
 
 namespace velum::growth {
 
-/// The labels in which a volume's structures grow: what is given where it lies on the volume's grid; brought there by
-/// the nearest voxel, with a warning, where it does not; none where nothing is given.
+/// The labels into which a volume's structures grow: the labels `given` where they lie on the volume's grid; else
+/// `given` brought onto that grid by the nearest voxel, with a warning; empty labels where none are given.
 Shared<LabelVolume> labelsFor(const Volume& volume, const Shared<LabelVolume>& given);
 
 }  // namespace velum::growth

@@ -13,17 +13,17 @@
 
 namespace velum::growth {
 
-/// What is left of a region when it is divided between a step's seeds and its others.
+/// A region divided between a step's seeds and its others: the part that is the structure's own.
 struct OwnPart {
   BitGrid own;
-  Shared<LabelVolume> others;  ///< 1 where it went to them
+  Shared<LabelVolume> others;  ///< label 1 on the voxels that went to the others
 };
 
-/// Divides what a step would take if nothing was said of others, see divideRegion(). Its own seeds are those of the
-/// step, what the structure had before, and what it begins at. Of two regions that it begins at, as at another time
-/// step, what lies along the border between them is decided anew.
-/// @param region  grown whole in the domain
-/// @return nothing where none of the others lies in the region: then all of it is its own
+/// Divides the region that a step would take without its others, see divideRegion(). Own seeds are the step's seeds,
+/// the voxels that the structure had before, and those in GrowOptions::begun. Where the step begins at two regions, its
+/// own and that of the others (as at another time step), the voxels along the border between the two are decided anew.
+/// @param region  grown to its end in the domain, as if there were no others
+/// @return nothing where none of the others lies in the region: then the whole region is the structure's own
 /// @throw Cancelled
 std::optional<OwnPart> ownPartOf(const RegionGrow& region, const Volume& volume, const LabelVolume& before,
                                  const scene::Growth& step, const GrowDomain& domain, const GrowOptions& options,

@@ -14,23 +14,24 @@
 
 namespace velum::growth {
 
-/// What it costs to go through a region from voxel to voxel: little where it goes on as it is, much over an edge of
-/// values, and as much where it becomes thicker or thinner all at once, as a neck between two things does.
+/// The cost of going through a region from voxel to voxel: little where the region goes on as it is, much across an
+/// edge of values, and as much where the region becomes thicker or thinner all at once, as at a neck between two
+/// things.
 ///
-/// Seven bytes a voxel of the region's box, and up to two for each core, or four, while it is made.
+/// Memory: seven bytes for each voxel of the region's box, and while it is made up to two more for each core, or four.
 class PassageCosts {
  public:
-  /// @param domain  where the region has grown: nothing is known of what lies outside
+  /// @param domain  where the region has grown; whether voxels outside it would belong to the region is unknown
   /// @throw Cancelled
   PassageCosts(const RegionGrow& region, const Volume& volume, const GrowDomain& domain, Progress& progress);
 
   const RoomyBox& box() const { return mBox; }
   bool holds(std::size_t place) const { return mIsIn[place] != 0; }
-  /// The same from either side; at least 1.
-  /// @param from, to  places of the box that are joined by a face, both of the region
+  /// Cost of the step between two neighbours, the same in both directions; at least 1.
+  /// @param from, to  places in the box whose voxels share a face; both belong to the region
   int cost(std::size_t from, std::size_t to, int axis) const {
     float edge = std::abs(mValues[from] - mValues[to]) * mPerNoise;
-    // Also false for what is no number.
+    // Also true where a value is not a number.
     if (!(edge < kMostEdge)) edge = kMostEdge;
     int one = mLevels[from], other = mLevels[to];
     std::uint8_t depth = std::min(mDepths[from], mDepths[to]);
@@ -40,15 +41,16 @@ class PassageCosts {
   int mostCost() const;
 
  private:
-  /// In thousandths of the cost of becoming e times as thick. Of the differences of values half are less than an edge
-  /// of 1, which is noise; their squares count, so that noise is cheap. Length says little, but where all else is the
-  /// same the middle is the border. A step counts more the nearer to what is not of the region it goes, by the square
-  /// of its depth in voxels, so that two balls of which one would cover the neck between them have a border there.
-  /// Chosen with all cases of NotThisTest in sight.
+  /// Costs, in thousandths of the cost of becoming e times as thick. An edge of 1 is noise: half of the differences of
+  /// neighbouring values are less; the squares of edges count, so that noise is cheap. The length of a step costs
+  /// little, only so that the border lies in the middle where all else is the same. A step costs more the nearer to the
+  /// outside of the region it goes, by the square of its depth in voxels, so that two balls with a neck between them
+  /// have their border there, even where one of the balls would cover the neck. Chosen with all cases of NotThisTest in
+  /// sight.
   static constexpr float kMostEdge = 20.0f, kPerEdge = 60.0f;
   static constexpr int kPerLevel = 300, kPerStep = 2, kPerThinStep = 150;
 
-  /// Eighths of a voxel; what lies deeper than 32 counts as that.
+  /// Unit of depths: eighths of a voxel; voxels deeper than 32 count as 32 deep.
   static constexpr int kDepthUnit = 8;
 
   void takeRegion(const RegionGrow& region);
@@ -59,7 +61,7 @@ class PassageCosts {
 
   RoomyBox mBox;
   std::vector<std::uint8_t> mIsIn, mLevels;
-  std::vector<std::uint8_t> mDepths;  ///< below what is not of it, in kDepthUnit
+  std::vector<std::uint8_t> mDepths;  ///< distance of each voxel from the outside of the region, in kDepthUnit
   std::vector<float> mValues;
   std::array<int, 3> mLength{};
   std::array<int, 256> mThinness{};  ///< by depth

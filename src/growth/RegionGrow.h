@@ -22,29 +22,29 @@ struct VoxelBox {
 };
 
 /// A region that grows through voxels joined by faces, 64 voxels a word ([ACS] 4.2, Prop. 3). It grows in steps, each
-/// in a domain of its own, and keeps the active front between them. After a step it is all that is joined to what was
-/// there, and to the step's seeds, through voxels that may join and lie in the domain: the same voxels however the way
-/// was cut into steps. One thread at a time; a step works on all cores.
+/// in a domain of its own, and keeps the active front between steps. After a step it consists of all voxels that are
+/// joined to the region before, or to the step's seeds, through voxels that may join and lie in the domain: the same
+/// voxels however the growth was divided into steps. One thread at a time; a step works on all cores.
 ///
 /// Differs: in [ACS] 4.2 a structure that is pushed back gives up what was grown; here a region never shrinks, for what
 /// is seen of it is told by the distance that a cut spares.
 class RegionGrow {
  public:
-  /// Begins as what a structure has in the labels, whatever its values. @param structure  0: as nothing
+  /// Begins as the voxels that a structure has in the labels, whatever their values. @param structure  0: begins empty
   /// @throw ArgumentError when the labels are not on the volume's grid, or there is no such channel or time step
   RegionGrow(Shared<Volume> volume, const Shared<LabelVolume>& labels, int structure, GrowRule rule);
   ~RegionGrow();
   RegionGrow(RegionGrow&&) noexcept;
   RegionGrow& operator=(RegionGrow&&) noexcept;
 
-  /// Grows from here, too: the voxel joins where it may join, be it outside of any domain, and its neighbours are
-  /// tried, from now until forgetSeeds(). Nothing outside the volume.
+  /// Adds a seed: the voxel joins if it may join, even outside any domain, and its neighbours are tried, from now until
+  /// forgetSeeds(). A voxel outside the volume is ignored.
   void addSeed(glm::ivec3 voxel);
   /// Each voxel that a structure has in other labels joins where it may join. @param labels  on the volume's grid
   void addSeeds(const LabelVolume& labels, int structure);
-  /// From now on only the region itself is grown from. A seed that has joined is part of it.
+  /// From now on growth starts from the region alone; seeds that have joined are part of the region.
   void forgetSeeds();
-  /// One step. Where it is cancelled, what has joined stays, and the next step goes on from there.
+  /// Grows by one step. Voxels that have joined before a cancel stay, and the next step goes on from there.
   /// @return voxels that joined, new seeds included
   /// @throw Cancelled
   std::size_t grow(const GrowDomain& domain, Progress& progress);
@@ -53,24 +53,25 @@ class RegionGrow {
   std::size_t voxelCount() const { return mCount; }
   /// Voxels of the region that lie in a domain.
   std::size_t countIn(const GrowDomain& domain) const;
-  /// Bits [word] of a row, or nothing where it has none.
+  /// The words of bits of a row; may be nullptr where the region has no voxel in the row.
   const std::uint64_t* row(int y, int z) const;
 
-  /// Box around the rows that grew since it was last called, as wide as what is in them; the rows, as y and z.
+  /// The rows, as (y, z), that grew since takeChanged() was last called, and the box around the region's voxels in
+  /// these rows, in whole words along x.
   struct Changed {
     VoxelBox box;
     std::vector<glm::ivec2> rows;
   };
   Changed takeChanged();
 
-  /// Goes on with other labels: looks anew at bricks that differ. False, and nothing of it is good any more, when the
-  /// structure has other voxels in them than it has here.
+  /// Goes on with other labels: looks anew at the bricks that differ. Returns false when the structure has other voxels
+  /// in these bricks than the region has; then this object must not be used any more.
   bool follow(const Shared<LabelVolume>& labels);
-  /// The same where the region itself is all that the labels have got since.
+  /// As follow(), for labels to which nothing but this region itself was added since.
   void adopt(const Shared<LabelVolume>& labels);
   const GrowRule& rule() const;
 
-  /// What it holds, and how often a row was visited.
+  /// Bytes of memory that it holds, and how often a row was visited.
   std::size_t bytes() const;
   std::size_t visits() const;
 

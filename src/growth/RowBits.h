@@ -22,14 +22,16 @@ inline Word spanBits(int w, int first, int end) {
   return high < kWordBits ? bits & ~(~Word(0) << high) : bits;
 }
 
-/// How many bits are set. Plain x86-64 has no instruction for it, and the library's function is slower than this.
+/// How many bits of a word are set. Plain x86-64 has no instruction that counts bits, and the library's function is
+/// slower than this one.
 inline int countBits(Word w) {
   w -= w >> 1 & 0x5555555555555555u;
   w = (w & 0x3333333333333333u) + (w >> 2 & 0x3333333333333333u);
   return int(((w + (w >> 4)) & 0x0f0f0f0f0f0f0f0fu) * 0x0101010101010101u >> 56);
 }
 
-/// 64 bytes of 0 or 1 as bits: eight at a time by a product that moves each byte to its bit of the highest one.
+/// 64 bytes of 0 or 1 as the bits of a word: eight bytes at a time, by a product that moves each of them to its bit in
+/// the highest byte.
 inline Word packBytes(const std::uint8_t* bytes) {
   Word word = 0;
   for (int i = 0; i < 8; ++i) {
@@ -40,8 +42,8 @@ inline Word packBytes(const std::uint8_t* bytes) {
   return word;
 }
 
-/// Of the runs of `open`, from the bits of `from` up to each run's end. @param from  bits of open
-/// @param carry  1 when a run goes on from the word below; then of the word above
+/// Fills runs of `open` upwards: from each bit of `from` to the end of the run that holds it. @param from  bits of open
+/// @param carry  in: 1 when a filled run goes on from the word below; out: 1 when one goes on into the word above
 inline Word fillUp(Word open, Word from, Word& carry) {
   // Added to its run, a bit turns all bits from its own to the run's end.
   Word sum = open + from, over = sum < open;
@@ -50,7 +52,7 @@ inline Word fillUp(Word open, Word from, Word& carry) {
   return (open & (open ^ sum)) | from;
 }
 
-/// The same down to each run's start.
+/// Fills runs of `open` downwards: from each bit of `from` to the start of the run that holds it.
 inline Word fillDown(Word open, Word from) {
   if (((from >> 1) & open & ~from) == 0) return from;
   Word filled = from;

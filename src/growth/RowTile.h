@@ -9,20 +9,20 @@
 
 namespace velum::growth {
 
-/// A square of rows of voxels, as wide as the volume: what one thread grows by itself. Three bits a voxel:
-/// *open*, may join (made when a row is first met), *region*, has joined, and *front*, touches what has joined and has
-/// not been tried, or lay outside the domain when it was. A row with bits in its front is queued, or waits for another
-/// domain.
+/// A square (in y and z) of rows of voxels, as long as the volume is wide: the part of a region that one thread grows
+/// by itself. Each voxel has three bits: *open*, it may join (made when a row is first met); *region*, it has joined;
+/// and *front*, it touches the region but has not been tried, or lay outside the domain when it was. A row with bits in
+/// its front is queued, or waits for another domain.
 class RowTile {
  public:
   static constexpr int kEdge = 16;  ///< rows along y and z. Of 8, 16 and 32 the fastest, see docs/PERFORMANCE.md
 
-  /// @param first  y and z of its first row  @param dims  of the volume
+  /// @param first  y and z of the tile's first row @param dims  of the volume
   RowTile(glm::ivec2 first, glm::ivec3 dims);
 
   glm::ivec2 first() const { return mFirst; }
   glm::ivec2 count() const { return mCount; }
-  /// A row's place here. Rows are told by it.
+  /// Number of a row within the tile; all functions below name rows by this number.
   int rowAt(int y, int z) const { return (z - mFirst.y) * kEdge + (y - mFirst.x); }
   glm::ivec2 placeOf(int row) const { return mFirst + glm::ivec2(row % kEdge, row / kEdge); }
   const Word* region(int row) const { return words(row, kRegion); }
@@ -30,19 +30,19 @@ class RowTile {
   Word* front(int row) { return words(row, kFront); }
   const Word* open(int row, const Admission& admission);
 
-  /// A neighbour of all that another row has: what of it is not here yet goes into the front. True when a row that
-  /// waits for nothing yet has something to try now.
+  /// Tells a row which voxels a neighbouring row has: those that have not joined here and may still join go into the
+  /// row's front. True when there are any, so that the row is to be queued.
   bool offer(int row, const Word* neighbour) { return offer(row, neighbour, 0, mWords); }
-  /// A voxel joins, wherever it lies.
+  /// Makes a voxel part of the region, wherever it lies.
   void join(int row, int x);
-  /// A row with bits in its front is to be tried.
+  /// Queues a row with bits in its front, to be tried.
   void enqueue(int row);
-  /// Rows whose front waits outside an earlier domain are tried again. False when none can lie in this one.
+  /// Queues the rows whose front waited outside an earlier domain. False when none of them can lie in this domain.
   bool wake(const GrowDomain& domain);
   bool isIdle() const { return mQueue.empty(); }
-  /// Queued rows wait for the next domain: growing was cancelled.
+  /// Makes the queued rows wait for the next domain, after growing was cancelled.
   void rest();
-  /// Grows until nothing here is left to try. What touches other tiles is in border() after.
+  /// Grows until nothing in this tile is left to try. Rows that touch other tiles are in border() afterwards.
   void settle(const Admission& admission, const GrowDomain& domain, const Progress& progress);
 
   /// Rows at the tile's edge that have grown since clearBorder().
@@ -50,11 +50,11 @@ class RowTile {
   void clearBorder();
   /// All rows that have grown since takeChanged().
   std::vector<std::uint16_t> takeChanged();
-  /// Voxels that joined since it was last asked.
+  /// How many voxels joined since the last call.
   std::size_t takeAdded() { return std::exchange(mAdded, 0); }
   std::size_t visits() const { return mVisits; }
 
-  /// A row is looked at anew: what may join has changed.
+  /// Forgets which voxels of a row may join, as that has changed: the row is looked at anew.
   void forget(int row);
   std::size_t bytes() const { return mBits.size() * sizeof(Word) + mFlags.size(); }
 
@@ -78,7 +78,7 @@ class RowTile {
   std::vector<Word> mBits;  ///< [row][open, region, front][word]
   std::vector<std::uint8_t> mFlags;
   std::vector<std::uint16_t> mQueue, mWaiting, mBorder, mChanged;
-  std::vector<Word> mNew;  ///< of the row that is visited
+  std::vector<Word> mNew;  ///< new voxels of the row that is visited
   std::size_t mAdded = 0, mVisits = 0;
 };
 

@@ -6,7 +6,7 @@
 
 namespace velum::growth {
 
-/// The tiles of a volume, made when something comes into them, and who grows in them.
+/// The tiles of a volume, made when the region first comes into them, and the growing of all tiles side by side.
 class TileGrid {
  public:
   explicit TileGrid(glm::ivec3 dims);
@@ -16,13 +16,13 @@ class TileGrid {
   RowTile& make(int y, int z);
   glm::ivec3 dims() const { return mDims; }
 
-  /// Offers a row to the four beside it, within its tile and beyond.
+  /// Offers the voxels of a row to the four rows beside it, within its tile and in other tiles.
   void offerAround(int y, int z, const Word* row);
-  /// Grows all tiles, on all cores, until nothing is left to try. @return voxels that joined
-  /// @throw Cancelled when all that is queued waits for the next domain
+  /// Grows all tiles, on all cores, until nothing is left to try. @return how many voxels joined @throw Cancelled; then
+  /// all queued rows wait for the next domain
   std::size_t settle(const Admission& admission, const GrowDomain& domain, Progress& progress);
 
-  /// Calls body(tile) for each that was made.
+  /// Calls body(tile) for each tile that was made.
   template <class Body>
   void forEach(const Body& body) const {
     for (const auto& tile : mTiles)

@@ -6,14 +6,14 @@
 
 namespace velum::growth {
 
-/// Which voxels of a row have a value from `low` to `high`, by its raw samples: exactly what valueAt() says. Any
-/// thread.
+/// Tells which voxels of a row have a value from `low` to `high`. Works on raw samples, with exactly the result that
+/// comparing valueAt() gives. Any thread.
 class ValueBits {
  public:
-  /// Works on voxels' raw samples.
+  /// The comparison for one type of sample.
   struct Kernel {
     virtual ~Kernel() = default;
-    /// @param sample  of the row's first voxel, in samples from the first one of the volume
+    /// @param sample  place of the row's first sample, counted in samples from the volume's first
     virtual void of(const void* samples, std::size_t sample, int width, Word* bits) const = 0;
   };
 

@@ -7,7 +7,7 @@
 
 namespace velum::growth {
 
-/// What writeRegion() has changed.
+/// What writeRegion() has changed: the box around the voxels, and how many there are.
 struct Written {
   VoxelBox box;
   std::size_t voxels = 0;
@@ -16,7 +16,7 @@ struct Written {
 /// The bits of a row of a region.
 using RegionRow = std::function<const std::uint64_t*(int y, int z)>;
 
-/// Gives a label to all voxels of the rows in which a region has grown, brick by brick; other bricks stay shared.
+/// Gives a label to the region's voxels in the rows that have grown, brick by brick; the other bricks stay shared.
 Written writeRegion(const RegionRow& region, const RegionGrow::Changed& changed, std::uint16_t id, LabelVolume& labels);
 
 }  // namespace velum::growth

@@ -14,9 +14,9 @@
 #include "io/volumes/ReadVolume.h"
 #include "io/volumes/Readers.h"
 
-/// What needs a heavy library of others is in a library of ours, a plug-in, which is loaded when one of its functions
-/// is first called: a program starts without. Each function here does what io's of the same name says, which
-/// Plugins.cpp hands on.
+/// Code that needs a heavy third-party library is in a shared library of our own, a plug-in, which is loaded when one
+/// of its functions is first called, so that a program starts without it. Each function here does what the function of
+/// the same name in io is documented to do; Plugins.cpp forwards io's calls to these.
 namespace velum::io {
 
 namespace plugin {
@@ -48,7 +48,8 @@ decltype(io::unpackByVtk) unpackByVtk;
 
 }  // namespace plugin
 
-/// What libvelum-io-gdcm.so exports, by the name velumPlugin; likewise the others.
+/// The table of functions that libvelum-io-gdcm.so exports under the name velumPlugin; the tables below are those of
+/// the other plug-ins.
 struct GdcmPlugin {
   static constexpr const char *kName = "gdcm", *kWhat = "DICOM";
   decltype(&plugin::readDicom) readDicom = nullptr;
@@ -83,11 +84,12 @@ struct VtkPlugin {
   decltype(&plugin::unpackByVtk) unpackByVtk = nullptr;
 };
 
-/// The table of a plug-in, which stays loaded. @param what  it is for, in words for people
-/// @throw InputError when it, or what it links, is not there. Any thread.
+/// Loads a plug-in, which stays loaded, and returns its table of functions. @param what  what the plug-in is for, in
+/// words for people
+/// @throw InputError when the plug-in, or a library that it links, is missing. Any thread.
 const void* loadPlugin(const std::string& name, const std::string& what);
 
-/// Loads it when it is first asked for. @throw InputError
+/// The table of a plug-in, which is loaded when its table is first asked for. @throw InputError
 template <class Plugin>
 const Plugin& loaded() {
   static const void* const table = loadPlugin(Plugin::kName, Plugin::kWhat);

@@ -8,11 +8,11 @@
 
 namespace velum::model {
 
-/// Balls by the cell of a grid that their middle lies in. The balls are looked up by number: they may change meanwhile
-/// but for their middles.
+/// Finds balls near a point: their numbers, sorted by the cell of a grid in which their middles lie. Only numbers are
+/// kept, so that the balls may change meanwhile, except for their middles.
 class BallGrid {
  public:
-  /// @param cell  its edge; made longer where the grid would have many more cells than balls
+  /// @param cell  edge of a cell; made longer where the grid would have many more cells than balls
   BallGrid(std::span<const Ball> balls, float cell) : mCell(cell) {
     glm::vec3 low(0.0f), high(0.0f);
     if (!balls.empty()) low = high = balls.front().centre;
@@ -58,7 +58,7 @@ class BallGrid {
   float mCell;
   glm::vec3 mLow{0.0f};
   glm::ivec3 mSize{1};
-  std::vector<std::uint32_t> mFirst;  ///< by cell, one more at the end
+  std::vector<std::uint32_t> mFirst;  ///< by cell: its first entry in mOrder; one more at the end
   std::vector<std::uint32_t> mOrder;
 };
 

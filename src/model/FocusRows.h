@@ -7,16 +7,17 @@
 
 namespace velum::model {
 
-/// A focus that is in force: an enabled cut keeps some types of the model in view.
+/// A focus in force: that of an enabled cut which keeps some types of the model in view.
 struct FocusRow {
-  int cut = 0;  ///< of the enabled ones
+  int cut = 0;  ///< index of the cut among the enabled cuts
   const scene::Focus* focus = nullptr;
-  bool hasAperture = false;  ///< some type is cleared by a part of the view only
+  bool hasAperture = false;  ///< for some type only a part of the view is cleared
 };
 std::vector<FocusRow> focusRows(const scene::Scene& scene);
 
-/// The steps of jump flooding over a picture, pixels: seeds are laid (0), then from half of its edge to 1, and once
-/// more 1. [JFA]; Differs: the last step is done twice, which mends most of its errors.
+/// The steps of jump flooding [JFA] over a picture, in pixels: 0, which places the seeds, then from half of the
+/// picture's edge down to 1, and 1 once more. Differs: the last step is done twice, which mends most errors of the
+/// method.
 std::vector<int> floodSteps(glm::ivec2 size);
 
 }  // namespace velum::model

@@ -14,17 +14,19 @@ struct TypeSpareRow;
 
 namespace velum::model {
 
-/// Colour by type, [types]; alpha: kType* of shaders/shared/instance.h.
+/// The row of each type, [types]: its colour; alpha holds the kType* flags of shaders/shared/instance.h.
 std::vector<shared::TypeRow> makeTypeRows(const scene::ModelLayer& layer);
 
 /// What the enabled cuts leave of each type, [types][enabled cuts], lengths as in the scene.
 std::vector<shared::TypeSpareRow> makeTypeSpareRows(const scene::Scene& scene);
 
-/// A bit for each of the first 32 enabled cuts that removes an instance only when all of it is inside.
+/// A word with a bit for each of the first 32 enabled cuts: set when the cut removes an instance only if all of it is
+/// inside.
 std::uint32_t wholeInstanceBits(const scene::Scene& scene);
 
-/// What a cut leaves of a type: the longest path in ModelCut::spares that is the type's or that of a compartment above
-/// it; nothing where there is none, or where the type's mass or number is out of the cut's ranges.
+/// What a cut leaves of a type: the spare in ModelCut::spares with the longest path that is the type's own or that of a
+/// compartment above it. A spare that leaves nothing where there is no such path, or where the type's mass or number of
+/// instances is out of the cut's ranges.
 scene::TypeSpare typeSpareOf(const scene::Cut& cut, const Model& model, const MoleculeType& type,
                              std::string_view path);
 

@@ -17,13 +17,14 @@ struct Placement {
   bool operator==(const Placement&) const = default;
 };
 
-/// A model on the GPU: its instances, molecules, levels and balls, once whatever the number of copies. GL thread.
+/// A model on the GPU: its instances, molecules, levels and balls, stored once whatever the number of copies. GL
+/// thread.
 class InstanceSet {
  public:
   InstanceSet() = default;
-  /// @throw gpu::GpuError when the driver has no memory for it
+  /// @throw gpu::GpuError when the driver has no memory for the model
   InstanceSet(const Model& model, const LevelSet& levels, const Placement& placement);
-  /// For all shaders that put in model/instances.glsl.
+  /// Binds the rows for all shaders that include model/instances.glsl.
   void bind() const;
   int instanceCount() const { return mInstanceCount; }
   std::uint64_t bytes() const;

@@ -17,21 +17,23 @@ struct InstanceView;
 
 namespace velum::model {
 
-/// Which instances are drawn: what cuts leave, worked out as they are culled, with sheets among the cuts or without;
-/// what InstanceStates has left; what it has removed and shows as ghosts.
+/// Which instances are drawn. Cuts, Membranes: those that the cuts leave, worked out while they are culled, without or
+/// with sheets among the cuts; States: those that InstanceStates leaves; Ghosts: those that InstanceStates has removed
+/// and that show as ghosts.
 enum class CullBy { Cuts, Membranes, States, Ghosts };
 
-/// What the program is compiled for that culls: by what; of what was seen before, or of all else.
+/// The defines of the program that culls: by what it culls, and whether it takes the instances seen before or all
+/// others.
 gpu::Defines cullDefines(CullBy by, bool isOfSeen);
-/// And those of InstanceStates.
+/// The defines of the focus program of InstanceStates.
 gpu::Defines focusDefines(bool hasMembranes, bool isOfOccluders);
 
-/// Some instances of some copies: a range of those of one copy.
+/// Some instances of some copies: a range of the instances of a copy, the same in each of the copies.
 struct InstancePart {
   std::uint32_t first = 0, end = 0;
   int firstCopy = 0, copies = 1;
 };
-/// All of them. @param most  in a part, about
+/// Parts that make up all instances of all copies. @param most  about how many instances a part has at most
 std::vector<InstancePart> instanceParts(std::uint32_t instances, int copies, std::uint32_t most);
 
 /// The programs that draw instances into a target. GL thread.
@@ -47,12 +49,13 @@ class InstancePrograms {
   const gpu::Program& flood();
   const gpu::Program& shown();
 
-  /// What a picture shows.
+  /// What a picture needs programs for.
   struct Need {
     CullBy by = CullBy::Cuts;
     bool hasMembranes = false, hasFocus = false, hasGhosts = false;
   };
-  /// Has the programs for it compiled side by side, see gpu::Program. @return true when all of them are
+  /// Starts compiling the programs that a picture needs, side by side, see gpu::Program. @return true when all of them
+  /// are
   bool compile(const Need& need);
 
  private:
@@ -62,46 +65,48 @@ class InstancePrograms {
   gpu::Program mArguments, mPyramid, mSeen, mFlood, mShown;
 };
 
-/// Which instances a pass over all of them takes.
+/// Which instances a pass over all instances takes.
 enum class CullPhase { SeenBefore, Others, All };
 
-/// What of instances is nearest in each pixel of a view: depth along the view, instance, ball. Drawn by compute, as
-/// most balls are of a pixel or two ([VE] 2.2; Differs: there they are rasterised). Cost: one look at each instance,
-/// twice; balls of what is seen times their pixels, twice; four bytes of depth a pixel for the pyramid. GL thread.
+/// The nearest ball of all instances in each pixel of a view: its depth along the view, its instance and its number.
+/// Drawn by compute shaders, as most balls cover only a pixel or two ([VE] 2.2; Differs: there they are rasterised).
+/// Cost: a look at each instance, twice; the pixels of all balls of seen instances, twice; four bytes of depth a pixel
+/// for the pyramid. GL thread.
 ///
-/// A view is drawn by: begin(); cull() all instances for SeenBefore; drawLists() their depths; makePyramid(); cull()
-/// for Others; drawLists(); and, where owners are wanted, drawLists() of both once more, then noteSeen(). Whatever was
-/// seen before, the result is the same; it only comes sooner.
+/// A view is drawn by: begin(); cull() all instances for SeenBefore; drawList() for their depths; makePyramid(); cull()
+/// for Others; drawList(); and, where owners are wanted, drawList() for both phases once more, then noteSeen(). The
+/// result does not depend on which instances were seen before; knowing them only makes it faster.
 class InstanceTarget {
  public:
-  /// @param hasOwners  who is in each pixel, not only how far it is
+  /// @param hasOwners  the target also keeps which instance and ball are in each pixel, not only their depth
   InstanceTarget(const char* label, bool hasOwners) : mLabel(label), mHasOwners(hasOwners) {}
 
-  /// @param instances  of one copy. What was seen before is forgotten where these are others.
+  /// @param instances  instances of one copy. Where their number changes, it is forgotten which instances were seen
+  /// before.
   void resize(glm::ivec2 size, std::uint32_t instances, int copies);
-  /// Forgets what was seen before: another model.
+  /// Forgets which instances were seen before; to be called for another model.
   void forget();
   glm::ivec2 size() const { return mSize; }
 
   void begin(const shared::InstanceView& view);
-  /// All parts of a phase; of SeenBefore they are of words of 32 instances over all copies. @param most  of one of
-  /// them, about
+  /// All parts of a phase; for SeenBefore the parts count words of 32 instances over all copies. @param most  about how
+  /// many instances a part has at most
   std::vector<InstancePart> partsOf(CullPhase phase, std::uint32_t most) const;
-  /// The frame's cuts and spares, or its InstanceStates, are bound.
+  /// Callers must have bound the frame's cuts and spares, or its InstanceStates.
   void cull(InstancePrograms& programs, CullBy by, CullPhase phase, const InstancePart& part);
-  /// Lists of a phase are complete.
+  /// To be called when all parts of a phase are culled: completes its lists.
   void closeLists(InstancePrograms& programs, CullPhase phase);
-  /// Groups that a list of a phase takes. Waits for the GPU.
+  /// How many groups each list of a phase takes. Waits for the GPU.
   std::array<std::uint32_t, 4> groupCounts(CullPhase phase) const;
-  /// All groups of a list, as many as there are.
+  /// Draws all groups of a list.
   void drawList(InstancePrograms& programs, CullPhase phase, int list, bool owners);
-  /// Some of them.
+  /// Draws some groups of a list.
   void drawGroups(InstancePrograms& programs, CullPhase phase, int list, bool owners, std::uint32_t first,
                   std::uint32_t count);
   void makePyramid(InstancePrograms& programs);
   void noteSeen(InstancePrograms& programs);
 
-  /// For who reads the result: the view, depths as texels, owners and balls as blocks.
+  /// For shaders that read the result: bind the view, the depths as texels, owners and balls as storage blocks.
   void bindView(unsigned binding) const;
   void bindDepths(unsigned unit) const { mDepthTexels.bindSampler(unit); }
   void bindOwners() const;
@@ -121,7 +126,7 @@ class InstanceTarget {
   const char* mLabel;
   bool mHasOwners;
   glm::ivec2 mSize{0}, mTiles{0};
-  std::uint32_t mInstances = 0, mCount = 0;  ///< Of a copy, of all.
+  std::uint32_t mInstances = 0, mCount = 0;  ///< Instances of one copy, and of all copies.
   int mCopies = 1;
   gpu::Buffer mView, mDepths, mOwners, mBalls, mSeen, mNearest;
   gpu::Texture mDepthTexels, mPyramid;

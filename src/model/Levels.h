@@ -8,19 +8,21 @@
 
 namespace velum::model {
 
-/// Of what computeLevels() gives: raised with every change of it, or files of levels that were kept go on being used.
+/// Version of the results of computeLevels(). To be raised with every change of these, or files of levels that were
+/// kept go on being used.
 constexpr std::uint32_t kLevelsVersion = 1;
 
-/// The levels of one molecule: its atoms (or finest beads), then clusters of them, each level some three times as few,
-/// down to a single ball.
+/// The levels of one molecule: its atoms (or finest beads), then clusters of them, each level with about a third as
+/// many balls as the one before, down to a single ball.
 ///
-/// Clusters are cells of a grid whose middles are moved to the means of what is nearest to them (k-means); their radii
-/// are those of which the outline is least off, to both sides, measured. Balls that others cover all over are left out,
-/// as molecules are drawn whole or not at all. Differs: [VE] 2.2 takes 15, 10 and 5 % of the atoms whatever the size.
+/// Clusters are cells of a grid whose middles are moved to the means of the balls nearest to them (k-means). Their
+/// radii are those with the least measured error of the outline to either side. Balls that others cover completely are
+/// left out, as molecules are drawn whole or not at all. Differs: [VE] 2.2 takes 15, 10 and 5 % of the atoms whatever
+/// the size.
 std::vector<std::vector<Ball>> computeLevels(const Molecule& molecule, std::vector<float>* errors = nullptr);
 
-/// Those of all molecules, on all cores. The same whatever the number of cores. O(atoms of the molecules), not of their
-/// instances. @throw Cancelled. Any thread.
+/// The levels of all molecules of a model, on all cores. The same whatever the number of cores. O(atoms of the
+/// molecules), not of their instances. @throw Cancelled. Any thread.
 LevelSet computeLevels(const Model& model, Progress& progress);
 
 }  // namespace velum::model

@@ -8,17 +8,18 @@
 
 namespace velum::model {
 
-/// What balls cover, seen from one side without perspective: a bit a pixel.
+/// The picture of what balls cover, seen from one side without perspective: a bit a pixel.
 class Silhouette {
  public:
-  /// @param side  unit, from where  @param around  what the picture has to hold  @param pixel  its edge, angstrom
+  /// @param side  unit direction from which one looks @param around  balls that the picture must have room for @param
+  /// pixel edge of a pixel, angstrom
   Silhouette(glm::vec3 side, std::span<const Ball> around, float pixel);
   /// The same picture with nothing in it.
   Silhouette blank() const;
   void add(std::span<const Ball> balls);
 
-  /// How far the outlines of two of the same picture are apart to either side, angstrom, half a pixel at least:
-  /// the larger of the distances that one must grow by to hold the other (the Hausdorff distance, along octagons).
+  /// How far apart the outlines of two silhouettes on the same pixels are, angstrom, half a pixel at least: the larger
+  /// of the two distances by which one must grow to hold the other (the Hausdorff distance, along octagons).
   friend float distanceBetween(const Silhouette& a, const Silhouette& b);
 
  private:

@@ -4,15 +4,15 @@
 
 namespace velum::render {
 
-/// Steps in which phases of strokes spread, a cell each.
+/// Number of steps in which the phases of strokes spread, one cell a step.
 constexpr int kStrokeSteps = 12;
 
-/// True where the finish wants to know what each sample shows.
+/// True when the finish needs to know what each sample of the picture shows.
 bool needsSamples(const scene::Finish& finish);
 
-/// What a frame's finish is: lengths in pixels of the frame.
-/// @param sphereRows  lit spheres that the frame has  @param stepLength  a jump of depth that counts for contours,
-/// scene frame
+/// The parameters of a frame's finish for the shaders; lengths are in pixels of the frame.
+/// @param sphereRows  how many lit spheres the frame has @param stepLength  the least jump of depth that gets a
+/// contour, scene frame
 shared::FinishParams makeFinishParams(const Frame& frame, int sphereRows, double stepLength);
 
 }  // namespace velum::render

@@ -9,38 +9,40 @@
 
 namespace velum::render {
 
-/// A sheet as a solver has it on the GPU, at one moment.
+/// A solver's sheet on the GPU, as it is at one moment.
 struct FrameSheet {
   std::shared_ptr<const membrane::Sheet> sheet;
-  std::uint64_t revision = 0;  ///< Of the sheet: frames that show it at different moments differ.
+  std::uint64_t revision = 0;  ///< Of the sheet: makes frames differ that show it at different moments.
   bool operator==(const FrameSheet&) const = default;
 };
 
-/// Which parts of a scene with inlays (scene::MembraneUse::Inlay) are drawn, for pictures that are put together
-/// elsewhere: front over inlay over behind is the picture. Of scenes without inlays all of it is drawn. Not for maxima.
+/// Which parts of a scene with inlays (scene::MembraneUse::Inlay) are drawn, for callers that compose the picture
+/// themselves: the whole picture is front over inlay over behind. Ignored for scenes without inlays. Not for maximum
+/// projections.
 struct InlayParts {
-  bool front = true;   ///< what lies before the image of the first inlay on a ray, and where there is none
-  bool inlay = true;   ///< the images
-  bool behind = true;  ///< what lies behind the first; surfaces of meshes
+  bool front = true;   ///< material in front of the first inlay's image on a ray, and on rays without an inlay
+  bool inlay = true;   ///< the images of the inlays
+  bool behind = true;  ///< material behind the first inlay; surfaces of meshes
   bool operator==(const InlayParts&) const = default;
 };
 
-/// What is to be drawn. A value: the same frame gives the same picture, and a changed one starts it anew.
+/// Everything that a picture to be drawn depends on. A value: equal frames give the same picture, and a changed frame
+/// starts the picture anew.
 struct Frame {
   scene::Scene scene;
   glm::ivec2 pictureSize{0};   ///< The whole picture, pixels.
   glm::ivec2 windowOrigin{0};  ///< Top left corner of the part that is drawn, pixels of the whole.
   glm::ivec2 windowSize{0};    ///< Size of that part; {0,0}: all of it.
   double stepFactor = 1.0;     ///< Coarse pictures take longer steps, >= 1.
-  /// A picture at once, for while something moves: shadows and occlusion as they stand in the last full frame of the
-  /// same material, or none; a smaller copy of a volume that is not on the GPU yet.
+  /// A quick picture, drawn while something moves: shadows and occlusion are those of the last full frame of the same
+  /// material, or left out; a volume that is not on the GPU yet is shown by a smaller copy.
   bool isPreview = false;
-  /// Of enabled membranes, by the id of the cut. One that is missing, empty, or made for a frame of another size is
-  /// drawn as `Cut::membrane` says, or flat.
+  /// Sheets of enabled membranes, by the id of the cut. Where a sheet is missing, empty, or made for a frame of another
+  /// size, the membrane is drawn as `Cut::membrane` says, or flat.
   std::map<int, FrameSheet> sheets;
   InlayParts parts;
-  bool marksOverlaps = false;    ///< colours what the spares of joined cuts share ([ACS] fig. 6), for who edits them
-  bool countsInstances = false;  ///< Renderer::bits() is wanted of the model's instances
+  bool marksOverlaps = false;    ///< colours where spares of joined cuts overlap ([ACS] fig. 6), for editing them
+  bool countsInstances = false;  ///< the model's instances are counted, for Renderer::bits()
   bool operator==(const Frame&) const = default;
 };
 

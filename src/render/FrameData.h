@@ -16,77 +16,78 @@
 
 namespace velum::render {
 
-/// Which texels a frame is drawn from.
+/// Identifies the texels of a volume that a frame is drawn from.
 struct VolumeKey {
-  std::uint64_t id = 0;  ///< Of the volume; 0: none.
+  std::uint64_t id = 0;  ///< Id of the volume's payload; 0: no volume.
   int channel = 0, timeStep = 0;
-  std::vector<scene::TransferFunction>
-      mixed;  ///< Of the channels that are mixed, empty of hidden ones: they are in the texels.
+  std::vector<scene::TransferFunction> mixed;  ///< Transfer functions of the channels that are mixed, as they are part
+                                               ///< of the texels; those of hidden channels are empty.
   bool isSmooth = false;
-  bool isQuick = false;  ///< The small copy.
+  bool isQuick = false;  ///< It is the small copy for previews.
   bool operator==(const VolumeKey&) const = default;
 };
-/// @param layer  its data may be missing or hidden
+/// @param layer  the layer's data may be missing or hidden
 VolumeKey volumeKeyOf(const scene::VolumeLayer& layer);
 
-/// Which labels a frame is drawn from, and over which grid of cells they are looked for.
+/// Identifies the labels that a frame is drawn from, and the grid of cells for which their sets are made.
 struct LabelKey {
   std::uint64_t id = 0;
   LabelSpace over;
   bool operator==(const LabelKey&) const = default;
 };
 
-/// What is drawn besides the data for rays to stop at, and how far it reaches. Whatever draws more of it is asked for
-/// in opaqueOf().
+/// Whether opaque things that stop rays (surfaces, outlines, instances) are drawn besides the data, and whether they
+/// reach beyond the data's box. Code that draws further opaque things must be taken into account in opaqueOf().
 enum class Opaque { None, InBox, Anywhere };
 Opaque opaqueOf(const scene::Scene& scene);
 bool isDrawn(const scene::Surface& surface);
 bool isModelDrawn(const scene::Scene& scene);
-/// The number of a model's first instance: after the data and the surfaces. Pick::instance.
+/// The number (as in Pick::instance) of a model's first instance, which follows the data and the surfaces.
 std::uint32_t firstModelInstance(const scene::Scene& scene);
 
-/// All that the passes of one frame are told. Made of the frame before it is drawn, then only read; what is on the GPU
-/// of it is the passes' and FrameInputs'.
+/// Everything that the passes of one frame get. Made from the Frame before it is drawn, then only read; the copies on
+/// the GPU belong to the passes and to FrameInputs.
 struct FrameData {
-  /// With its sizes filled in. Once completed, its lengths are in `unit`, as the grid's are: the data's diameter is 1,
-  /// so that floats and what counts as near are the same for a virus and for a survey.
+  /// The frame, with its sizes filled in. After completeFrameData() its lengths and those of `grid` are in `unit`: the
+  /// data's diameter is 1, so that the precision of floats, and what counts as near, are the same for a virus and for a
+  /// seismic survey.
   Frame frame;
   double unit = 1.0;        ///< length of the scene frame's unit, in the scene's own
-  bool isSoftware = false;  ///< the driver
-  // Of the data that is on the GPU: UploadPass.
+  bool isSoftware = false;  ///< the driver is a software driver
+  // Data on the GPU, filled in by UploadPass.
   const GpuVolume* volume = nullptr;  ///< nullptr: none is drawn.
   VolumeKey volumeKey;
   LabelUse labelUse = LabelUse::None;
   LabelKey labelKey;                       ///< id 0 where no labels are drawn.
   const LabelCells* labelCells = nullptr;  ///< nullptr where no labels are drawn.
-  std::uint64_t labelCellsRevision = 0;    ///< Of the sets in them, see LabelUpload::cellsRevision().
-  StructureSets sets;                      ///< Of what the shares are.
+  std::uint64_t labelCellsRevision = 0;    ///< Revision of the sets in labelCells, see LabelUpload::cellsRevision().
+  StructureSets sets;                      ///< The sets of structures whose shares are on the GPU.
   FrameGrid grid;
   SheetPlans sheetPlans;
   SheetSources sheetSources;
-  // What is worked out from it.
+  // Tables and parameters computed from the members above.
   TransferTable table;
   std::vector<shared::CutData> cuts;
   std::vector<shared::StructureRow> structures;
   SpareTable spares;
-  shared::FrameParams params{};  ///< Of the first sample.
+  shared::FrameParams params{};  ///< Parameters of the first sample.
 };
 
 /// Length of an angstrom in a completed frame's unit.
 double angstromOf(const FrameData& data);
-/// What programs that read the data are compiled for.
+/// The variant for which programs that read the frame's data are compiled.
 DataVariant dataVariantOf(const FrameData& data);
-/// Frame::windowSize and the like where the caller has left them open.
+/// The frame with Frame::windowSize and other sizes filled in where the caller has left them open.
 Frame withSizes(const Frame& frame);
-/// Goes over to lengths of the data's size, and fills in what is worked out.
+/// Turns lengths into the unit in which the data's diameter is 1, and fills in the computed members.
 void completeFrameData(FrameData& data);
 
-/// What all passes read of a frame, on the GPU: tables, cuts, structures, parameters. GL thread.
+/// The inputs of a frame that all passes read, on the GPU: tables, cuts, structures, parameters. GL thread.
 class FrameInputs {
  public:
   FrameInputs() : mParams("frame") {}
   void write(const FrameData& data);
-  /// The parameters, for one sample of the picture.
+  /// Writes the parameters for one sample of the picture.
   void writeParams(const FrameData& data, int sample);
   void bind() const;
 
@@ -95,7 +96,7 @@ class FrameInputs {
   void writeCuts(const FrameData& data);
 
   gpu::Buffer mTransfer, mExtinction, mCuts, mCutGrid, mStructures, mSpares;
-  std::vector<shared::CutData> mGridCuts;  ///< What mCutGrid was made of,
+  std::vector<shared::CutData> mGridCuts;  ///< What mCutGrid was made from, with the next two.
   glm::mat4 mGridBox{0.0f};
   bool mGridHasSpares = false;
   gpu::Texture mCutTexels, mNoise, mTransferTexels, mExtinctionTexels, mStructureTexels, mSpareTexels;

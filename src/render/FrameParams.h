@@ -5,8 +5,8 @@
 
 namespace velum::render {
 
-/// Everything of FrameParams that does not change from sample to sample.
-/// @param unit  of the frame's and the grid's lengths, in that of the world that labels lie in
+/// The FrameParams of a frame, except what changes from sample to sample.
+/// @param unit  length of the frame's and the grid's unit, in the unit of the world in which the labels lie
 shared::FrameParams makeFrameParams(const Frame& frame, const FrameGrid& grid, const TransferTable& table, double unit);
 
 }  // namespace velum::render

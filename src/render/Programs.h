@@ -5,8 +5,8 @@
 
 namespace velum::render {
 
-/// Every program that a frame can ask for, for the tests that compile them all. Those that are compiled for their
-/// frame's flags are there for some of the sets of flags: all of them, each flag alone, and sets that come up together.
+/// Every program that a frame can ask for, for the tests that compile them all. Programs compiled for their frame's
+/// flags are listed for some sets of flags: all flags, each flag alone, and sets that occur together.
 std::vector<gpu::ProgramSource> allPrograms();
 
 }  // namespace velum::render

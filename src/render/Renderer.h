@@ -23,8 +23,8 @@ struct Stats {
   double longestStepMs = 0;                ///< Longest single piece of GL work of this frame.
   int samples = 0;                         ///< Samples per pixel that are complete.
   std::map<std::string, double> passesMs;  ///< By pass, of the last complete frame.
-  std::size_t labelBytes = 0;              ///< What of the labels was sent to the GPU for this frame.
-  std::string reduction;  ///< In words, when the data is shown at a lower level than it has; else empty.
+  std::size_t labelBytes = 0;              ///< Bytes of labels that were sent to the GPU for this frame.
+  std::string reduction;  ///< In words for people, when the data is shown at reduced resolution; else empty.
 };
 
 /// What is under a pixel.
@@ -33,11 +33,11 @@ struct Pick {
   glm::dvec3 world{0.0};
   glm::vec3 normal{0.0f};  ///< World frame, unit.
   int structure = 0;       ///< Label id, 0 when there is none.
-  /// 0: the volume, its labels and what cuts show of them; then the scene's surfaces, in their order; then the model's
-  /// instances, copy by copy.
+  /// What is hit, as a number. 0: the volume, its labels and the faces of cuts through them; then the scene's surfaces,
+  /// in their order; then the model's instances, copy by copy.
   std::uint32_t instance = 0;
-  int type = -1;                    ///< Of an instance of the model: in Model::types.
-  std::uint32_t modelInstance = 0;  ///< Which, over all copies.
+  int type = -1;                    ///< For an instance of the model: its type in Model::types; else -1.
+  std::uint32_t modelInstance = 0;  ///< Number of the model's instance, over all copies.
   double value = 0;                 ///< Data value there (nearest voxel).
 };
 
@@ -53,8 +53,8 @@ struct Layers {
 };
 
 /// Draws scenes. A frame is a queue of small pieces of work (uploads, tables, light, tiles, sample by sample), so that
-/// the caller decides how long to work at a time. Holds no truth: everything here can be made again from the frame.
-/// GL thread of its context.
+/// the caller decides how long to work at a time. Keeps nothing that cannot be made again from the frame. GL thread of
+/// its context.
 class Renderer {
  public:
   explicit Renderer(gpu::Context& context);
@@ -68,29 +68,31 @@ class Renderer {
   /// Works until the frame is complete. @throw Cancelled
   void render(const Frame& frame, Progress& progress);
 
-  /// Shows what there is of the last frame in a window's framebuffer (GL name), upright, scaled to its size.
+  /// Shows the last frame, as far as it is drawn, in a window's framebuffer (GL name), upright, scaled to the window's
+  /// size.
   void present(unsigned framebuffer, glm::ivec2 size);
 
   /// The last frame's window: R, G, B, A display-referred with straight alpha, then the layers asked for:
   /// "position.X/Y/Z" (world), "normal.X/Y/Z" (world), "Z" (distance from the eye, along the ray; infinity where
-  /// nothing is), "id" (structure), "instance" (as Pick; -1 where nothing is), "type" (of the model; -1 where there is
-  /// none of it), "ghosts.R/G/B/A" (what is blended over the picture of instances that cuts have removed, straight
-  /// alpha).
+  /// nothing is), "id" (structure), "instance" (as Pick; -1 where nothing is), "type" (of the model; -1 where no
+  /// instance of it is seen), "ghosts.R/G/B/A" (the instances that cuts have removed, as they are blended over the
+  /// picture; straight alpha).
   Image read(const Layers& layers = {});
 
   /// What the last frame shows at a pixel of its window. From the drawn layers, so it agrees with the picture.
   Pick pick(glm::ivec2 pixel) const;
 
   /// The type of the scene's model that each pixel of the last frame's window shows, row by row from the top; -1 where
-  /// there is none of it. Empty without a model. Reads the whole window back.
+  /// no instance is seen. Empty without a model. Reads the whole window back.
   std::vector<std::int32_t> typesOfPixels() const;
 
-  /// What became of the instances in the newest frame of which that has arrived, of those with Frame::countsInstances:
-  /// once each, at most two frames after it was complete, without waiting. @param waits  for the frame drawn last
+  /// What became of the instances in the newest frame, among those with Frame::countsInstances, for which the answer
+  /// has arrived from the GPU. Each frame's answer is given once, at most two frames after the frame was complete,
+  /// without waiting. @param waits  for the frame drawn last
   std::optional<InstanceBits> bits(bool waits = false);
 
   const Stats& stats() const;
-  /// Draws a frame's share of progress, 0..1.
+  /// How much of the present frame is done, 0..1.
   double fractionDone() const;
   /// Forgets everything on the GPU. The next work() makes it again.
   void clear();

@@ -14,17 +14,17 @@ namespace velum::scene {
 enum class CutShape { Plane, Box, Sphere, Cylinder, Cone, Membrane, Everywhere };
 enum class CutFace { Shaded, Section };
 
-/// In a scene; addCut() and files keep to it.
+/// Most cuts in a scene; addCut() and files keep to this limit.
 constexpr std::size_t kMostCuts = 1024;
 constexpr int kMostCutId = 1'000'000'000;
 
 /// What a cut does with the instances of a model ([VE] 3).
 struct ModelCut {
-  std::vector<TypeSpare> spares;  ///< what it leaves of them, by their types; the longest path that fits counts
-  bool wholeInstances = false;    ///< instances are removed when all of their sphere is; else when its middle is
+  std::vector<TypeSpare> spares;  ///< what the cut leaves of them, by their types; the longest path that fits counts
+  bool wholeInstances = false;  ///< an instance is removed when all of its sphere is; else when the sphere's middle is
   double leastMass = 0.0, mostMass = Spare::kEndless;      ///< of an instance, dalton; types outside are not spared
   double leastCopies = 0.0, mostCopies = Spare::kEndless;  ///< instances of a type; types outside are not spared
-  std::optional<Focus> focus;                              ///< types that it keeps in view; none: it looks at no view
+  std::optional<Focus> focus;  ///< types that the cut keeps in view; none: the cut clears nothing for a view
   bool operator==(const ModelCut&) const = default;
   static void fields(auto& o, auto& visit) {
     visit("spares", o.spares, FieldInfo{"", {}, "What this cut leaves of the instances of a model.", true});
@@ -45,7 +45,7 @@ struct ModelCut {
 /// `invert`, the other side; everywhere: the whole domain, for what it spares and what it keeps in view. A position is
 /// kept when no enabled cut removes it. World frame (LPS).
 struct Cut {
-  int id = 0;  ///< by which everything knows the cut: from 1, unique in a scene, see addCut(); 0: it has none yet
+  int id = 0;  ///< number by which the cut is known everywhere: from 1, unique in a scene, see addCut(); 0: none yet
   std::string name;
   CutShape shape = CutShape::Plane;
   bool enabled = true;
@@ -59,7 +59,7 @@ struct Cut {
   CutFace face = CutFace::Shaded;    ///< how the cut surface looks
   double faceOpacity = 1.0;          ///< section faces: 0..1
   std::vector<Spare> spares;         ///< what this cut leaves of structures
-  ModelCut model;                    ///< what it does with the instances of a model
+  ModelCut model;                    ///< what the cut does with the instances of a model
   std::optional<Membrane> membrane;  ///< what a membrane is beside its rest plane; other shapes have none
   // Compiled once, in Cut.cpp: nearly every file copies some.
   Cut();

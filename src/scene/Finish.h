@@ -15,7 +15,7 @@ enum class Paper { None, Smooth, Rough, Laid, Canvas, Linen, Parchment, Own };
 
 /// A picture of a sphere that says how material looks from each side (lit sphere, matcap), of the user's own.
 struct LitSphere {
-  std::string name;  ///< by which structures name it
+  std::string name;  ///< by which structures refer to it
   Source source;
   Shared<Image> data;  ///< not saved: read from `source`
   bool operator==(const LitSphere&) const = default;
@@ -45,16 +45,16 @@ struct Finish {
   double contourSteps = 1.0;         ///< where the depth jumps, 0..1
   double contourStructures = 1.0;    ///< between structures, 0..1
   double litSphere = 0.0;            ///< share of the lit spheres' colour; the paper has 0.5
-  std::string sphere = "porcelain";  ///< of what names none of its own: one of ours, or of `spheres`
-  bool structureSpheres = true;      ///< structures have those that they name; off: all have `sphere`
+  std::string sphere = "porcelain";  ///< lit sphere of all that names none: one of ours, or of `spheres`
+  bool structureSpheres = true;      ///< structures have the spheres that they name; off: all have `sphere`
   double hatching = 0.0;             ///< strokes along the curvature, strength, 0..1
   double hatchWidth = 5.0;           ///< from stroke to stroke, pixels of a picture of 1000 rows
   Paper paper = Paper::None;
   glm::vec3 paperColor{0.96f, 0.94f, 0.89f};  ///< sRGB
-  double paperGrain = 0.5;                    ///< how much of it shows, 0..1; at 0.5 the user's own is as it is
-  double paperScale = 1.0;                    ///< of its grain, or of the user's picture
-  OwnPaper ownPaper;                          ///< of the kind `Own`
-  std::vector<LitSphere> spheres;             ///< the user's own
+  double paperGrain = 0.5;         ///< how much of the grain shows, 0..1; at 0.5 an own paper is as its picture
+  double paperScale = 1.0;         ///< scale of the grain, or of the user's picture
+  OwnPaper ownPaper;               ///< the picture for Paper::Own
+  std::vector<LitSphere> spheres;  ///< the user's own
   bool operator==(const Finish&) const = default;
   static void fields(auto& o, auto& visit) {
     visit("contours", o.contours, FieldInfo{"", {0, 1}, "Strength of the contours; 0: none."});

@@ -4,14 +4,14 @@
 
 namespace velum::scene {
 
-/// A row of the table of finishes, without what is the user's own. Tuned by eye on CT of a head and an abdomen, a
-/// labelled torso and a vessel tree, at 800 x 600 and twice that.
+/// A row of the table of finishes; it has no lit spheres or paper of the user's. Tuned by eye on CT of a head and an
+/// abdomen, a labelled torso and a vessel tree, at 800 x 600 and twice that.
 struct FinishRow {
   NamedFinish named;
   Finish finish;
 };
 
-/// In the order of the window; the first adds nothing.
+/// All finishes, in the order of the window; the first adds nothing.
 const NamedTable<FinishRow, NamedFinish>& finishTable();
 
 }  // namespace velum::scene

@@ -14,24 +14,24 @@ struct NamedFinish {
   std::string_view tip;    ///< what it is, for people
 };
 
-/// Every one, in the order of the window; the first, "none", adds nothing.
+/// Every finish, in the order of the window; the first, "none", adds nothing.
 std::span<const NamedFinish> finishes();
 
 /// Gives a scene a finish by name. The user's own lit spheres and paper, and the spheres that structures name, stay.
 /// @throw ArgumentError for an unknown name, listing the known ones
 void applyFinish(Scene& scene, std::string_view name);
 
-/// By which name a finish has its values; empty: they are the user's own.
+/// The name of the finish that has the same values; empty when there is none: the user has set the values.
 std::string_view finishName(const Finish& finish);
 
-/// True when a picture with it differs from one without.
+/// True when a picture with this finish differs from one without.
 bool addsAnything(const Finish& finish);
 
-/// The user's own lit sphere of a name; nullptr: there is none.
+/// The user's own lit sphere with a name; nullptr: there is none.
 const LitSphere* ownLitSphere(const Finish& finish, std::string_view name);
-/// True of a name that one of ours or of the user's own has.
+/// True when one of our lit spheres or of the user's own has the name.
 bool isLitSphere(const Finish& finish, std::string_view name);
-/// Lit spheres that a scene names and nobody has.
+/// Names of lit spheres that a scene uses but that do not exist.
 std::vector<std::string> unknownLitSpheres(const Scene& scene);
 
 }  // namespace velum::scene

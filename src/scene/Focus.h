@@ -10,7 +10,7 @@ namespace velum::scene {
 
 /// A type, or a compartment with all types below it, that a cut keeps in view.
 struct FocusType {
-  static constexpr std::string_view kKey = "type";  ///< that a bare value stands for on the command line
+  static constexpr std::string_view kKey = "type";  ///< the field that a bare value on the command line stands for
 
   std::string type;  ///< its path
   bool operator==(const FocusType&) const = default;
@@ -19,7 +19,7 @@ struct FocusType {
   }
 };
 
-/// The view that clearing is held to while the camera goes elsewhere.
+/// The view for which a focus is cleared, also while the camera goes elsewhere.
 struct ViewLock {
   Camera camera;
   double aspect = 1.0;  ///< width / height of the picture
@@ -30,10 +30,10 @@ struct ViewLock {
   }
 };
 
-/// What a cut keeps in view: of the instances in its region those that hide one of these types are removed, but for the
-/// share that TypeSpare::viewShare leaves ([VE] 6).
+/// What a cut keeps in view: instances in the cut's region that hide one of these types are removed, except the share
+/// that TypeSpare::viewShare leaves ([VE] 6).
 struct Focus {
-  std::vector<FocusType> types;  ///< without any the cut clears nothing
+  std::vector<FocusType> types;  ///< types kept in view; without any the cut clears nothing
   bool guidesDepth =
       false;  ///< what stands about the focus stays, so that one sees how deep it lies ([VE] 8.2): only
               ///< what is before the nearest of its spheres goes, else all before the end of the farthest

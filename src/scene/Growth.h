@@ -22,25 +22,26 @@ struct Barrier {
 /// other, make its grown labels, voxel by voxel the same however a drag was cut into pieces: files hold the steps.
 ///
 /// A step begins at its seeds and at what the structure has already, and takes all voxels that are joined to them by
-/// faces through voxels of its values that nobody owns and that lie as deep in the removed side as it says ([ACS] Prop.
-/// 1 and 3). Where some places are said to be of something else, each of those voxels goes to the kind of seed from
-/// which the cheaper path leads to it, by steps of value. At its end what has grown may be smoothed.
+/// faces through voxels with values of its range that no structure owns and that lie in the removed side of the plane,
+/// no deeper than `distance` ([ACS] Prop. 1 and 3). Where places in `others` are said not to be of the structure, each
+/// of those voxels goes to the kind of seed (own or other) from which the cheapest path leads to it, by steps of value.
+/// At the end of the step the grown structure may be smoothed.
 struct Growth {
   static constexpr double kEndless = std::numeric_limits<double>::infinity();
 
-  int structure = 0;               ///< label id that it grows
-  std::vector<glm::dvec3> seeds;   ///< in voxels that were clicked on
-  std::vector<glm::dvec3> others;  ///< in voxels that were called not of it
-  double low = 0.0, high = 0.0;    ///< values that belong to it, the volume's unit, both ends included
-  double steepest = kEndless;      ///< gradient magnitude at which it stops, value/length
-  int within = 0;                  ///< structure of which it takes a connected part; 0: of what has no label
-  int channel = 0, timeStep = 0;   ///< of the volume, where it was clicked; it is carried to other time steps
-  glm::dvec3 centre{0.0};          ///< a point of the plane out of which it is pulled
-  glm::dvec3 axis{0.0};            ///< towards its removed side; zero: everywhere
-  double distance = kEndless;      ///< how deep in the removed side it goes
-  std::vector<Barrier> barriers;   ///< that it does not enter
-  double closing = 0.0;            ///< radius of balls that find no way into it when it has grown; 0: it stays as it is
-  bool fillHoles = false;          ///< what it encloses becomes part of it
+  int structure = 0;               ///< label id of the structure that grows
+  std::vector<glm::dvec3> seeds;   ///< places in voxels that were clicked on
+  std::vector<glm::dvec3> others;  ///< places in voxels that are said not to be of the structure
+  double low = 0.0, high = 0.0;    ///< values that belong to the structure, the volume's unit, both ends included
+  double steepest = kEndless;      ///< gradient magnitude at which growing stops, value/length
+  int within = 0;                  ///< structure from which voxels are taken; 0: from unlabelled voxels
+  int channel = 0, timeStep = 0;   ///< of the volume, where was clicked; carried to other time steps
+  glm::dvec3 centre{0.0};          ///< a point of the plane out of which the structure is pulled
+  glm::dvec3 axis{0.0};            ///< towards the plane's removed side; zero: it grows everywhere
+  double distance = kEndless;      ///< how deep in the removed side the structure goes
+  std::vector<Barrier> barriers;   ///< strokes that growing does not enter
+  double closing = 0.0;    ///< radius of the closing after growing: gaps too small for such balls are filled; 0: none
+  bool fillHoles = false;  ///< holes that the structure encloses become part of it
   bool operator==(const Growth&) const = default;
   static void fields(auto& o, auto& visit) {
     visit("structure", o.structure, FieldInfo{"", {1, 65535}, "Label that it grows."});

@@ -6,7 +6,7 @@
 
 namespace velum::scene {
 
-/// A row of the table of lit spheres: what material one is of. Colours are sRGB.
+/// A row of the table of lit spheres: the material of a sphere. Colours are sRGB.
 struct LitSphereRow {
   LitSphereName sphere;
   glm::vec3 dark, middle, light;  ///< away from the light, across it, towards it
@@ -21,7 +21,7 @@ struct LitSphereRow {
   int steps = 0;                  ///< tones of a cartoon; 0: none
 };
 
-/// In the order of the window.
+/// All our lit spheres, in the order of the window.
 const NamedTable<LitSphereRow, LitSphereName>& litSphereTable();
 
 }  // namespace velum::scene

@@ -7,7 +7,7 @@
 
 namespace velum::scene {
 
-/// Edge of the pictures of lit spheres that are drawn with, pixels.
+/// Edge of the pictures of lit spheres as the renderer uses them, pixels.
 constexpr int kLitSphereSize = 128;
 
 /// A lit sphere of ours.
@@ -16,7 +16,7 @@ struct LitSphereName {
   std::string_view title;  ///< "Porcelain"
 };
 
-/// Every one, in the order of the window.
+/// Every lit sphere of ours, in the order of the window.
 std::span<const LitSphereName> litSpheres();
 
 /// The colour of a lit sphere of ours where its normal points, sRGB.
@@ -24,11 +24,13 @@ std::span<const LitSphereName> litSpheres();
 /// @throw ArgumentError for an unknown name, listing the known ones
 glm::vec3 litSphereColor(std::string_view name, glm::vec3 n);
 
-/// Its picture: R, G, B; the sphere fills the square to its edges, corners go on as its rim.
+/// The picture of a lit sphere of ours: R, G, B; the sphere fills the square to its edges, and the corners have the
+/// colours of its rim.
 /// @throw ArgumentError as above
 Image makeLitSphere(std::string_view name, int size = kLitSphereSize);
 
-/// A user's picture as one to draw with: R, G, B, square, of our size; the largest square in its middle.
+/// A user's picture as the renderer needs it: R, G, B, kLitSphereSize pixels square, made from the largest square in
+/// the middle of the picture.
 Image fitLitSphere(const Image& picture);
 
 }  // namespace velum::scene

@@ -10,20 +10,20 @@ namespace velum::scene {
 /// How a kernel's push is directed. Paper: away from the kernel's centre ([IMC] eq. 3). Sided: along the rest plane's
 /// normal, to the side on which the least cut leaves the kernel's structure.
 enum class KernelRule { Sided, Paper };
-/// Which side of the sheet takes what the rest plane would cut and the sheet can pass by: the one that stays, the one
-/// that is removed, or the one on which more of it lies.
+/// On which side of the sheet a structure comes to lie that the rest plane would cut and the sheet can pass by: the
+/// side that stays, the side that is removed, or the side on which more of the structure lies.
 enum class MembraneSide { Keep, Remove, Nearest };
 /// What the sheet does when its rest plane moves ([IMC] 3.3): start anew from the flat sheet, or be dragged along.
 enum class Repositioning { Passive, Active };
-/// What the sheet does to the picture ([IMC] 3.4): removes what is in front of it; or keeps what lies between it and
-/// the rest plane, which is drawn as an image.
+/// What the sheet does to the picture ([IMC] 3.4): removes what is in front of it; or keeps what lies between the sheet
+/// and the rest plane, which is drawn as an image.
 enum class MembraneUse { Clip, Inlay };
 /// How the sheet itself is shown.
 enum class SheetLook { Hidden, Grid, Surface };
 
 /// A point of a piecewise linear curve from an attribute of the data to a force.
 struct StrengthPoint {
-  double value = 0.0;     ///< the volume's unit; of a gradient: that per unit of length of the scene
+  double value = 0.0;     ///< the volume's unit; for a gradient: that unit per unit of length of the scene
   double strength = 0.0;  ///< > 0 repels the sheet, < 0 attracts it
   bool operator==(const StrengthPoint&) const = default;
   static void fields(auto& o, auto& visit) {
@@ -83,7 +83,7 @@ struct Stroke {
 /// From data to forces: the potential field transfer function and the kernels made by it ([IMC] 3, 3.2).
 struct ForceField {
   std::vector<StrengthPoint> byValue;     ///< ascending; 0 before the first and after the last; the parts add up
-  std::vector<StrengthPoint> byGradient;  ///< the same over the gradient's magnitude
+  std::vector<StrengthPoint> byGradient;  ///< as byValue, but over the gradient's magnitude
   std::vector<LabelStrength> byLabel;     ///< of structures, where there are labels
   bool denoise = false;                   ///< the curves are over the data with its noise taken out
   int leastPiece = -1;                    ///< pieces of fewer voxels protected by value do not count; -1: as noise says
@@ -91,7 +91,7 @@ struct ForceField {
   double threshold = 0.5;                 ///< super-voxels weaker than this have no kernel
   double areaOfEffect = 2.0;              ///< half-width of a kernel in super-voxels
   KernelRule rule = KernelRule::Sided;
-  MembraneSide side = MembraneSide::Keep;  ///< of what need not be cut; by the sided rule only
+  MembraneSide side = MembraneSide::Keep;  ///< side of structures that need not be cut; by the sided rule only
   std::vector<UserKernel> kernels;
   std::vector<Stroke> strokes;
   std::vector<StrengthPoint> byValueBefore;  ///< where there are strokes: byValue as it was before the first

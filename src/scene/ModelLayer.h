@@ -13,13 +13,13 @@
 
 namespace velum::scene {
 
-/// What instances of a model have their colours by.
+/// By what the instances of a model are coloured.
 enum class Palette { Type, Compartment, Function, Element, Chain };
 
 /// How instances that cuts have removed still show.
 enum class Ghosts { None, Filled, Contour };
 
-/// How the instances of one type are shown, where that is not as the layer says.
+/// How the instances of one type are shown, where it differs from the rest of the layer.
 struct TypeLook {
   static constexpr std::string_view kKey = "type";  ///< that a bare value stands for on the command line
 
@@ -39,13 +39,13 @@ struct TypeLook {
   }
 };
 
-/// How many instances of a type are wanted: what solvers set the shares of cuts by.
+/// How many instances of a type are wanted: solvers set the shares of cuts to reach these numbers.
 struct TypeTarget {
   static constexpr std::string_view kKey = "type";  ///< that a bare value stands for on the command line
 
   std::string type;                ///< path of a type, or of a compartment for all types below it
-  std::optional<double> rendered;  ///< that no cut removes
-  std::optional<double> visible;   ///< that show in the picture
+  std::optional<double> rendered;  ///< wanted number that no cut removes
+  std::optional<double> visible;   ///< wanted number that show in the picture
   bool operator==(const TypeTarget&) const = default;
   static void fields(auto& o, auto& visit) {
     visit("type", o.type, FieldInfo{"", {}, "Path of a type, or of a compartment for all types below it."});
@@ -54,23 +54,23 @@ struct TypeTarget {
   }
 };
 
-/// Copies of a model side by side.
+/// Most copies of a model side by side.
 constexpr int kMostCopies = 4096;
 
 /// A model of molecules and how it is shown.
 struct ModelLayer {
   Source source;
   Shared<Model> data;       ///< not saved: read from `source`
-  Shared<LevelSet> levels;  ///< not saved: made of `data`; who draws makes them where there are none
+  Shared<LevelSet> levels;  ///< not saved: made from `data`; the renderer makes them where they are empty
   bool visible = true;
   bool completes = true;            ///< lipids and strands that the file leaves out are made
   int copies = 1;                   ///< of the whole model, side by side in a block, 1..kMostCopies
   Palette palette = Palette::Type;  ///< by which instances have their colours
-  double nearColors = 0.0;          ///< how far chains and elements show as shades of it where one is close, 0..1
-  double detail = 1.0;  ///< how much of a pixel drawn shapes may be off by, 0.1..16; smaller is finer, and slower
+  double nearColors = 0.0;  ///< how far chains and elements show near by as shades of the instance's colour, 0..1
+  double detail = 1.0;      ///< how much of a pixel drawn shapes may be off by, 0.1..16; smaller is finer, and slower
   Ghosts ghosts = Ghosts::None;     ///< of instances that cuts have removed
   double ghostOpacity = 0.25;       ///< 0..1
-  std::vector<TypeLook> types;      ///< of types that are shown otherwise, once each
+  std::vector<TypeLook> types;      ///< types that are shown differently, once each
   std::vector<TypeTarget> targets;  ///< how many instances of types are wanted
   bool operator==(const ModelLayer&) const = default;
   static void fields(auto& o, auto& visit) {
@@ -90,8 +90,8 @@ struct ModelLayer {
   }
 };
 
-/// The colour of each type of a layer's model: what the user says, else the palette's. Of the palettes that tell parts
-/// of a molecule apart it is the colour that these are shades of. sRGB, by the type's place in the model.
+/// The colour of each type of a layer's model: the user's colour for it, else the palette's. With palettes that colour
+/// parts of a molecule differently it is the colour of which the parts show shades. sRGB, in the order of Model::types.
 std::vector<glm::vec3> typeColors(const ModelLayer& layer);
 
 /// How the removed instances of a type show. @param look  of the type, see typeLook()
@@ -99,11 +99,11 @@ inline Ghosts ghostsOf(const ModelLayer& layer, const TypeLook& look) { return l
 /// Whether removed instances of any type show.
 bool hasGhosts(const ModelLayer& layer);
 
-/// How one type is shown: as the layer lists it, or as nothing is said of it.
+/// How one type is shown: its entry in the layer, or a default TypeLook where it has none.
 TypeLook typeLook(const ModelLayer& layer, std::string_view path);
 
-/// From one copy of the model to the next along each axis, and how many there are along each. Of ModelLayer::copies, in
-/// the model's own unit (angstrom).
+/// How the copies of a model (ModelLayer::copies) stand: how many there are along each axis, and the step from one to
+/// the next, in the model's own unit (angstrom).
 struct CopyGrid {
   glm::ivec3 counts{1};
   glm::dvec3 step{0.0};

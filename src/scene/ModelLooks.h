@@ -13,20 +13,20 @@ struct NamedModelLook {
   std::string_view tip;    ///< what it is, for people
 };
 
-/// What a model has that is opened.
+/// The look of a model that has just been opened.
 constexpr std::string_view kFirstModelLook = "plate";
 
-/// Every one, in the order of the window.
+/// Every look, in the order of the window.
 std::span<const NamedModelLook> modelLooks();
 
 /// Gives a scene a look by name. Colours that types have of their own, and the user's own lit spheres and paper, stay.
 /// @throw ArgumentError for an unknown name, listing the known ones
 void applyModelLook(Scene& scene, std::string_view name);
 
-/// True of a name in the list.
+/// True when a look has this name.
 bool isModelLook(std::string_view name);
 
-/// By which name a scene has its look; empty: it is the user's own.
+/// The name of the look that a scene has; empty: its look is the user's own.
 std::string_view modelLookName(const Scene& scene);
 
 }  // namespace velum::scene

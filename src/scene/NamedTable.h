@@ -6,7 +6,7 @@
 
 namespace velum::scene {
 
-/// @throw ArgumentError that there is none of a name, with the nearest one and all that there are
+/// @throw ArgumentError saying that the name is unknown, with the nearest name and all known ones
 [[noreturn]] void failNoName(std::string_view what, std::string_view name, const std::vector<std::string>& known);
 
 /// Rows that people know by a name.
@@ -14,14 +14,14 @@ namespace velum::scene {
 template <class Row, class Named>
 class NamedTable {
  public:
-  /// @param what  a row is: "finish"
+  /// @param what  what a row is, for messages: "finish"
   NamedTable(std::string_view what, std::span<const Row> rows, Named Row::*named)
       : mWhat(what), mRows(rows), mNamed(named) {
     for (const Row& row : rows) mNames.push_back(row.*named);
   }
   std::span<const Row> rows() const { return mRows; }
   std::span<const Named> names() const { return mNames; }
-  /// nullptr: there is none.
+  /// The row with a name; nullptr: there is none.
   const Row* find(std::string_view name) const {
     for (const Row& row : mRows)
       if ((row.*mNamed).name == name) return &row;

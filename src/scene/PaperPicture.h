@@ -5,14 +5,14 @@
 
 namespace velum::scene {
 
-/// Edge of the largest picture of paper that is drawn with, pixels.
+/// Largest edge of a picture of paper as the renderer uses it, pixels.
 constexpr int kPaperSize = 2048;
 
-/// A user's picture of paper as one to draw with: R, G, B, smaller where it is larger than ours.
-/// @throw ArgumentError of an empty one
+/// A user's picture of paper as the renderer needs it: R, G, B, reduced where it is larger than kPaperSize.
+/// @throw ArgumentError for an empty picture
 Image fitPaper(const Image& picture);
 
-/// True, across and down, of a picture whose opposite edges fit, so that several side by side show no seam.
+/// Whether the opposite edges of a picture fit, across and down, so that copies side by side show no seam.
 /// @param paper  R, G, B
 glm::bvec2 tilesOf(const Image& paper);
 

@@ -13,20 +13,21 @@ enum class Ends {
   BothTails,   ///< The outermost four thousandths on either side: amplitudes round zero, or no background at all.
 };
 
-/// A row of the table of presets: all that one is. Values as Preset says.
+/// A row of the table of presets: all that makes a preset. Values are as in Preset.
 struct PresetRow {
   Preset preset;
   std::initializer_list<ColorPoint> colors;
-  std::initializer_list<OpacityPoint> opacities;  ///< A mm when absolute, a voxel when relative.
-  double windowLevel, windowWidth;                ///< For sections.
+  std::initializer_list<OpacityPoint>
+      opacities;                    ///< Opacity per mm when the preset is absolute, per voxel when relative.
+  double windowLevel, windowWidth;  ///< For sections.
   double specular;
   Ends ends = Ends::Background;
-  double brightShare = 0.01;                 ///< So much of what is not background counts as fully bright.
+  double brightShare = 0.01;                 ///< Share of the values above the background that counts as fully bright.
   bool isProjection = false;                 ///< The largest value along a ray shows, in its colour.
   std::optional<glm::vec3> background = {};  ///< Of the picture; none: as it was.
 };
 
-/// In the order of menus.
+/// All presets, in the order of menus.
 const NamedTable<PresetRow, Preset>& presetTable();
 
 }  // namespace velum::scene

@@ -19,23 +19,24 @@ struct Preset {
 /// Every preset, in the order of menus.
 std::span<const Preset> presets();
 
-/// Gives a layer and the lighting the look of a preset, fitted to the layer's volume; where channels are mixed, the
-/// current one, which keeps its colour.
+/// Gives a layer and the lighting the look of a preset, fitted to the layer's volume; where channels are mixed, only
+/// the current channel gets the look, and keeps its colour.
 /// @throw ArgumentError for an unknown name, listing the known ones
 void applyPreset(Scene& scene, std::string_view name);
 
-/// Whether a preset is one of projections: the largest value along a ray shows in its colour.
+/// Whether a preset shows a projection: the largest value along a ray shows in its colour.
 bool isProjectionLook(std::string_view name);
 
-/// Whether a preset is one of data that is material all over, as the ground is: its box is the object.
+/// Whether a preset is for data that is solid material everywhere, like the ground, so that the data's box is the
+/// object.
 bool isAllMaterial(std::string_view preset);
 
 /// The preset that fits what the volume says of itself and, where it says nothing, its histogram. Never leaves the
 /// picture empty.
 std::string_view choosePreset(const Volume& volume);
 
-/// Gives each channel of a volume with several a look of its own, fitted to its values, where the layer has none yet.
-/// Colours that the colour-blind can tell apart come first.
+/// Where a volume has several channels and the layer has no looks for them yet: gives each channel a look of its own,
+/// fitted to its values. Colours that the colour-blind can tell apart come first.
 void completeChannels(VolumeLayer& layer);
 
 /// Gives a channel a colour: on sections, and the ramp from dark to it in the 3D picture.

@@ -13,7 +13,7 @@ struct RayCast {
   bool jitter = true;       ///< start each ray at a blue-noise fraction of a step
   int samplesPerPixel = 4;  ///< pictures that are averaged for the final one, 1..256
   bool skipEmpty = true;    ///< leap over cells that the transfer function leaves empty
-  bool stopOpaque = true;   ///< end a ray when what follows cannot be seen
+  bool stopOpaque = true;   ///< end a ray where nothing behind can be seen any more
   bool operator==(const RayCast&) const = default;
   static void fields(auto& o, auto& visit) {
     visit("mode", o.mode, FieldInfo{"", {}, "Volume (colour and opacity), mip (brightest value), iso (one surface)."});

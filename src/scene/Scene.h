@@ -27,8 +27,8 @@ namespace velum::scene {
 struct VolumeLayer {
   Source source;
   Shared<Volume> data;    ///< not saved: read from `source`; where `bodyOnly`, the body of `given`
-  bool bodyOnly = false;  ///< what is not part of the largest body, as the table of a scanner, is air
-  Shared<Volume> given;   ///< not saved: what `source` holds, where `data` is but its body
+  bool bodyOnly = false;  ///< all but the largest body, such as a scanner's table, is replaced by air
+  Shared<Volume> given;   ///< not saved: the whole volume of `source`, where `data` has only its body
   bool visible = true;
   bool smooth = false;  ///< cubic between voxels, not linear: thick slices without stairs
   int timeStep = 0;     ///< 0..timeSteps-1
@@ -54,7 +54,7 @@ struct VolumeLayer {
   }
 };
 
-/// Steps of growing in a scene.
+/// Most growing steps in a scene.
 constexpr std::size_t kMostGrowths = 4096;
 
 /// Labelled structures beside the volume (same grid or another, overlaid by world position), or alone.
@@ -64,7 +64,7 @@ struct LabelLayer {
   std::vector<Growth> growths;     ///< what was grown out of the volume on demand, in its order
   Shared<LabelVolume> given;       ///< not saved: `unsmoothed` with the shapes in `smoothed`, where there are growths
   Shared<LabelVolume> unsmoothed;  ///< not saved: what `source` holds, where structures are smoothed
-  std::vector<ShapeSmoothing> smoothed;  ///< not saved: how `given` was made of it
+  std::vector<ShapeSmoothing> smoothed;  ///< not saved: the smoothing by which `given` was made from `unsmoothed`
   std::vector<Growth> grown;  ///< not saved: the growths that `data` holds, of its time step; others are on their way
   bool visible = true;
   double tint = 1.0;        ///< how far structures take their own colour rather than the transfer function's, 0..1
@@ -98,7 +98,7 @@ struct Surface {
 
 /// Everything that changes the picture or is saved.
 struct Scene {
-  LengthUnit unit = LengthUnit::Millimetre;  ///< of every length in it, and of the world that its data lie in
+  LengthUnit unit = LengthUnit::Millimetre;  ///< of every length in the scene, and of the world in which its data lie
   VolumeLayer volume;
   LabelLayer labels;
   std::vector<Surface> surfaces;
@@ -157,33 +157,33 @@ StandardView defaultView(const Scene& scene);
 /// The cut with an id; null when the scene has none. The place of a cut in the list is for the order of rows only.
 Cut* findCut(Scene& scene, int id);
 const Cut* findCut(const Scene& scene, int id);
-/// Its place in the list; -1 when the scene has none.
+/// Index in the list of the cut with an id; -1 when the scene has none.
 int cutPlace(const Scene& scene, int id);
 
 /// A number that no cut of a scene has: one more than the largest.
 int nextCutId(const Scene& scene);
-/// Appends a cut under a new id, whatever it came with. @return the id
+/// Appends a cut under a new id, whatever id it had. @return the new id
 int addCut(Scene& scene, Cut cut);
-/// Gives an id to each cut that has none, or has that of one before it, and a membrane to those, and only those, that
-/// are one: for scenes that come from outside.
+/// For scenes that come from outside: gives a new id to each cut that has none or has the id of a cut before it, and
+/// makes sure that Cut::membrane is there for cuts of shape Membrane, and for no others.
 void completeCuts(Scene& scene);
 
-/// The rigid frame of a cut: local z is its axis. World from local.
+/// The rigid transform from a cut's local frame, in which z is the cut's axis, to the world.
 glm::dmat4 worldFromCut(const Cut& cut);
 
-/// Reads the structures' names and colours out of the label data for every id that the scene does not list yet.
+/// Adds a structure, with name and colour from the label data, for every id that the layer does not list yet.
 void completeStructures(LabelLayer& labels);
 
 /// True when the volume's channels are mixed, each by its own look.
 bool mixesChannels(const VolumeLayer& layer);
 
-/// The transfer function that is edited: of the current channel where several are mixed, else the layer's own.
+/// The transfer function that is edited: that of the current channel where several are mixed, else the layer's own.
 TransferFunction& currentTransfer(VolumeLayer& layer);
 const TransferFunction& currentTransfer(const VolumeLayer& layer);
 
-/// The grey window in force, of the current channel where several are mixed: level and width, the volume's unit.
+/// The grey window in force (that of the current channel where several are mixed): level and width, the volume's unit.
 glm::dvec2 effectiveWindow(const VolumeLayer& layer);
-/// The same for one channel. @param look  of a channel of the layer
+/// The grey window in force for one channel. @param look  of a channel of the layer
 glm::dvec2 effectiveWindow(const VolumeLayer& layer, const ChannelLook& look);
 /// Sets the window of the current channel, or of the layer.
 void setWindow(VolumeLayer& layer, double level, double width);

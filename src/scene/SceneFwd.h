@@ -1,6 +1,6 @@
 #pragma once
 
-/// For headers that take a scene, or a part of one, by reference: whoever touches what is in it includes Scene.h.
+/// For headers that take a scene, or a part of one, by reference: code that uses its members includes Scene.h.
 namespace velum::scene {
 
 struct Camera;

@@ -22,7 +22,7 @@ SectionPlane makeSectionPlane(const Scene& scene, SectionKind kind, glm::dvec2 s
 
 /// The point of the section's plane under a pixel.
 glm::dvec3 worldFromSectionPixel(const SectionPlane& plane, glm::dvec2 pixel);
-/// Where the foot of a point on the section's plane is in the view.
+/// The pixel of the view onto which a point of the world is projected, along the section's normal.
 glm::dvec2 sectionPixelFromWorld(const SectionPlane& plane, glm::dvec3 world);
 /// How far a point lies before the plane, towards the viewer.
 double heightOverSection(const SectionPlane& plane, glm::dvec3 world);
@@ -32,11 +32,13 @@ struct SectionIndex {
   int index = 0;  ///< 0..count-1
   int count = 1;
 };
-/// The plane nearest to the crosshair where the section lies along the voxels; nothing for an oblique one.
+/// The volume's plane nearest to the crosshair, where the section lies along the voxels; nothing for an oblique
+/// section.
 std::optional<SectionIndex> sectionIndex(const Scene& scene, SectionKind kind);
 /// True when the section does not face along one of the patient's axes.
 bool isOblique(const Sections& sections, SectionKind kind);
-/// Where a direction of the world points in the patient, the strongest part first: "L", "SA", "" for none.
+/// The letters of the patient's directions in which a direction of the world points, the strongest first: "L", "SA"; ""
+/// for none.
 std::string patientLetters(glm::dvec3 direction);
 /// The scene reduced to what a section's picture depends on beside its frame: without camera, light and names.
 Scene sectionScene(Scene scene);
@@ -48,9 +50,9 @@ void stepCrosshair(Scene& scene, SectionKind kind, glm::dvec2 steps);
 /// Moves the crosshair along the normal, towards the viewer, by voxels: onto the volume's planes where the section lies
 /// along them, and never out of the data.
 void scrollSection(Scene& scene, SectionKind kind, double steps);
-/// The view's rectangle after a drag by pixels.
+/// Moves the view's rectangle by a drag in pixels.
 void panSection(Scene& scene, SectionKind kind, glm::dvec2 size, glm::dvec2 dragPixels);
-/// Nearer by a factor < 1, about the point under a pixel.
+/// Zooms about the point under a pixel; a factor < 1 is nearer.
 void zoomSection(Scene& scene, SectionKind kind, glm::dvec2 size, glm::dvec2 pixel, double factor);
 /// Turns the other two sections about this one's normal, through the crosshair, radians: they become oblique together
 /// and stay across each other.

@@ -6,7 +6,8 @@
 
 #include "scene/Scene.h"
 
-/// What of a scene is shown: fields of files and commands may be out of their ranges, what is said here is not.
+/// Which parts of a scene are shown. Fields that come from files and commands may be out of their ranges; the results
+/// of these functions never are.
 namespace velum::scene {
 
 /// @param layer  has data
@@ -15,7 +16,7 @@ inline int shownChannel(const VolumeLayer& layer) { return std::clamp(layer.chan
 inline int shownTimeStep(const VolumeLayer& layer) { return std::clamp(layer.timeStep, 0, layer.data->timeSteps - 1); }
 
 inline int copyCount(const ModelLayer& layer) { return std::max(1, layer.copies); }
-/// Of all copies. @param layer  has data
+/// The number of instances of all copies. @param layer  has data
 inline std::uint64_t instanceCount(const ModelLayer& layer) {
   return std::uint64_t(layer.data->instances.size()) * std::uint64_t(copyCount(layer));
 }

@@ -7,7 +7,7 @@
 
 namespace velum::scene {
 
-/// Opacity of a unit of distance up to which material is a veil, through which one looks at what is behind.
+/// Material whose opacity for a unit of distance is at most this is a veil, through which one sees what lies behind.
 inline constexpr double kVeil = 0.08;
 
 /// Which voxels of a scene's volume show, or of its labels where these are alone: every so manieth along each axis.
@@ -17,7 +17,8 @@ struct ShownVoxels {
   std::vector<std::uint8_t> shown;  ///< 1 or 0, [z][y][x]
 };
 
-/// As colours and opacities, or the mode, show them; hidden structures do not; cuts do not matter. Any thread.
+/// Finds the voxels that the colours and opacities, or the mode, show. Hidden structures do not count as shown; cuts
+/// are ignored. Any thread.
 /// @param mostSamples  about so many voxels are looked at
 /// @param veil  opacity up to which nothing shows
 ShownVoxels shownVoxels(const Scene& scene, double mostSamples, double veil);

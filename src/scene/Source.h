@@ -6,7 +6,7 @@
 
 namespace velum::scene {
 
-/// Edges of voxels that are of use, in any unit; from others no picture can be worked out.
+/// Least and largest usable edge of a voxel, in any unit; with others no picture can be computed.
 inline constexpr double kLeastSpacing = 1e-12, kMostSpacing = 1e9;
 
 /// How to read a file without a header. Used when dims are positive.

@@ -7,13 +7,13 @@
 
 namespace velum::scene {
 
-/// What a cut leaves of a structure: of several of one structure the first counts.
+/// What a cut leaves of a structure; of several spares of the same structure the first counts.
 struct Spare {
   static constexpr std::string_view kKey = "structure";  ///< that a bare value stands for on the command line
   static constexpr double kEndless = std::numeric_limits<double>::infinity();
 
   int structure = 0;           ///< label id; 0: all that has no label, or everything where no labels are shown
-  double distance = kEndless;  ///< how deep in the removed side of the cut it is left, scene units; kEndless: all of it
+  double distance = kEndless;  ///< how deep in the cut's removed side it is left, scene units; kEndless: all of it
   bool operator==(const Spare&) const = default;
   static void fields(auto& o, auto& visit) {
     visit("structure", o.structure, FieldInfo{"", {0, 65535}, "Label id; 0: all that has no label."});
@@ -22,19 +22,19 @@ struct Spare {
   }
 };
 
-/// What a cut leaves of the instances of a model, each of which it removes or keeps whole. An instance stays whose
-/// fixed random number u is below a probability: `share`, and with a falloff more of them near the cut's surface, or
-/// fewer beyond it ([VE] 3, 5; docs/PAPERS.md has the formula).
+/// What a cut leaves of the instances of a model, each of which it removes or keeps whole. An instance stays when its
+/// fixed random number u is below a probability. That is `share`; with a falloff it is larger near the cut's surface,
+/// or smaller beyond the surface ([VE] 3, 5; docs/PAPERS.md has the formula).
 struct TypeSpare {
   static constexpr std::string_view kKey = "type";  ///< that a bare value stands for on the command line
 
   std::string type;    ///< path of a type, or of a compartment for all types below it; the longest that fits counts
-  double share = 1.0;  ///< of its instances in the removed side that stay, 0..1
+  double share = 1.0;  ///< share of the type's instances in the removed side that stay, 0..1
   double distance = Spare::kEndless;  ///< how deep they stay, scene units; kEndless: wherever they are
-  double falloff = 0.0;    ///< over so long a way from the surface more stay; below 0: outside of it fewer do
-  double amount = 1.0;     ///< how far the falloff goes at the surface, 0..1
-  double exponent = 1.0;   ///< how it runs: 1 evenly; above, it lasts longer
-  double viewShare = 0.0;  ///< of those that hide the cut's focus, so many stay, 0..1; drawn apart from `share`
+  double falloff = 0.0;    ///< length from the surface over which more stay; below 0: fewer stay outside the surface
+  double amount = 1.0;     ///< strength of the falloff at the surface, 0..1
+  double exponent = 1.0;   ///< form of the falloff: 1 even; above 1 it lasts longer
+  double viewShare = 0.0;  ///< share of those hiding the cut's focus that stay, 0..1; drawn apart from `share`
   double aperture = 1.0;   ///< how much of the view onto the focus is opened, 0 (nothing)..1 (all of it)
   bool operator==(const TypeSpare&) const = default;
   static void fields(auto& o, auto& visit) {

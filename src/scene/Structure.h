@@ -17,7 +17,7 @@ struct Structure {
   glm::vec3 color{1.0f};  ///< sRGB
   double opacity = 1.0;   ///< of material: multiplies the transfer function's; solid: of its surface
   bool visible = true;
-  double tint = 1.0;                 ///< how far it takes its own colour, 0..1; multiplies LabelLayer::tint
+  double tint = 1.0;                 ///< how far the structure takes its own colour, 0..1; multiplies LabelLayer::tint
   std::string litSphere;             ///< of a finished picture; empty: as Finish::sphere says
   ShowAs showAs = ShowAs::Material;  ///< its values by the transfer function, or a closed surface of its colour; alone,
                                      ///< in a scene without a volume, it is always a surface

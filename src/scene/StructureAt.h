@@ -8,16 +8,17 @@
 
 namespace velum::scene {
 
-/// The structures of a scene whose borders lie where the volume's values leave a range: what was grown by one range,
-/// not up to a gradient. Looks at some of the volume's values: milliseconds. Any thread.
+/// The structures of a scene whose borders lie where the volume's values leave a range: those that were grown by one
+/// range, and not up to a gradient. Looks at some of the volume's values: milliseconds. Any thread.
 std::vector<ValueBorder> valueBordersOf(const Scene& scene);
 
-/// Whose places are in a scene that has labels. As long as somebody holds the last one, whoever asks of the same labels
-/// gets it, and of others what has not changed since: who asks of many places holds it. Any thread.
+/// The field that tells to which structures the places of a scene with labels belong. As long as some caller holds the
+/// last field, calls for the same labels return that field, and a field for other labels takes over the bricks that
+/// have not changed. So callers that ask about many places should hold on to it. Any thread.
 std::shared_ptr<const StructureField> structureFieldOf(const Scene& scene);
 
-/// Whose a place of the world is, and how far inside it lies: what the picture says, and everybody else. Nobody's where
-/// no labels are shown. Any thread.
+/// The structure that a place of the world belongs to, and how far inside the structure it lies. Pictures and all other
+/// code agree with this. Id 0 where no labels are shown. Any thread.
 StructurePlace structureAt(const Scene& scene, glm::dvec3 world);
 
 }  // namespace velum::scene

@@ -5,12 +5,12 @@
 
 namespace velum::scene {
 
-/// True when most of what a look shows lets one see what is behind: a veil of skin over bone, a haze. Lines of a finish
-/// then lie on whatever a ray happens to be half lost in. @param histogram  of the values that it shows
+/// True when most material that a look shows is translucent: a veil of skin over bone, a haze. Lines of a finish would
+/// then lie wherever a ray happens to have lost half of its light. @param histogram  of the values that the look shows
 bool isTranslucent(const TransferFunction& transfer, const Histogram& histogram);
 
-/// Makes the look of the volume, of all channels that are mixed, one of surfaces: what was nearly opaque, or the most
-/// so of what was a haze, is opaque within a voxel, and the veils before it are clear. Colours stay.
+/// Turns the look of the volume, or of all mixed channels, into one of surfaces: values that were nearly opaque (in a
+/// haze, the most opaque ones) become opaque within a voxel, and the veils in front of them become clear. Colours stay.
 void makeSurface(Scene& scene);
 
 }  // namespace velum::scene

@@ -31,7 +31,7 @@ struct OpacityPoint {
 
 /// What data looks like: colour and opacity by value, opacity also by gradient magnitude.
 struct TransferFunction {
-  std::string preset;                           ///< name of the preset that it was made from, for people
+  std::string preset;                           ///< name of the preset that the function was made from, for people
   std::vector<ColorPoint> colors;               ///< ascending by value
   std::vector<OpacityPoint> opacities;          ///< ascending by value
   std::vector<OpacityPoint> gradientOpacities;  ///< ascending; multiplies; empty: 1 everywhere

@@ -6,9 +6,9 @@
 
 namespace velum::scene {
 
-/// The colour of each type by a palette, sRGB. By type: families of hues for compartments and their surfaces, in which
-/// types that do the same look alike; what all else swims in, as plasma around a virus, is pale and warm and has many
-/// hues.
+/// The colour of each type by a palette, sRGB. In the palette by type, each compartment and its surface has a family of
+/// hues, in which types of the same function look alike; types of the surrounding medium, such as plasma around a
+/// virus, are pale and warm, in many hues.
 std::vector<glm::vec3> paletteColors(const Model& model, Palette palette);
 
 }  // namespace velum::scene

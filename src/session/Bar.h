@@ -11,44 +11,47 @@
 
 namespace velum::session {
 
-/// A bar that shows how much of a thing is left, and the handle on it that a hand holds to set that ([VE] 7.2): of the
-/// instances of a type, or of the pixels of a structure. What is seen while the handle is held is as much as what was
-/// seen before lets expect. A hold is one step of the document.
+/// A bar that shows how many instances of a type, or pixels of a structure, are left, and the handle on the bar with
+/// which a hand sets that number ([VE] 7.2). While the handle is held the bar shows an estimate of how many are seen:
+/// as large a share of those left as before the hold (expectedCounts()). One hold is one undo step of the document.
 class Bar {
  public:
-  /// What a handle sets: how much is left, or how much of it is seen.
+  /// Which number a handle sets: how many are left by cuts, or how many of those are seen.
   enum class Handle { Left, Seen };
 
-  /// What is taken hold of.
+  /// The thing (a type or a structure) whose handle a hand takes hold of.
   struct Hold {
-    std::string label;  ///< of the step
+    std::string label;  ///< name of the undo step
     Handle handle = Handle::Left;
-    Counts start;             ///< what the bar shows
-    std::uint64_t total = 0;  ///< of the thing
-    /// The scene, cuts set and types shown, in which so much is left.
+    Counts start;             ///< what the bar shows when the handle is taken
+    std::uint64_t total = 0;  ///< instances or pixels of the thing
+    /// Gives the scene in which `left` are left, by its cuts and the looks of its types.
     std::function<Solved(double left)> solve;
   };
-  /// What only pictures find: so much is to be seen, by the numbers of some cuts.
+  /// A number of instances or pixels that are to be seen: only drawn pictures can tell which numbers of the cuts lead
+  /// there.
   struct Wish {
     std::string label;
     std::vector<int> cuts;
     std::uint64_t seen = 0;
   };
 
-  /// @param document  outlives it
+  /// @param document  must outlive the bar
   explicit Bar(Document& document) : mDocument(document) {}
 
   void take(Hold hold);
   bool isHeld() const { return bool(mHeld); }
-  /// @param count  of what the handle sets  @return what it has come to, in words
+  /// Moves the handle. @param count  how many are to be left, or seen, as the handle says  @return what was reached, in
+  /// words; empty when no handle is held
   std::string moveTo(double count);
-  /// What it has come to; of the handle that is held, or was last.
+  /// What the bar shows for the hold that goes on, or for the last one.
   const Counts& now() const { return mNow; }
-  /// It has been moved since it was taken.
+  /// True when the handle has been moved since it was taken.
   bool isMoved() const { return mHeld && mHeld->isMoved; }
-  /// The step is done, but where what is seen has to be found: then it goes on, until Document::endMerge().
+  /// Ends the hold and its undo step. After a moved Handle::Seen it returns the wish instead, which pictures must still
+  /// meet; the undo step then stays open until Document::endMerge().
   std::optional<Wish> letGo();
-  /// All is as it was before it was taken.
+  /// Ends the hold and puts cuts and looks of types back as they were before the handle was taken.
   void giveUp();
 
  private:

@@ -8,30 +8,31 @@
 
 namespace velum::session {
 
-/// How long work ended.
+/// How a piece of long work has ended.
 struct JobOutcome {
-  bool done = false;  ///< false: it was cancelled, or has failed
-  std::string error;  ///< one line for the user; empty when it is done or was cancelled
+  bool done = false;  ///< false: the work was cancelled, or has failed
+  std::string error;  ///< one line for the user; empty when the work is done or was cancelled
 };
 
-/// Who waits for work: nobody in particular, so that it gives way to the window, or a hand that is moving.
+/// Who waits for a piece of work. Background: nobody in particular, so the work gives way to the window. Hand: a hand
+/// that is moving, so the work does not give way.
 enum class Urgency { Background, Hand };
 
-/// Long work in a thread of its own: it tells how far it is, can be cancelled, and is cancelled and awaited when the
-/// object goes.
+/// Long work in a thread of its own. A job reports its progress and can be cancelled; its destructor cancels the work
+/// and waits for its end.
 class Job {
  public:
   using Work = std::function<void(Progress&)>;
   using Ended = std::function<void(const JobOutcome&)>;
 
-  /// Begins at once. @param progressed, ended  called from the job's thread
+  /// Begins the work at once. @param progressed, ended  called from the job's thread
   Job(Work work, Progress::Listener progressed, Ended ended, Urgency urgency = Urgency::Background);
   ~Job();
   Job(const Job&) = delete;
   Job& operator=(const Job&) = delete;
 
   void cancel() { mProgress.cancel(); }
-  /// It is over, and has told so.
+  /// True when the work is over. The call of `ended` may still be running.
   bool hasEnded() const { return mHasEnded; }
 
  private:
@@ -42,8 +43,9 @@ class Job {
   std::thread mThread;
 };
 
-/// From now on the threads that share out long work give way to the window's own and to the driver's, so that a view
-/// answers the hand while every core is busy. Call once, in the window's thread, before the first work.
+/// From now on the helper threads among which long work is shared out (core/Parallel.h) give way to the window's thread
+/// and to the driver's, so that a view answers the hand while every core is busy. Call once, in the window's thread,
+/// before the first work.
 /// Linux only; elsewhere it does nothing.
 void giveWayToTheWindow();
 

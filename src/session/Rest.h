@@ -5,11 +5,12 @@
 
 namespace velum::session {
 
-/// Lets a worker do all that there is to do, in the thread that calls: for those who wait, as a command line does.
-/// @param complete  called when the worker has something to write into the scene; may let the worker follow another one
+/// Lets a worker do all its work in the calling thread: for callers that wait for the results, such as a command line.
+/// @param complete  called when the worker has something to write into the scene; may let the worker follow another
+/// scene
 /// @throw Cancelled, and what the work throws; the worker can then be asked again
 void bringToRest(Worker& worker, const std::function<void()>& complete, Progress& progress);
-/// The same of a mover. GL thread.
+/// The same for a mover, which is also advanced until nothing of it moves. GL thread.
 void bringToRest(Mover& mover, const std::function<void()>& complete, Progress& progress);
 
 }  // namespace velum::session

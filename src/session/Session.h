@@ -22,17 +22,19 @@ namespace velum::session {
 struct FilmOptions;
 struct PictureOptions;
 
-/// What is open, and all that goes on beside it: the document with its file and journal, what workers compute and
-/// movers move, jobs, and, where nobody lends one, a GL context. The window, `velum-batch`, scripts and tests drive it
-/// alike; it knows of no widget. One thread, in which a context is current where it says GL thread.
+/// An open document and all that goes on beside it: its file and journal, what workers compute and movers move, jobs,
+/// and, where no caller lends one, a GL context. The window, `velum-batch`, scripts and tests drive a session alike; a
+/// session knows of no widget. All calls come from one thread; a function that says GL thread needs a GL context that
+/// is current in this thread.
 ///
-/// A window lends its context, calls collect() when it is woken and advance() while it draws. Whoever has none calls
-/// settle(), picture() and film(), which take as long as they take; a context is made when the first of them needs one.
+/// A window lends its context, calls collect() when the waker has woken it and advance() while it draws. A caller
+/// without a context calls settle(), picture() and film(), which take as long as they take; the session makes a context
+/// when the first of these functions needs one.
 class Session {
  public:
-  /// @param scene  that is there already, with its data
+  /// @param scene  a scene that is there already, with its data
   explicit Session(scene::Scene scene = {});
-  /// Cancels what is running, and waits for it.
+  /// Cancels the work that is running, and waits for its end.
   ~Session();
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
@@ -43,7 +45,7 @@ class Session {
   WorkFile& file() { return mFile; }
   const WorkFile& file() const { return mFile; }
 
-  /// Called after every change of the document, when workers and journal have heard of it.
+  /// Called after every change of the document, when workers and journal have taken the change in.
   void setListener(std::function<void()> listener) { mListener = std::move(listener); }
   /// Called when collect() has something to do. From any thread.
   void setWaker(std::function<void()> waker) { mWaker = std::move(waker); }
@@ -53,76 +55,82 @@ class Session {
   const MembraneMover& membranes() const { return mMembranes; }
   GrowthWorker& growth() { return mGrowth; }
   const GrowthWorker& growth() const { return mGrowth; }
-  /// What tools that measure materials ask.
+  /// The histograms that tools ask for when they measure materials.
   HistogramMemo& histograms() { return mHistograms; }
-  /// Takes in what jobs have computed, writes down what has come to rest, begins what is due of workers that move
-  /// nothing, and tells the end of the user's job. Needs no context.
+  /// Takes in what jobs have computed, writes into the document what has come to rest, begins the due work of workers
+  /// that are no movers, and tells the end of the user's job. Needs no GL context.
   void collect();
-  /// Lets the movers go on for about so long, with jobs for what is to be computed beside, and writes down what has
-  /// come to rest. GL thread.
-  /// @return true when more is due at once
+  /// Lets the movers go on for about so many milliseconds, begins jobs for what they need computed, and writes into the
+  /// document what has come to rest. GL thread.
+  /// @return true when advance() has more to do at once
   bool advance(double budgetMs);
-  /// What is shown is not yet what the scene asks for; what is paused is not waited for.
+  /// True while what workers and movers show is not yet what the scene asks for; what is paused does not count.
   bool isOnItsWay() const;
-  /// Nothing is to be done.
+  /// No worker or mover has anything left to do.
   bool isSettled() const;
-  /// Nothing is to be done by advance().
+  /// advance() has nothing left to do.
   bool isStill() const;
-  /// Another number when movers show something else.
+  /// A number that changes whenever movers show something else.
   std::uint64_t shownCount() const { return mMembranes.shownCount(); }
-  /// A picture of the scene with what the movers have. GL thread. @param size  pixels
+  /// A frame for a picture of the scene, with what the movers show in it. GL thread. @param size  pixels
   render::Frame frame(glm::ivec2 size);
-  /// Gives up everything on the GPU; what moved starts anew. GL thread.
+  /// Gives up everything that the movers have on the GPU; sheets that were moving start anew. GL thread.
   void releaseGpu() { mMembranes.releaseGpu(); }
-  /// GL is somebody else's, whose context is current wherever it says GL thread: there are eyes and hands.
+  /// The GL context is the caller's from now on, and current wherever a function says GL thread. There are eyes and
+  /// hands then: see MembraneMover::Purpose::Show.
   void borrowContext();
 
-  // For those who wait. A context of its own is current afterwards, where one was needed.
-  /// How it makes a context. @param kind  Auto unless told otherwise
+  // For callers that wait for the result. Where a GL context was needed, the session's own is current afterwards.
+  /// Which kind of GL context the session makes for itself. @param kind  Auto unless told otherwise
   void setContextKind(gpu::ContextKind kind) { mContextKind = kind; }
-  /// Lets all come to rest that is not paused. @throw Cancelled, gpu::GpuError, InputError where forces cannot be made
+  /// Waits until everything that is not paused has come to rest. @throw Cancelled, gpu::GpuError, InputError where
+  /// forces cannot be made
   void settle(Progress& progress);
-  /// Lets all grow that the scene asks for. Needs no context. @return what there is to tell of it, one line each
+  /// Grows all regions that the scene asks for. Needs no GL context. @return notes for the user about the growth, one
+  /// line each
   /// @throw Cancelled, and what growing throws
   std::vector<std::string> grow(Progress& progress);
-  /// The scene with all at rest, the shapes of its sheets in it. @throw as settle()
+  /// The scene with everything at rest and the shapes of its sheets in it. @throw as settle()
   scene::Scene settled(Progress& progress);
-  /// A picture of the scene with all at rest, as drawPicture() makes it. @throw Cancelled, gpu::GpuError
+  /// A picture of the scene with everything at rest, drawn as by drawPicture(). @throw Cancelled, gpu::GpuError
   Image picture(const PictureOptions& options, Progress& progress);
-  /// Draws and writes one picture or several, with the scene in them, all at rest in each. @param path  "-": standard
-  /// output, of one  @return the files  @throw Cancelled, gpu::GpuError, InputError when the disk refuses,
-  /// ArgumentError where whyStill() says why there is no animation
+  /// Draws and writes one picture or several, each with its scene in it and everything at rest. @param path  "-":
+  /// standard output, for a single picture only  @return the files written  @throw Cancelled, gpu::GpuError, InputError
+  /// when the disk refuses, ArgumentError where whyStill() says why there is no animation
   std::vector<std::filesystem::path> film(const FilmOptions& options, const std::filesystem::path& path,
                                           Progress& progress);
-  /// What became of the membranes that are on, at rest. @throw Cancelled, gpu::GpuError
+  /// What became of the enabled membranes, at rest. @throw Cancelled, gpu::GpuError
   std::vector<MembraneReport> membraneReports(MembraneQuestions questions, Progress& progress);
-  /// Counts what shows in pictures of so many pixels. Ends before the session does. @throw gpu::GpuError
+  /// Makes a counter of what shows in pictures of so many pixels. The counter must end before the session does.
+  /// @throw gpu::GpuError
   PictureCounter counter(glm::ivec2 size, Progress& progress);
-  /// What its pictures are drawn with. @throw gpu::GpuError
+  /// The renderer that draws the session's pictures. Not for a session that has borrowed its context.
+  /// @throw gpu::GpuError
   render::Renderer& renderer();
 
-  // The job on whose end the user waits: a load, a picture.
-  /// @param progressed  from the job's thread  @param ended  from collect()
-  /// @return false while another one runs
+  // The job whose end the user waits for, such as a load or a picture.
+  /// @param progressed  called from the job's thread  @param ended  called from collect()
+  /// @return false, and nothing is started, while another job runs
   bool startJob(Job::Work work, Progress::Listener progressed, Job::Ended ended);
   void cancelJob();
-  /// Waits for the end of the job, which is told before this returns, no longer than so many milliseconds.
+  /// Waits for the end of the job, but no longer than so many milliseconds. Where the job ends, `ended` is called
+  /// before this returns.
   void awaitJob(double longestMs);
-  /// Cancels, waits, and tells nobody.
+  /// Cancels the job and waits for its end, without calling `ended`.
   void dropJob();
   bool isBusy() const { return mJob != nullptr; }
 
  private:
-  /// A worker and what is computed for it.
+  /// A worker and the job that computes for it.
   struct Working {
     Worker* worker;
-    Mover* mover = nullptr;  ///< the same, where it is one
+    Mover* mover = nullptr;  ///< the same object as `worker`, where it is a mover
     std::unique_ptr<Job> job;
     Worker::Finish finish;
     JobOutcome outcome;
   };
   void changed();
-  /// Makes its context the current one, where it has one of its own.
+  /// Makes the session's own GL context the current one; does nothing for a borrowed context.
   void bindContext();
   void collect(Working& working);
   void complete(Working& working);
@@ -133,7 +141,7 @@ class Session {
     if (mWaker) mWaker();
   }
 
-  // What is on the GPU goes before its context.
+  // Members that hold things on the GPU stand below the context, so that they are destroyed before it.
   gpu::ContextKind mContextKind = gpu::ContextKind::Auto;
   bool mOwnsContext = true;
   std::unique_ptr<gpu::Context> mContext;
@@ -143,7 +151,7 @@ class Session {
   GrowthWorker mGrowth;
   MembraneMover mMembranes{MembraneMover::Purpose::Rest};
   HistogramMemo mHistograms;
-  std::vector<Working> mWorking;  ///< Never grows while jobs run: they know their place in it.
+  std::vector<Working> mWorking;  ///< Never grows while jobs run: each job holds a reference to its element.
   std::function<void()> mListener, mWaker;
   std::unique_ptr<Job> mJob;
   JobOutcome mJobOutcome;

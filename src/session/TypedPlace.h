@@ -5,8 +5,8 @@
 
 namespace velum::session {
 
-/// Takes a place as somebody types it, "x,y,z", from the front of a text. @return nothing, and takes some of it, where
-/// there is none
+/// Reads a place as somebody types it, "x,y,z", and takes it off the front of `text`. @return nothing where the text
+/// does not begin with a place; part of the text may be taken off even then
 std::optional<glm::dvec3> takePlace(std::string_view& text);
 
 }  // namespace velum::session

@@ -73,7 +73,7 @@ NumberField* CutForm::makeSpin(QWidget* parent, double min, double max, const QS
   return spin;
 }
 
-/// Three numbers side by side. @param change  told which one, and its new value
+/// Three numbers side by side. @param change  called with the place and the new value of the number that was changed
 QWidget* CutForm::makeTriple(NumberField* (&spins)[3], const QString& name, std::function<void(int, double)> change) {
   auto* row = new QWidget(this);
   auto* layout = new FieldRow(row);
@@ -185,7 +185,7 @@ void CutForm::align(glm::dvec3 axis) {
       [placed, scene = mDocument.scene()](Progress& progress) {
         *placed = session::placedToKeep(scene, *placed, progress).value_or(*placed);
       },
-      // A cut that somebody has changed meanwhile stays as he wants it.
+      // A cut that the user has changed meanwhile stays as it is.
       [this, placed, before = *cut] {
         const scene::Cut* now = scene::findCut(mDocument.scene(), before.id);
         if (!now || *now != before) return;
@@ -273,7 +273,7 @@ void CutForm::showCut(const scene::Cut& cut) {
   mPosition->setLength(length);
   mCentreLabel->setText(tr("Centre, %1").arg(length.unit()));
   mSizeLabel->setText(tr("Size, %1").arg(length.unit()));
-  // What is everywhere has neither place nor face.
+  // A cut of the shape Everywhere has neither place nor face.
   bool isPlaced = cut.shape != scene::CutShape::Everywhere;
   for (QWidget* part : mOfPlace) part->setVisible(isPlaced);
   bool isPlane = cut.shape == scene::CutShape::Plane,

@@ -43,7 +43,7 @@ class CutForm : public QWidget {
   QLabel *mPositionLabel = nullptr, *mAxisLabel = nullptr, *mAlignLabel = nullptr, *mCentreLabel = nullptr,
          *mSizeLabel = nullptr;
   QWidget *mCentreRow = nullptr, *mAxisRow = nullptr, *mAlignRow = nullptr;
-  std::vector<QWidget*> mOfPlace;  ///< what there is only of shapes that have one
+  std::vector<QWidget*> mOfPlace;  ///< controls of the place, hidden for shapes without a place
   NumberField *mCentre[3] = {}, *mSize[3] = {}, *mAzimuth = nullptr, *mElevation = nullptr, *mSpin = nullptr;
   QWidget* mSizeRow = nullptr;
   QPushButton* mFlip = nullptr;

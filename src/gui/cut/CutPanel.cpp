@@ -189,7 +189,7 @@ void CutPanel::refresh() {
   const scene::Scene& scene = mDocument.scene();
   int count = int(scene.cuts.size()), index = place();
   if (index < 0) {
-    // What stands now where the one that has gone stood.
+    // Select the cut that now has the place of the one that was removed.
     int next = std::clamp(mShown.place, 0, std::max(0, count - 1));
     int id = count > 0 ? scene.cuts[std::size_t(next)].id : 0;
     if (id != mSelection.cut()) return mSelection.setCut(id);  // comes back here

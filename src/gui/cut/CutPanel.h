@@ -22,20 +22,20 @@ class CutPanel : public QWidget {
   CutPanel(session::Document& document, Selection& selection, JobRunner& jobs, QWidget* parent);
   void refresh();
 
-  /// What belongs to the selected membrane; hidden for other cuts.
+  /// The controls of the selected membrane; hidden when the selected cut is no membrane.
   MembraneForm& membraneForm() { return *mMembrane; }
   FocusForm& focusForm() { return mTypeSpares->focus(); }
 
-  /// A cut of a shape, placed where it is of use.
+  /// Adds a cut of a shape, placed where it is of use.
   void addShape(scene::CutShape shape);
-  /// Adds a cut that somebody else has placed. @param label  of the undo step
+  /// Adds a cut that the caller has placed. @param label  of the undo step
   void addCut(scene::Cut cut, const char* label = "Add cut");
 
  public slots:
   void addPlane() { addShape(scene::CutShape::Plane); }
-  /// A sheet that keeps whole what the scene shows most.
+  /// Adds a membrane, whose sheet keeps whole what the scene shows most.
   void addMembrane() { addShape(scene::CutShape::Membrane); }
-  /// A plane through the middle that faces the camera.
+  /// Adds a plane through the middle that faces the camera.
   void addAlongView();
   void removeSelected();
   void flipSelected();
@@ -45,7 +45,7 @@ class CutPanel : public QWidget {
 
  signals:
   void threePointsAsked();
-  /// A row of the list, the selected one, too.
+  /// A row of the list was clicked, even if its cut was selected already.
   void cutClicked();
   /// In words: why nothing was done.
   void refused(const QString& why);
@@ -56,12 +56,12 @@ class CutPanel : public QWidget {
   void buildHead();
   QWidget* buildTools();
   void searchMembrane();
-  /// Does what adds a cut, and selects it.
+  /// Runs a command that adds a cut, and selects the new cut.
   void addAs(const session::Call& call);
-  /// As commands name a cut.
+  /// The text by which commands name a cut. @param id  of the cut
   std::string key(int id) const;
   bool hasData() const;
-  /// For one more cut; says so where there is none.
+  /// The scene has room for one more cut; where it has none the user is told.
   bool hasRoom();
 
   session::Document& mDocument;

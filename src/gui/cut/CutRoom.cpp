@@ -41,7 +41,7 @@ void CutRoom::refresh(const session::Session& session) {
   mNothingLeft.refresh();
 }
 
-/// What was added is seen at once, in its page, too.
+/// Adds a cut, and shows it at once, its page in the side panel, too.
 void CutRoom::add(const std::function<void()>& make) {
   make();
   mParts.tabs.showPage(mPanel);
@@ -76,7 +76,7 @@ void CutRoom::addActions(QMenu* menu) {
   sheet->setIconText(tr("Membrane"));
 }
 
-/// Put away they leave the picture free; whoever turns to a cut again has them again.
+/// The command that puts handles away, so that the picture is free; when the user selects a cut they come back.
 void CutRoom::addHandles(QMenu* menu) {
   Toolbox& toolbox = mParts.toolbox;
   QAction* handles =

@@ -11,7 +11,7 @@
 
 namespace velum::gui {
 
-/// Cuts: their panel, their commands, their handles over the views; and what is a membrane's own.
+/// Cuts: their panel, their commands, their handles over the views; and the room of membranes, which are cuts, too.
 class CutRoom : public Room {
   Q_OBJECT
  public:

@@ -11,14 +11,16 @@
 
 namespace velum::gui {
 
-/// Which types of a model the selected cut keeps in view, and how what stands before them is cleared ([VE] 6).
+/// Which types of a model the selected cut keeps in view, and how the instances that stand before those types are
+/// cleared ([VE] 6).
 class FocusForm : public QWidget {
   Q_OBJECT
  public:
   FocusForm(session::Document& document, Selection& selection, QWidget* parent);
   /// @param paths  of the types and compartments that are selected in the list above
   void showCut(const scene::Cut& cut, const std::vector<std::string>& paths);
-  /// Holds what is cleared to a view, or lets it follow the camera. @param aspect  width by height of the picture
+  /// Clears instances for the camera as it stands now, whatever the camera does later, or lets the clearing follow the
+  /// camera. @param aspect  width by height of the picture
   void lock(bool locked, double aspect);
 
  signals:

@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kPauseMs = 250;
 
-/// What decides how much is left.
+/// True when two scenes agree in all that decides how much cuts leave.
 bool leavesTheSame(const scene::Scene& a, const scene::Scene& b) {
   return a.cuts == b.cuts && a.volume == b.volume && a.labels == b.labels && a.model == b.model &&
          a.surfaces == b.surfaces && a.rayCast == b.rayCast;

@@ -5,13 +5,13 @@
 
 namespace velum::gui {
 
-/// Says over the views when cuts leave nothing of what the scene shows, as soon as the hand pauses; takes it back when
-/// they leave something again. Looks in a thread.
+/// Shows a note over the views when cuts leave nothing of what the scene shows, as soon as the user pauses; takes the
+/// note back when the cuts leave something again. The check runs in a thread of its own.
 class NothingLeftNote : public QObject {
   Q_OBJECT
  public:
   NothingLeftNote(session::Session& session, MessageBar& messages, QObject* parent);
-  /// After every change.
+  /// To be called after every change of the session.
   void refresh();
 
  private:
@@ -20,7 +20,7 @@ class NothingLeftNote : public QObject {
   session::Session& mSession;
   MessageBar& mMessages;
   NewestJob mLook;
-  scene::Scene mLooked;  ///< What was last looked at, or will be.
+  scene::Scene mLooked;  ///< The scene that was checked last, or will be next.
 };
 
 }  // namespace velum::gui

@@ -28,7 +28,7 @@ class PictureCutHandles : public QObject, public Manipulator {
   Selection& mSelection;
   Toolbox& mToolbox;
   session::CutHandle mHover = session::CutHandle::None;
-  // While one is dragged.
+  // While a handle is dragged.
   session::CutHandle mHandle = session::CutHandle::None;
   scene::Cut mStart;
   session::CutGizmo mStartGizmo;

@@ -146,7 +146,7 @@ std::optional<Qt::CursorShape> SectionCutHandles::hover(const ViewPoint& at) {
 
 void SectionCutHandles::drag(const PointerEvent& event) {
   mPointer = event.at.place();
-  // By the frame in which it was taken: a cut that is dragged must not run away when the view follows.
+  // In the section plane in which the handle was taken: a cut that is dragged must not run away when the view follows.
   scene::Cut now = session::dragSectionCut(mStart, mStartFrame, mHandle, mFrom, event.at.pixel(),
                                            session::makeCutSnap(mDocument.scene(), event.keys & Qt::ShiftModifier));
   auto like = session::likeInPicture(mHandle);

@@ -9,7 +9,7 @@
 
 namespace velum::gui {
 
-/// The cuts on sections: their lines, by which they are selected and moved, and the handles of the selected one.
+/// The cuts on sections: their lines, by which cuts are selected and moved, and the handles of the selected cut.
 class SectionCutHandles : public QObject, public Manipulator {
   Q_OBJECT
  public:
@@ -38,7 +38,7 @@ class SectionCutHandles : public QObject, public Manipulator {
   Toolbox& mToolbox;
   std::map<int, scene::SheetShape> mSheets;  ///< By the id of the cut.
   session::SectionHandle mHandle;
-  const ToolView* mView = nullptr;  ///< In which the handle is.
+  const ToolView* mView = nullptr;  ///< The view in which mHandle is.
   bool mDragging = false;
   scene::Cut mStart;
   scene::SectionPlane mStartFrame;

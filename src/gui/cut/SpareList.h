@@ -12,7 +12,7 @@
 
 namespace velum::gui {
 
-/// Structures with a tick for those that a cut spares.
+/// The structures as rows, with a tick at each structure that a cut spares.
 class SpareModel : public QAbstractListModel {
   Q_OBJECT
  public:
@@ -32,7 +32,7 @@ class SpareModel : public QAbstractListModel {
   std::vector<int> mSpared;  ///< ascending
 };
 
-/// The searchable list of them.
+/// A list of structures that can be searched, with a tick at each structure that the cut spares.
 class SpareList : public QWidget {
   Q_OBJECT
  public:

@@ -21,7 +21,7 @@ class ThreePointTool : public ClickTool {
   void paint(ViewPainter& over) const override;
 
  signals:
-  /// The plane is there. The tool has ended.
+  /// The third click has made a plane, and the tool has ended.
   void made(const velum::scene::Cut& cut);
 
  private:

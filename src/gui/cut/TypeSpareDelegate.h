@@ -5,7 +5,8 @@ namespace velum::gui {
 
 constexpr double kShareBarMargin = 6.0;  ///< pixels of a cell beside its bar
 
-/// Paints the rows of a TypeSpareView: name, bar, share. Rows that only have what is above them are quieter.
+/// Paints the rows of a TypeSpareView: name, bar, share. A row without a share of its own, which has that of the row
+/// above it in the tree, is quieter.
 class TypeSpareDelegate : public QStyledItemDelegate {
  public:
   TypeSpareDelegate(int rowHeight, QObject* parent) : QStyledItemDelegate(parent), mRowHeight(rowHeight) {}

@@ -65,7 +65,7 @@ void TypeSpareList::setShare(const std::vector<std::string>& paths, double share
                 true);
 }
 
-/// How much is left of the selected types and compartments, and how.
+/// Adds the rows that tell how much is left of the selected types and compartments, and how.
 void TypeSpareList::addHow(QGridLayout* grid) {
   mForm.setGrid(grid);
   auto add = [this](const std::string& field, double scene::TypeSpare::*member, const QString& title, FieldText text) {
@@ -127,7 +127,7 @@ void TypeSpareList::makeRows(QVBoxLayout* layout) {
                   line + 1, 1);
 }
 
-/// From, to: of types outside nothing is left. 0 as the end means that there is none.
+/// Two fields, from and to: of types outside this range nothing is left. 0 as the upper end means that there is none.
 QWidget* TypeSpareList::makeRange(const QString& name, const QString& suffix, int decimals, double factor,
                                   double scene::ModelCut::*least, double scene::ModelCut::*most,
                                   NumberField* (&spins)[2]) {

@@ -15,7 +15,7 @@
 
 namespace velum::gui {
 
-/// What the selected cut leaves of the types of a model, and how.
+/// How much of each type of a model the selected cut leaves, and the settings that decide which instances it leaves.
 class TypeSpareList : public QWidget {
   Q_OBJECT
  public:
@@ -44,7 +44,7 @@ class TypeSpareList : public QWidget {
   FocusForm* mFocus = nullptr;
   NumberField *mMass[2] = {}, *mCount[2] = {};
   scene::Cut mCut;
-  double mReach = 1.0;  ///< of the falloff
+  double mReach = 1.0;  ///< how far the falloff can be set to reach, a length
 };
 
 }  // namespace velum::gui

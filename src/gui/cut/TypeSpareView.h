@@ -7,7 +7,7 @@
 
 namespace velum::gui {
 
-/// The types of a model with what a cut leaves of them.
+/// The types of a model, each with the share of it that a cut leaves.
 class TypeSpareTree : public TypeTree {
   Q_OBJECT
  public:
@@ -23,7 +23,7 @@ class TypeSpareTree : public TypeTree {
   std::vector<bool> mOwn;
 };
 
-/// Its rows, with bars that are dragged.
+/// The rows of a TypeSpareTree, with bars that can be dragged.
 class TypeSpareView : public BarList {
   Q_OBJECT
  public:
@@ -50,7 +50,7 @@ class TypeSpareView : public BarList {
  private:
   TypeSpareTree* mTree;
   TypeOrder* mOrder;
-  QPersistentModelIndex mHeld;  ///< Whose bar is dragged.
+  QPersistentModelIndex mHeld;  ///< The row whose bar is dragged.
 };
 
 }  // namespace velum::gui

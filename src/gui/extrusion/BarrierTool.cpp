@@ -19,7 +19,7 @@ namespace velum::gui {
 namespace {
 
 constexpr double kFirstVoxels = 3.0;    // radius of a first stroke
-constexpr double kTurn = 1.15;          // a notch of the wheel makes it so much wider
+constexpr double kTurn = 1.15;          // factor by which a notch of the wheel widens the stroke
 constexpr double kPathStep = 0.2;       // between points of a path that is being drawn, in radii
 constexpr double kPathTolerance = 0.1;  // of the path that is kept, in radii
 

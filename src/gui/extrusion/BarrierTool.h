@@ -6,7 +6,8 @@
 
 namespace velum::gui {
 
-/// Draws a stroke that the selected structure does not grow through. It grows anew behind it at once.
+/// Draws a stroke that the selected structure does not grow through: a barrier. The structure is grown anew behind the
+/// barrier at once.
 class BarrierTool : public Tool {
   Q_OBJECT
  public:

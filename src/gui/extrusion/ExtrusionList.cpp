@@ -14,7 +14,7 @@ namespace velum::gui {
 namespace {
 
 constexpr int kSwatchEdge = 14;
-/// Whatever it holds, so that what stands below keeps its place.
+/// Pixels, however many rows there are, so that the widgets below keep their place.
 constexpr int kHeight = 150;
 
 /// Rows as wide as the list: what is longer is elided, not scrolled to.
@@ -48,7 +48,7 @@ ExtrusionList::ExtrusionList(QWidget* parent) : QListWidget(parent) {
   setSelectionMode(QAbstractItemView::ExtendedSelection);
   setUniformItemSizes(true);
   setIconSize({kSwatchEdge, kSwatchEdge});
-  // Of a long row the middle is left out: how far, and out of which cut, stands at the end.
+  // In a long row the middle is left out, as the end tells how far, and out of which cut, the structure stands.
   setItemDelegate(new Delegate(this));
   setTextElideMode(Qt::ElideMiddle);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -83,7 +83,7 @@ void ExtrusionList::select(int cut, int structure) {
   auto isIt = [&](const auto& one) { return one.cut == cut && one.structure == structure; };
   auto found = std::find_if(mExtrusions.begin(), mExtrusions.end(), isIt);
   int row = int(found - mExtrusions.begin());
-  // One that is current already may be one of several that are selected.
+  // A row that is current already may be one of several that are selected.
   if (found != mExtrusions.end() && row != currentRow()) setCurrentRow(row, QItemSelectionModel::ClearAndSelect);
 }
 

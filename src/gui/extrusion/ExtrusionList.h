@@ -6,15 +6,16 @@
 
 namespace velum::gui {
 
-/// What stands out of cuts, a row each: colour, name, how far, and of several cuts out of which.
+/// The structures that stand out of cuts, a row each: colour, name, how far the structure stands out, and, where the
+/// scene has several cuts, out of which.
 class ExtrusionList : public QListWidget {
   Q_OBJECT
  public:
   explicit ExtrusionList(QWidget* parent);
   void showScene(const scene::Scene& scene, const std::vector<session::Extrusion>& extrusions);
-  /// Selects the row of one; none where it has none. Tells nobody.
+  /// Selects the row of an extrusion; no row where the extrusion has none. Emits no signal.
   void select(int cut, int structure);
-  /// The one whose row is selected.
+  /// The extrusion whose row is the current one.
   std::optional<session::Extrusion> current() const;
   std::vector<session::Extrusion> selected() const;
 

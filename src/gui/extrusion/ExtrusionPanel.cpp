@@ -47,7 +47,7 @@ ExtrusionPanel::ExtrusionPanel(session::Session& session, Selection& selection, 
   layout->addLayout(head);
   layout->addWidget(mList = new ExtrusionList(this));
   layout->addWidget(mForm = buildForm());
-  // At the end, so that no field moves when it comes.
+  // At the end, so that no field moves when the box appears.
   layout->addWidget(mLeak = new LeakBox(session, this));
   layout->addStretch(1);
   connect(mLeak, &LeakBox::held, this, &ExtrusionPanel::held);

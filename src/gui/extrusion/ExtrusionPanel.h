@@ -15,7 +15,8 @@
 
 namespace velum::gui {
 
-/// The page "Pull out": the way to a picture, what stands out of the cuts, how far, and how it was grown.
+/// The page "Pull out": the steps to a picture, the structures that stand out of the cuts, how far each stands out, and
+/// how it was grown.
 class ExtrusionPanel : public QWidget {
   Q_OBJECT
  public:
@@ -27,7 +28,7 @@ class ExtrusionPanel : public QWidget {
   QPushButton& barrierButton() { return mGrowth->barrierButton(); }
 
  public slots:
-  /// A second plane, joined to the selected one.
+  /// Adds a second plane, joined to the selected plane.
   void addPlane();
   void putBack();
   void putAllBack();
@@ -35,7 +36,7 @@ class ExtrusionPanel : public QWidget {
  signals:
   /// In words: why growing is held.
   void held(const QString& why);
-  /// Of the structure that is selected.
+  /// The user is going to show which parts do not belong to the selected structure.
   void notThisAsked();
   /// In words: why nothing was done.
   void refused(const QString& why);
@@ -47,10 +48,10 @@ class ExtrusionPanel : public QWidget {
     std::vector<scene::Structure> structures;
     std::vector<scene::Growth> growths;
     std::vector<std::pair<int, std::string>> cuts;  ///< ids and names, in their order
-    std::vector<std::uint64_t> data;                ///< ids: its size is how far something may stand out
-    bool isGrown = false;                           ///< the labels hold all growths: what ends is known
-    bool isPlane = false;                           ///< the selected cut
-    int cut = -1, structure = -1;                   ///< selected
+    std::vector<std::uint64_t> data;  ///< ids; the size of the data limits how far a structure may stand out
+    bool isGrown = false;             ///< the labels hold all growths, so that it is known where each ends
+    bool isPlane = false;             ///< the selected cut is a plane
+    int cut = -1, structure = -1;     ///< selected
     bool operator==(const Shown&) const = default;
   };
   Shown shownOf(const scene::Scene& scene) const;

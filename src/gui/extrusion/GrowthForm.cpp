@@ -18,7 +18,7 @@ namespace velum::gui {
 
 namespace {
 
-/// What a hand has said of where it ends.
+/// A text about the limits that the user has drawn for the growth.
 QString limitsOf(const scene::Growth& grown) {
   auto barriers = int(grown.barriers.size()), others = int(grown.others.size());
   QStringList limits;

@@ -52,7 +52,7 @@ void LeakBox::goOn() {
   refresh();
 }
 
-/// What is said of it; then come the ways on.
+/// The text of the box about a leak; the buttons below it offer what to do.
 QString LeakBox::textOf(const session::Leak& leak) const {
   const scene::Scene& scene = mSession.document().scene();
   QString name = QString::fromStdString(session::structureName(scene, leak.structure));
@@ -66,7 +66,7 @@ QString LeakBox::textOf(const session::Leak& leak) const {
       .arg(leak.times, 0, 'f', 1);
 }
 
-/// The same for the view, whose hand may be far from the page.
+/// The same for a message over the view, as the pointer may be far from the page.
 QString LeakBox::saidOf(const session::Leak& leak) const {
   const scene::Scene& scene = mSession.document().scene();
   QString name = QString::fromStdString(session::structureName(scene, leak.structure));

@@ -7,7 +7,7 @@
 
 namespace velum::gui {
 
-/// What to do where a structure is about to flow into another; hidden while none is.
+/// Offers what to do when a structure that grows is about to flow into another; hidden while no structure does.
 class LeakBox : public QWidget {
   Q_OBJECT
  public:
@@ -15,9 +15,9 @@ class LeakBox : public QWidget {
   void refresh();
 
  signals:
-  /// In words, once: why something is held.
+  /// In words, once for each leak: why a structure's growth is held.
   void held(const QString& why);
-  /// The user is going to show what is not of a structure.
+  /// The user is going to show which parts do not belong to a structure.
   void notThisAsked(int structure);
 
  private:

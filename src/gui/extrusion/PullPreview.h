@@ -11,8 +11,9 @@
 
 namespace velum::gui {
 
-/// What is found while a hand pulls, over the picture that stands. Drawn in a thread, one picture at a time, the newest
-/// wish first: what moves the pointer's label never waits for it.
+/// A picture of what is found while the user pulls, shown over the view's picture, which stands still meanwhile. It is
+/// drawn in a thread of its own, one picture at a time, the newest request first: the window's thread, which moves the
+/// pointer's label, never waits for it.
 class PullPreview : public QObject {
   Q_OBJECT
  public:
@@ -20,20 +21,21 @@ class PullPreview : public QObject {
 
   /// A drag begins.
   void begin();
-  /// Draws as soon as what is being drawn is done; of several wishes the last one. Does nothing before begin().
+  /// Draws as soon as the picture that is being drawn is done; of several requests only the last one. Does nothing
+  /// before begin().
   void show(const scene::Scene& scene, const std::vector<session::Pulled>& pulled, glm::ivec2 size);
-  /// What is being drawn is given up; the last picture stays until clear().
+  /// A drag ends: the picture that is being drawn is given up; the last complete one stays until clear().
   void end();
   void clear();
 
-  /// Empty while there is none.
+  /// The last picture that was drawn; null while there is none.
   const QImage& image() const { return mImage; }
   bool isOn() const { return mIsOn; }
-  /// Pictures that have come; for tests and measurements.
+  /// How many pictures have been drawn; for tests and measurements.
   int drawnCount() const { return mDrawnCount; }
 
  signals:
-  /// Another image.
+  /// image() has changed.
   void drawn();
 
  private:

@@ -4,7 +4,7 @@
 
 namespace velum::gui {
 
-/// The way from what is open to a picture of what is pulled out.
+/// The steps from the data that is open to a picture of structures that are pulled out.
 class PullSteps : public StepStrip {
   Q_OBJECT
  public:

@@ -80,7 +80,7 @@ void PullTool::refresh() {
   showPreview();
 }
 
-/// What has been found of what is dragged, as far as that is pulled.
+/// Shows what has been found of the dragged structures, as far as they are pulled.
 void PullTool::showPreview() {
   if (mDragged.empty() || !mPreview.isOn()) return;
   const scene::Scene& scene = mDocument.scene();
@@ -91,7 +91,7 @@ void PullTool::showPreview() {
   mPreview.show(scene, pulled, {mView->widget().width(), mView->widget().height()});
 }
 
-/// The picture goes on; what lies over it stays until the next one stands.
+/// Lets the view draw again; the preview stays over the view's picture until the next one is there.
 void PullTool::letGo() {
   mDragged.clear();
   mPreview.end();
@@ -133,7 +133,7 @@ std::optional<PullTool::Target> PullTool::targetAt(const ViewPoint& at) const {
   return target;
 }
 
-/// It stays so while the pointer is where several cuts hold the structure, or on nothing.
+/// The choice holds while the pointer is where several cuts hold the structure, or on nothing.
 void PullTool::mean(const Target& target) {
   mMeant = target.cuts.size() > 1 ? Meant{target.structure, target.cuts.front()} : Meant{};
 }
@@ -141,7 +141,7 @@ void PullTool::mean(const Target& target) {
 /// The cut out of which the next drag pulls, or this one does.
 int PullTool::supporting() const { return mDragged.empty() && mTarget ? mTarget->cuts.front() : mSelection.cut(); }
 
-/// Something is seen there, or what can be pulled is near: no place from which somebody wants to turn the camera.
+/// Something is seen there, or a structure that can be pulled is near: not a place from which to turn the camera.
 bool PullTool::isBeside(const ViewPoint& at) const {
   if (at.isOnSection()) return false;
   if (at.pick() && at.pick()->hit) return true;
@@ -151,7 +151,7 @@ bool PullTool::isBeside(const ViewPoint& at) const {
   return false;
 }
 
-/// With other buttons and keys the view does what it always does; on the empty ground, too.
+/// For other buttons and keys, and on the empty ground, the view does what it always does.
 bool PullTool::press(const PointerEvent& event) {
   bool isPlain = event.keys == Qt::NoModifier || event.keys == Qt::ShiftModifier;
   bool isStroke = event.keys == Qt::ControlModifier;
@@ -199,7 +199,7 @@ bool PullTool::begin(const Target& target, const ViewPoint& at, bool goesOn, boo
           tr("%1 is spared whole by this cut already: take that off in the list of cuts to pull it").arg(nameOf(one)));
       continue;
     }
-    // Of what is to be found nobody knows yet where it ends.
+    // Where a structure that is still to be found ends is not known yet.
     double end = session::pulledEnd(scene, cut, one.added ? 0 : one.structure);
     mDragged.push_back(
         {one, session::ExtrusionDrag(at.space(), at.pixel(), cut, target.world, distance), end, distance});
@@ -236,7 +236,7 @@ void PullTool::setDistances(const std::vector<double>& distances) {
       true);
 }
 
-/// What has grown on the way may end before the hand does.
+/// A structure that has grown during the drag may end before the pointer's place.
 void PullTool::endAtTheirEnds() {
   const scene::Scene& scene = mDocument.scene();
   std::vector<double> distances;
@@ -275,7 +275,7 @@ QString PullTool::nameOf(const session::Pull& pull) const {
   return QString::fromStdString(session::structureName(mDocument.scene(), pull.structure));
 }
 
-/// What stands under the pointer, and how far it stands out.
+/// The label: the structure under the pointer, and how far it stands out.
 QString PullTool::tagOf(const Target& target) const {
   const scene::Scene& scene = mDocument.scene();
   const scene::Cut* cut = scene::findCut(scene, target.cuts.front());
@@ -302,7 +302,7 @@ void PullTool::leave() {
   mToolbox.repaint();
 }
 
-/// Out of the other of two planes.
+/// Means the other of two planes to pull out of.
 void PullTool::toggle() {
   if (!mTarget || mTarget->cuts.size() < 2) return;
   std::rotate(mTarget->cuts.begin(), mTarget->cuts.begin() + 1, mTarget->cuts.end());
@@ -324,7 +324,7 @@ KeyAnswer PullTool::key(const KeyStroke& stroke) {
   return {};
 }
 
-/// Along its normal, by the step of sections.
+/// Moves the supporting plane along its normal, by the step of sections.
 bool PullTool::movePlane(double steps) {
   const scene::Cut* cut = scene::findCut(mDocument.scene(), mSelection.cut());
   if (!cut || !session::canPullFrom(*cut)) return false;

@@ -10,15 +10,17 @@
 
 namespace velum::gui {
 
-/// Pulls structures out of cuts ([ACS] 4.3): a press on a cut's face, or on what stands out of it, chooses the
-/// structure there, and the drag pulls it out as far as the pointer goes. With Shift what was chosen before comes
-/// along. Where two extrusions overlap the nearer plane is meant, until Space says the other, as long as the pointer
-/// stays there. With Ctrl a stroke gives the selected structure more places to grow from; with Ctrl and Shift a click
-/// or a stroke says what is not of it. Everywhere else the view has the pointer. Handles of cuts would lie over what is
-/// to be pulled.
+/// Pulls structures out of cuts ([ACS] 4.3): a press on a cut's face, or on a structure that stands out of it, chooses
+/// the structure there, and the drag pulls that structure out as far as the pointer goes. With Shift the structures
+/// that were chosen before come along. Where the extrusions of two planes overlap, the nearer plane is meant; Space
+/// means the other plane, as long as the pointer stays there. With Ctrl a stroke gives the selected structure more
+/// places to grow from; with Ctrl and Shift a click or a stroke shows which parts do not belong to that structure.
+/// Everywhere else the view has the pointer. The handles of cuts are hidden, as they would lie over the structures that
+/// are to be pulled.
 ///
-/// While it is dragged the picture stands, and what is found is shown over it (PullPreview): the thread that moves the
-/// label neither grows nor draws. The picture follows when the hand lets go.
+/// During a drag the view's picture stands still, and what is found is shown over it (PullPreview): the window's
+/// thread, which moves the label, neither grows structures nor draws them. The picture follows when the button is let
+/// go.
 class PullTool : public Tool {
   Q_OBJECT
  public:
@@ -36,35 +38,35 @@ class PullTool : public Tool {
   void refresh() override;
   QString hint() const override;
   void paint(ViewPainter& over) const override;
-  /// The picture stands, too: see Viewport::drawSome().
+  /// The 3D view's own picture stands still, too: see Viewport::drawSome().
   bool pausesOtherViews() const override { return !mDragged.empty() || mStroke; }
   bool hidesHandles() const override { return true; }
   bool marksOverlaps() const override { return true; }
-  /// What is said beside the pointer: a name, and how far it stands out.
+  /// The label beside the pointer: a structure's name, and how far the structure stands out.
   const QString& tag() const { return mTag; }
   const PullPreview& preview() const { return mPreview; }
-  /// The next press, without any keys, says what is not of the selected structure; Esc takes that back.
+  /// The next press, without any keys, shows which parts do not belong to the selected structure; Esc cancels this.
   void askWhatIsNotOfIt();
 
  signals:
-  /// Esc: what grows is to stop where it is.
+  /// Esc: the structure that grows is to stop where it is.
   void stopGrowingAsked();
 
  private:
-  /// What is under the pointer and could be pulled.
+  /// A structure that is under the pointer and could be pulled.
   struct Target {
     glm::dvec3 world{0.0};
     int structure = 0;
-    std::vector<int> cuts;  ///< out of which, ids, the one that is meant first
+    std::vector<int> cuts;  ///< ids of the cuts out of which it can be pulled; first the cut that is meant
   };
-  /// Which of several cuts is meant, of a structure that all of them hold.
+  /// Which cut is meant where several cuts hold the same structure.
   struct Meant {
     int structure = 0, cut = 0;
   };
   struct Dragged {
     session::Pull pull;
     session::ExtrusionDrag drag;
-    double end, before;  ///< how far it can stand out, and did when it was pressed
+    double end, before;  ///< how far the structure can stand out, and how far it did before the drag
   };
   std::optional<Target> targetAt(const ViewPoint& at) const;
   void mean(const Target& target);
@@ -76,7 +78,8 @@ class PullTool : public Tool {
   void showPreview();
   void letGo();
   bool isBeside(const ViewPoint& at) const;
-  /// What a stroke says of the selected structure.
+  /// What a stroke does to the selected structure: Add gives it more places to grow from, NotThis marks parts that do
+  /// not belong to it.
   enum class Stroke { Add, NotThis };
   void beginStroke(const ViewPoint& at, Stroke stroke);
   void strokeTo(const ViewPoint& at);
@@ -93,15 +96,15 @@ class PullTool : public Tool {
   session::Document& mDocument;
   Selection& mSelection;
   Toolbox& mToolbox;
-  std::vector<session::Pull> mChosen;  ///< with the one that was last pressed on at the end
+  std::vector<session::Pull> mChosen;  ///< the last one is the one that was pressed last
   std::vector<Dragged> mDragged;       ///< while the pointer is down
-  std::optional<SeedStroke> mStroke;   ///< while it is down with Ctrl
+  std::optional<SeedStroke> mStroke;   ///< while the pointer is down with Ctrl
   Stroke mStrokeKind = Stroke::Add;
-  bool mIsAsking = false;         ///< what is not of it
+  bool mIsAsking = false;         ///< for a press that shows what does not belong to the structure
   std::optional<Target> mTarget;  ///< under the pointer
   Meant mMeant;
   PullPreview mPreview;
-  int mShownCount = 0;  ///< of the picture's, when what is laid over it was let go of
+  int mShownCount = 0;  ///< the view's shownCount() when the last drag ended; the preview stays until it differs
   ToolView* mView = nullptr;
   QPointF mPointer;
   QString mTag;

@@ -1,5 +1,5 @@
-// With Ctrl a stroke gives a structure that was pulled out more places to grow from; with Ctrl and Shift it says what
-// is not of it.
+// With Ctrl a stroke gives a structure that was pulled out more places to grow from; with Ctrl and Shift it shows which
+// parts do not belong to the structure.
 #include <QLocale>
 #include <algorithm>
 #include <utility>
@@ -14,15 +14,15 @@ namespace velum::gui {
 
 namespace {
 
-/// What is meant lies so many voxels behind a surface at most.
+/// The place that a stroke means lies at most so many voxels behind the surface.
 constexpr double kBehindVoxels = 1.0;
 
 }  // namespace
 
 void PullTool::askWhatIsNotOfIt() { mIsAsking = true; }
 
-/// On the selected structure, or on what it could have leaked into. On another one that has labels the keys mean its
-/// part.
+/// True on the selected structure, or on parts that it could have leaked into. On another labelled structure the keys
+/// mean that only a part of this structure is pulled.
 bool PullTool::saysNotThis(const PointerEvent& event) const {
   const scene::Growth* last = session::lastGrowth(mDocument.scene(), mSelection.structure());
   if (!last) return false;
@@ -32,7 +32,7 @@ bool PullTool::saysNotThis(const PointerEvent& event) const {
   return structure == 0 || structure == mSelection.structure();
 }
 
-/// Only what was grown can grow from more places, or from fewer.
+/// Only a structure that was grown can grow from more places, or from fewer.
 void PullTool::beginStroke(const ViewPoint& at, Stroke stroke) {
   int structure = mSelection.structure();
   mTag.clear();
@@ -75,7 +75,8 @@ void PullTool::endStroke() {
   takeAway(structure, places);
 }
 
-/// What is joined to the places under the stroke becomes part of the structure, as far as that is pulled.
+/// Tissue that is joined to the places under the stroke becomes part of the structure, as far as the structure is
+/// pulled.
 void PullTool::addPlaces(int structure, const std::vector<glm::dvec3>& places) {
   const scene::Growth* last = session::lastGrowth(mDocument.scene(), structure);
   QString name = QString::fromStdString(session::structureName(mDocument.scene(), structure));
@@ -89,7 +90,7 @@ void PullTool::addPlaces(int structure, const std::vector<glm::dvec3>& places) {
                                  .arg(name, QLocale().toString(low), QLocale().toString(high)));
 }
 
-/// The structure gives up what is nearer to the places than to its own.
+/// The structure gives up tissue that is nearer to these places than to its own.
 void PullTool::takeAway(int structure, const std::vector<glm::dvec3>& places) {
   QString name = QString::fromStdString(session::structureName(mDocument.scene(), structure));
   std::size_t count = 0;

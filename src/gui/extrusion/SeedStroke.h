@@ -8,8 +8,8 @@
 
 namespace velum::gui {
 
-/// A stroke over faces of cuts, in pieces: between two places on different things the way leads through what nobody has
-/// drawn on.
+/// A stroke over faces of cuts, in pieces: a straight line between places on two different structures or cuts would
+/// lead through parts that nobody has drawn on.
 class SeedStroke {
  public:
   /// What the pointer is on: a structure, and the cut that holds it.
@@ -18,9 +18,9 @@ class SeedStroke {
     bool operator==(const Ground&) const = default;
   };
   void goOn(glm::dvec3 world, Ground ground);
-  /// The pointer is on nothing that counts; the next place begins a piece.
+  /// The pointer is on nothing that can be drawn on; the next place begins a new piece.
   void lift() { mGround.reset(); }
-  /// The middles of the voxels under it, see session::placesAlong().
+  /// The middles of the voxels under the stroke, see session::placesAlong().
   std::vector<glm::dvec3> places(const Volume& volume) const;
   void paint(ViewPainter& over, double radius, const QColor& color) const;
 

@@ -113,7 +113,7 @@ bool CurveCanvas::event(QEvent* event) {
   return QWidget::event(event);
 }
 
-/// PgUp and PgDn go from point to point, arrows move it, Ins adds one, Del removes it.
+/// PgUp and PgDn select the next point, arrows move the selected point, Ins adds a point beside it, Del removes it.
 void CurveCanvas::keyPressEvent(QKeyEvent* event) {
   bool wide = event->modifiers() & Qt::ShiftModifier;
   switch (event->key()) {

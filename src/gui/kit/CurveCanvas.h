@@ -10,9 +10,9 @@ namespace velum::gui {
 QColor faded(QColor color, double alpha);
 QFont smallFont(const QFont& font);
 
-/// A curve of points over a histogram: where values are, what is drawn of each such canvas, and the keys. What the
-/// curve is, and what a hand makes of it, is the business of who derives from it. It changes nothing itself: it says
-/// what the curve would become.
+/// The base of canvases that show a curve of points over a histogram: it places values on the axis, draws what all such
+/// canvases have in common, and hears the keys. A derived class has the curve and decides how the mouse edits it. The
+/// canvas changes no data itself: it tells by signals what the curve would become.
 class CurveCanvas : public QWidget {
   Q_OBJECT
  public:
@@ -21,13 +21,13 @@ class CurveCanvas : public QWidget {
   session::AxisView view() const { return mView; }
 
  signals:
-  /// What was changed step by step is done.
+  /// A change that was made step by step is complete.
   void settled();
 
  protected:
   /// @param below  pixels between the plot and the axis
   CurveCanvas(int plotHeight, int below, QWidget* parent);
-  /// Where things are, widget pixels.
+  /// Where plot and axis are, in widget pixels.
   QRectF plot() const;
   QRectF axis() const;
   double xOf(double value) const;
@@ -36,15 +36,15 @@ class CurveCanvas : public QWidget {
   const std::optional<QPointF>& hover() const { return mHover; }
   void setHover(QPointF place) { mHover = place; }
 
-  /// @param inside  paints what is clipped to the ground
+  /// @param inside  paints the contents, clipped to the ground
   void paintGround(QPainter& painter, const std::function<void()>& inside) const;
-  /// @param share  of the plot that the highest bar takes
+  /// @param share  of the plot's height that the highest bar takes
   void paintBars(QPainter& painter, double share, bool logarithmic) const;
   void paintPoint(QPainter& painter, QPointF place, const QColor& color, bool isSelected) const;
   /// @param asScale  with a mark at each number, and with the unit
   void paintAxis(QPainter& painter, bool asScale) const;
 
-  /// Of the keys that the window has other uses for, those that are the canvas' while it has the keyboard.
+  /// True for a key that the canvas uses while it has the keyboard, although the window has a command on that key.
   virtual bool isOwnKey(int key) const = 0;
   virtual void step(int sideways, int up, bool wide) = 0;
   virtual void selectNext(int by) = 0;

@@ -5,10 +5,10 @@
 
 namespace velum::gui {
 
-/// What a cut is called in lists and messages: by its name, or where it has none by its place among the scene's.
-/// @param index  its place, from 0
+/// What a cut is called in lists and messages: its name, or, for a cut without a name, its place among the scene's
+/// cuts. @param index  the cut's place, from 0
 QString cutTitle(const scene::Cut& cut, int index);
-/// The same of a scene's cut by its id; empty where there is none.
+/// The title of the scene's cut with an id; empty where there is no such cut.
 QString cutTitle(const scene::Scene& scene, int id);
 
 }  // namespace velum::gui

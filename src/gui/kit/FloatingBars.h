@@ -4,16 +4,16 @@
 
 namespace velum::gui {
 
-/// Bars that come and go over a page, in its middle at the top or at the bottom: what they cover stays where it is, so
-/// that nothing moves under the pointer.
+/// Bars that come and go over a page, in the page's middle at its top or bottom. The page below keeps its place and
+/// size, so that nothing moves under the pointer.
 class FloatingBars : public QObject {
  public:
   explicit FloatingBars(QWidget& page) : QObject(&page), mPage(page) { page.installEventFilter(this); }
-  /// Whose children the bars are.
+  /// The widget that the bars must be children of.
   QWidget* host() const { return mPage.parentWidget(); }
-  /// A sibling of the page, below those that are there already.
+  /// Adds a bar, which is a sibling of the page, below the bars that are at the top already.
   void addToTop(QWidget& bar) { add(bar, mTop); }
-  /// Above those that are there already.
+  /// Adds a bar above those that are at the bottom already.
   void addToBottom(QWidget& bar) { add(bar, mBottom); }
 
  protected:

@@ -20,7 +20,7 @@ struct Tones {
   QColor line, accent;
 };
 
-/// On what is chosen both are as its text; what cannot be done is pale as a whole.
+/// On a selected item both tones are the item's text colour; a disabled icon is pale as a whole.
 Tones tonesOf(QIcon::Mode mode, QIcon::State state) {
   QPalette palette = QApplication::palette();
   auto one = [](const QColor& color) { return Tones{color, color}; };

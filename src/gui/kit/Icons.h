@@ -4,10 +4,10 @@
 
 namespace velum::gui {
 
-/// An icon of the program by its name: resources/icons/NAME.svg. Commands have theirs by their id. They are drawn in
-/// two tones, currentColor and #5fb0ea, that stand for the text colour and the accent of the theme there is when they
-/// are painted.
-/// @param color  for both tones instead, of what stands over pictures
+/// An icon of the program by its name: resources/icons/NAME.svg. A command's icon has the command's id as its name.
+/// Icons are drawn in two tones, currentColor and #5fb0ea, which stand for the text colour and the accent of the theme
+/// that is in use when the icon is painted. @param color  takes the place of both tones, for icons over pictures;
+/// invalid: the theme's colours
 QIcon makeIcon(const QString& name, const QColor& color = {});
 
 }  // namespace velum::gui

@@ -21,7 +21,7 @@ Length::Length(const scene::Scene& scene) : mFormat(scene::lengthFormat(scene)) 
   mFar = std::pow(10.0, std::ceil(std::log10(std::max(100.0 * diameter, farthest))));
 }
 
-/// The user's instead of what suits the data, with as many digits.
+/// Takes the unit that the user has chosen in place of the one that suits the data, with as many digits.
 void Length::takeChosenUnit() {
   struct Unit {
     const char* symbol;

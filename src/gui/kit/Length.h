@@ -13,12 +13,12 @@ class Length {
  public:
   explicit Length(const scene::Scene& scene);
 
-  /// "mm": what they are shown in.
+  /// The unit in which lengths are shown: "mm".
   QString unit() const;
-  /// "mm": what the scene's are in, and what is per length.
+  /// The unit of the scene's own lengths, and of values per length: "mm".
   QString sceneUnit() const;
   double shownPerLength() const { return mFormat.toldPerLength; }
-  /// In the unit that is shown.
+  /// How many millimetres the shown unit has.
   double millimetresShown() const { return millimetresPer(mFormat.unit) / mFormat.toldPerLength; }
   /// " mm", behind a number.
   QString suffix() const { return " " + unit(); }
@@ -28,9 +28,9 @@ class Length {
   /// A round length in the unit that fits it: "50 \u00b5m", "2 km", "5 nm".
   QString roundText(double length) const;
 
-  /// Beyond the data by far: as far as a number of a length may go.
+  /// A length far beyond the data: the limit of fields in which a length is typed.
   double far() const { return mFar; }
-  /// By which a number of a length is stepped.
+  /// The step of a field in which a length is typed.
   double step() const;
 
  private:

@@ -44,7 +44,7 @@ ProgressStrip::ProgressStrip(QWidget* parent) : QFrame(parent), mText(new QLabel
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(14, 6, 8, 6);
   layout->setSpacing(14);
-  // What is said must not make the window wider.
+  // A long text must not make the window wider.
   mText->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   mBar->setMinimumWidth(60);
   mBar->setTextVisible(false);

@@ -9,14 +9,15 @@
 
 namespace velum::gui {
 
-/// One line over the views that says what went wrong, or what to know; it waits to be closed and stops nothing.
+/// One line over the views that says what went wrong, or gives a note. The bar stays until it is closed, and blocks
+/// nothing.
 class MessageBar : public QFrame {
   Q_OBJECT
  public:
   explicit MessageBar(QWidget* parent);
   void showError(const QString& text) { showText("error", text); }
   void showNote(const QString& text) { showText("note", text); }
-  /// With what there is to know of it, one line each, behind a colon; no text: the lines alone.
+  /// Shows a text and, behind a colon, further lines about it; where the text is empty, the lines alone.
   void showNote(const QString& text, const std::vector<std::string>& lines);
   QString text() const { return mText->text(); }
 
@@ -25,7 +26,7 @@ class MessageBar : public QFrame {
   QLabel* mText;
 };
 
-/// What is being done, how far it is, and a way out.
+/// Shows what is being done and how far the work is, and offers to cancel it.
 class ProgressStrip : public QFrame {
   Q_OBJECT
  public:

@@ -114,7 +114,8 @@ bool NumberField::isTaken() const {
   return validate(text, position) == QValidator::Acceptable;
 }
 
-/// The base puts the number back where a text says none: the text stays, and says why nothing has changed.
+/// The base class puts the number back where the text is no number; here the text stays, so that the user sees why
+/// nothing has changed.
 template <class Base>
 void NumberField::keepUntaken(Base base) {
   if (isTaken()) return base();
@@ -136,7 +137,7 @@ void NumberField::keyPressEvent(QKeyEvent* event) {
   if (enters) {
     keepUntaken([&] { QDoubleSpinBox::keyPressEvent(event); });
     if (isMarked()) return;
-    // What has been entered is the scene's to take back, not the text's.
+    // A number that has been entered is undone in the scene, not in the text.
     const QSignalBlocker quiet(lineEdit());
     lineEdit()->setText(lineEdit()->text());
     return selectAll();

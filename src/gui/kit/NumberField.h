@@ -7,30 +7,32 @@
 
 namespace velum::gui {
 
-/// A number to type. It understands units of length, a decimal comma and letters of direction; what it does not
-/// understand, or what is out of its range, stays in it, marked, and changes nothing. A length is a value in the
-/// scene's unit, and is shown in the unit that suits the data. The wheel changes it only while it has the keyboard.
+/// A field in which a number is typed. It understands units of length, a decimal comma and letters of direction; a text
+/// that it does not understand, or a number out of its range, stays in the field, marked, and does not change the
+/// value. A length is a value in the scene's unit, and is shown in the unit that suits the data. The wheel changes the
+/// number only while the field has the keyboard.
 class NumberField : public QDoubleSpinBox {
   Q_OBJECT
  public:
   explicit NumberField(QWidget* parent = nullptr);
 
-  /// Makes the number one of a length: unit and decimals. @param hasUnit  false where there is no room for it: the
-  /// row's name tells it
+  /// Makes the number a length: sets its unit and decimals. @param hasUnit  false where there is no room for the unit,
+  /// which the row's name tells then
   void setLength(const Length& length, bool hasUnit = true);
-  /// The same with its range, which reaches a hundred times as far as the data, and its step.
-  /// @param isPositive  at least one step of the last decimal
+  /// Does what setLength() does, and sets the step and the range, which reaches a hundred times as far as the data.
+  /// @param isPositive  the least number is one step of the last decimal
   void setFreeLength(const Length& length, bool isPositive, bool hasUnit = true);
-  /// The unit that stands beside the field, not in it. @param millimetres  in it; 0: it is none of length
+  /// Sets a unit that is shown beside the field, not in it. @param millimetres  how many the unit has; 0: it is no unit
+  /// of length
   void setUnitBeside(const QString& unit, double millimetres);
-  /// The sign is told by these letters: "L 12.5" and "R 12.5". Empty ones: it is a sign.
+  /// Shows the number's sign as one of two letters: "L 12.5" and "R 12.5". Empty texts: the sign is shown as such.
   void setDirections(const QString& positive, const QString& negative);
-  /// Of the number as it is shown.
+  /// Sets how many decimals the number has as it is shown.
   void setDecimals(int decimals);
   int decimals() const { return mDecimals; }
-  /// As if it was typed and entered.
+  /// Takes a text as if the user had typed and entered it.
   void enter(const QString& text);
-  /// What was typed was not taken.
+  /// The text that was typed was not taken as a number.
   bool isMarked() const { return mIsMarked && !isTaken(); }
   /// "12.5 mm".
   QString withUnit(double value) const { return textFromValue(value) + (suffix().isEmpty() ? mUnit : suffix()); }
@@ -57,8 +59,8 @@ class NumberField : public QDoubleSpinBox {
 
   int mDecimals = 2;
   double mShownPerValue = 1.0;
-  double mMillimetres = 0.0;  ///< In the unit that is shown; 0: it is no length.
-  QString mUnit;              ///< Of lengths, with a space before it.
+  double mMillimetres = 0.0;  ///< Millimetres in the shown unit; 0: the number is no length.
+  QString mUnit;              ///< The unit of a length, with a space before it.
   QString mPositive, mNegative;
   bool mIsMarked = false;
 };

@@ -4,7 +4,7 @@
 
 namespace velum::gui {
 
-/// Pixels as Qt has them, and as mathematics has.
+/// Points in pixels, from Qt's type to glm's and back.
 inline glm::dvec2 toVec(QPointF p) { return {p.x(), p.y()}; }
 inline QPointF toPoint(glm::dvec2 p) { return {p.x, p.y}; }
 

@@ -5,12 +5,13 @@
 
 namespace velum::gui {
 
-/// How the hand works in the views, and how lengths are told. Asked at each event and each number: kept in memory.
+/// How mouse and wheel work in the views, and in which unit lengths are shown. Kept in memory, as they are read at each
+/// event and for each number.
 struct Habits {
-  bool wheelForwardComesNearer = true;  ///< In the 3D view; false: it goes away.
+  bool wheelForwardComesNearer = true;  ///< In the 3D view; false: the camera goes farther away.
   bool wheelGoesThroughPlanes = true;   ///< In sections, with Ctrl nearer; false: the other way round.
   bool leftTurns = true;                ///< In the 3D view, the middle button moves; false: the other way round.
-  QString lengthUnit;                   ///< "mm", "\u00b5m", "nm", "\u00c5"; empty: what suits the data.
+  QString lengthUnit;                   ///< "mm", "\u00b5m", "nm", "\u00c5"; empty: the unit that suits the data.
 };
 
 /// What the user has chosen for the program rather than for a scene: `preferences.ini` in velum's folder under
@@ -20,10 +21,10 @@ class Preferences {
   Preferences();
   ThemeKind theme() const;
   void setTheme(ThemeKind theme);
-  /// Of all windows.
+  /// The habits, which are the same for all windows.
   static const Habits& habits();
   void setHabits(const Habits& habits);
-  /// In which data opens: a name of scene::Layout; empty: the last one used.
+  /// The layout in which data opens: a name of scene::Layout; empty: the layout that was used last.
   QString firstLayout() const { return mSettings.value("view/firstLayout").toString(); }
   void setFirstLayout(const QString& name) { mSettings.setValue("view/firstLayout", name); }
   /// MiB of the graphics card that are used at most, from the next start on; 0: what the card has.
@@ -32,9 +33,9 @@ class Preferences {
   /// Other values, by key; for what one widget alone remembers.
   QVariant value(const QString& key, const QVariant& fallback = {}) const { return mSettings.value(key, fallback); }
   void setValue(const QString& key, const QVariant& value) { mSettings.setValue(key, value); }
-  /// Where it is stored.
+  /// The file in which the preferences are stored.
   QString path() const { return mSettings.fileName(); }
-  /// Where it is stored, and the user's keys with it.
+  /// The folder of the file of preferences and of the user's keys.
   static QString folder();
   static QString keysPath() { return folder() + "/keys.json"; }
 

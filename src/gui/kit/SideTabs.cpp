@@ -12,7 +12,8 @@ namespace {
 
 constexpr int kMargin = 16, kMarginTop = 14;
 
-/// A page that scrolls where the window is low. Its bar stands in the margin: what is on the page stays where it is.
+/// A page that scrolls where the window is low. The scroll bar stands in the margin, so that the page's widgets do not
+/// move.
 class PageScroll : public QScrollArea {
  public:
   using QScrollArea::QScrollArea;
@@ -36,7 +37,7 @@ SideTabs::SideTabs(QWidget* parent) : QTabWidget(parent) {
 void SideTabs::addPage(QWidget* panel, const QString& title, const QString& tip) {
   auto* scroll = new PageScroll(this);
   scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setFocusPolicy(Qt::NoFocus);  // it scrolls to what has the keyboard
+  scroll->setFocusPolicy(Qt::NoFocus);  // the widgets on the page take it; the area scrolls to them
   scroll->setWidgetResizable(true);
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   auto* contents = new QWidget(scroll);

@@ -3,18 +3,19 @@
 
 namespace velum::gui {
 
-/// The side panel: a page for each part of the window that has one, which scrolls where the window is low.
+/// The side panel: a page for each part of the window that has a panel. A page scrolls where the window is too low for
+/// it.
 class SideTabs : public QTabWidget {
   Q_OBJECT
  public:
   explicit SideTabs(QWidget* parent);
-  /// A panel with a list takes all of the height.
+  /// Adds a panel as a page. A panel with a list takes all of the page's height.
   void addPage(QWidget* panel, const QString& title, const QString& tip);
   /// A page that has nothing to say has no tab.
   void setPageShown(const QWidget* panel, bool shown);
   /// Brings the page of a panel to the front.
   void showPage(const QWidget* panel);
-  /// The same by its title, whatever the case; false when there is none.
+  /// Brings the page with a title to the front, whatever the title's case. @return false when no page has that title
   bool showPage(const QString& title);
 };
 

@@ -6,21 +6,21 @@
 
 namespace velum::gui {
 
-/// A step of a way to a picture. Texts are translated where they are shown.
+/// One step on the way to a picture. The texts are translated where they are shown.
 struct GuidedStep {
-  const char* name;   ///< of its button, for tests
-  const char* title;  ///< with its number: "1 Cut"
+  const char* name;   ///< object name of the step's button, for tests
+  const char* title;  ///< the button's text, with the step's number: "1 Cut"
   const char* tip;    ///< what a press does
-  const char* text;   ///< what to do, while it comes next
+  const char* text;   ///< what the user is to do, shown while this step comes next
 };
 
-/// The way from what is open to a picture, in a few steps: which are done, and in words what comes next. A step does
-/// what it says when it is pressed.
+/// The way from the data that is open to a picture, as a row of a few steps: shows which steps are done, and says in
+/// words what comes next. A press on a step asks for what the step says.
 class StepStrip : public QWidget {
   Q_OBJECT
  public:
   StepStrip(const char* context, std::vector<GuidedStep> steps, QWidget* parent);
-  /// @param done  by step
+  /// @param done  for each step  @param isUsable  false: no step can be pressed
   void setDone(const std::vector<bool>& done, bool isUsable);
 
  signals:

@@ -7,7 +7,7 @@ namespace velum::gui {
 
 namespace {
 
-/// Millimetres in a unit of length; 0 for what is none.
+/// Millimetres in a unit of length; 0 for a text that is no such unit.
 double millimetresIn(const QString& unit) {
   struct Row {
     const char* name;
@@ -30,7 +30,7 @@ double signOf(const QString& text, const NumberKind& kind) {
   return isSame(text, kind.positive) ? 1.0 : isSame(text, kind.negative) ? -1.0 : 0.0;
 }
 
-/// What a number in this unit has to be multiplied with; 0: the unit is none of the kind.
+/// The factor from a number in this unit to the kind's own unit; 0: the unit does not suit the kind.
 double factorOf(const QString& unit, const NumberKind& kind) {
   if (unit.isEmpty() || isSame(unit, kind.unit)) return 1.0;
   bool isDegree = kind.unit == QString::fromUtf8("\u00b0");
@@ -38,8 +38,8 @@ double factorOf(const QString& unit, const NumberKind& kind) {
   return kind.millimetres > 0.0 ? millimetresIn(unit) / kind.millimetres : 0.0;
 }
 
-/// What may stand behind a number: a direction, a unit, or both. @return what the number has to be multiplied with; 0:
-/// not understood
+/// Reads the text behind a number: a direction, a unit, or both. @return factor for the number; 0: the text is not
+/// understood
 double factorBehind(QString text, bool hasDirection, const NumberKind& kind) {
   double sign = 1.0;
   bool isApart = text.size() == 1 || (text.size() > 1 && text[text.size() - 2].isSpace());
@@ -68,7 +68,7 @@ std::optional<double> readTyped(const QString& text, const NumberKind& kind) {
   QString letter = match.captured(1), behind = match.captured(4).trimmed();
   double sign = letter.isEmpty() ? 1.0 : signOf(letter, kind);
   double factor = factorBehind(behind, !letter.isEmpty(), kind);
-  // A field's own unit stays behind what is typed over its number: "8 cm mm".
+  // When the user types over the number, the field's own unit stays behind the typed text: "8 cm mm".
   if (factor == 0.0 && behind.endsWith(kind.unit) && !kind.unit.isEmpty())
     factor = factorBehind(behind.chopped(kind.unit.size()).trimmed(), !letter.isEmpty(), kind);
   if (sign == 0.0 || factor == 0.0) return std::nullopt;

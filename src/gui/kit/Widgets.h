@@ -12,7 +12,7 @@
 
 namespace velum::gui {
 
-/// A slider with its number. It tells only what the user changes, never what the program sets.
+/// A slider with its number. Its signals tell only what the user changes, never what the program sets.
 class NumberRow : public QWidget {
   Q_OBJECT
  public:
@@ -20,10 +20,10 @@ class NumberRow : public QWidget {
   void setRange(double min, double max);
   void setSuffix(const QString& suffix) { mSpin->setSuffix(suffix); }
   void setDecimals(int decimals);
-  /// Decimals and unit of lengths.
+  /// Sets the decimals and the unit for a number that is a length.
   void setLength(const Length& length);
   void setValue(double value);
-  /// What is read out of slider and number.
+  /// Sets the name that screen readers say for the slider and the number.
   void setName(const QString& name);
   double value() const { return mSpin->value(); }
   NumberField* spin() const { return mSpin; }
@@ -39,7 +39,7 @@ class NumberRow : public QWidget {
   NumberField* mSpin;
 };
 
-/// A colour that opens the system's colour dialog.
+/// A button that shows a colour and opens a colour dialog.
 class ColorButton : public QPushButton {
   Q_OBJECT
  public:
@@ -58,7 +58,8 @@ class ColorButton : public QPushButton {
   QColor mColor;
 };
 
-/// Tab goes through a panel as its layouts have it, which is the order of reading, rather than as it was built.
+/// Makes Tab go through a panel's widgets in the order of its layouts, which is that of reading, rather than in the
+/// order in which the widgets were made.
 void tabInLayoutOrder(QWidget* panel);
 
 QLabel* makeTitle(const QString& text, QWidget* parent);

@@ -8,14 +8,14 @@
 
 namespace velum::gui {
 
-/// The eye of a channel: a click asks, and changes nothing by itself.
+/// The eye of a channel: a click emits pressedWith(), and the eye does not change by itself.
 class ChannelEye : public EyeButton {
   Q_OBJECT
  public:
   using EyeButton::EyeButton;
 
  signals:
-  /// @param alone  with Alt: this one and no other
+  /// @param alone  Alt was held: show this channel and no other
   void pressedWith(bool alone);
 
  protected:
@@ -24,8 +24,8 @@ class ChannelEye : public EyeButton {
   bool event(QEvent* event) override;
 };
 
-/// The channels of a volume that are mixed: shown or not, colour, name; the chosen one is what the editor edits. Hidden
-/// for volumes with one. Reads the document, and changes it by edits only.
+/// The channels of a volume that are mixed: whether each is shown, its colour and its name; the editor edits the
+/// channel that is chosen. Hidden for volumes with a single channel. Reads the document, and changes it by edits only.
 class ChannelList : public QWidget {
   Q_OBJECT
  public:

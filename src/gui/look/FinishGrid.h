@@ -3,8 +3,8 @@
 
 namespace velum::gui {
 
-/// The finishes as small pictures of what is open. The list inside is named "finish"; its items hold the finish's name
-/// as their data.
+/// The finishes as small pictures of the data that is open. The list inside is named "finish"; its items hold the
+/// finish's name as their data.
 class FinishGrid : public PictureGrid {
   Q_OBJECT
  public:
@@ -12,9 +12,9 @@ class FinishGrid : public PictureGrid {
   void refresh();
 
  private:
-  /// Of what the pictures are.
+  /// What the pictures were drawn from.
   struct Key {
-    Shared<Volume> volume;  ///< Kept, so that its id is not taken for another's.
+    Shared<Volume> volume;  ///< Kept alive, so that no other volume can get its id.
     int channel = 0;
     scene::TransferFunction transfer;
     bool operator==(const Key&) const = default;

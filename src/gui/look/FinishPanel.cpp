@@ -31,7 +31,7 @@ FinishPanel::FinishPanel(session::Document& document, QWidget* parent)
   addPaper();
 }
 
-/// Lines lie on surfaces: who chooses a finish for a haze is offered one.
+/// Lines lie on surfaces: when the look is a haze, the user is offered one of surfaces.
 void FinishPanel::addOffer() {
   mOffer = new QWidget(this);
   auto* column = new QVBoxLayout(mOffer);
@@ -161,7 +161,7 @@ void FinishPanel::takePaper(const QString& path) {
   }
 }
 
-/// The user's own is the last one of the list, by the name of its file.
+/// The user's own paper is the last item of the list, named after its file.
 void FinishPanel::listOwnPaper() {
   constexpr int kOwn = static_cast<int>(scene::Paper::Own);
   QString own = QFileInfo(QString::fromStdString(mDocument.scene().finish.ownPaper.source.path)).fileName();

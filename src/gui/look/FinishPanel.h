@@ -20,11 +20,11 @@ class FinishPanel : public QWidget {
   void refresh();
   bool isComplete() const { return mFinishes->isComplete(); }
   LitSphereGrid& spheres() { return *mSpheres; }
-  /// Takes a picture as the paper, as one undo step.
+  /// Makes the picture in a file the scene's paper, as one undo step.
   void takePaper(const QString& path);
 
  public slots:
-  /// The picture is done: the machine is free for small ones.
+  /// The view's picture is complete: the machine is free to draw the small ones.
   void viewIsComplete() { mFinishes->drawPictures(); }
 
  signals:
@@ -44,7 +44,7 @@ class FinishPanel : public QWidget {
 
   session::Document& mDocument;
   FinishGrid* mFinishes;
-  QWidget* mOffer = nullptr;  ///< To make a look that one sees through a surface.
+  QWidget* mOffer = nullptr;  ///< Offers to turn a translucent look into one of surfaces.
   session::HistogramMemo mHistogram;
   LitSphereGrid* mSpheres;
   FieldForm mForm;

@@ -7,14 +7,14 @@
 
 namespace velum::gui {
 
-/// The lit spheres as pictures: ours and the user's own, of which more can be added. The list inside is named
+/// The lit spheres as pictures: the program's and the user's own, to which more can be added. The list inside is named
 /// "litSphere"; its items hold the sphere's name as their data.
 class LitSphereGrid : public QWidget {
   Q_OBJECT
  public:
   LitSphereGrid(session::Document& document, QWidget* parent);
   void refresh();
-  /// Adds a picture to the scene's lit spheres and takes it, as one undo step.
+  /// Adds the picture in a file to the scene's lit spheres and chooses it, as one undo step.
   void addOwn(const QString& path);
 
  signals:
@@ -30,7 +30,7 @@ class LitSphereGrid : public QWidget {
 
   session::Document& mDocument;
   PictureList* mList;
-  std::vector<scene::LitSphere> mOwn;  ///< In the list.
+  std::vector<scene::LitSphere> mOwn;  ///< The user's own spheres that the list shows.
 };
 
 }  // namespace velum::gui

@@ -16,10 +16,10 @@ class LookCommands : public QObject {
   /// Adds the commands to a menu, and "show this" to the tool bar.
   void build(ActionTable& actions, QMenu* menu);
 
-  /// Gives the open scene the look of a file, as one undo step; what is wrong goes to the message bar.
+  /// Gives the open scene the look in a file, as one undo step; errors go to the message bar.
   void importFrom(const QString& path);
   void exportTo(const QString& path);
-  /// While it is on, a click in a view shows the tissue there.
+  /// True while "show this" is active: a click in a view shows the tissue there.
   bool isShowing() const { return mShowThis->isActive(); }
 
  private:
@@ -31,7 +31,7 @@ class LookCommands : public QObject {
   MessageBar& mMessages;
   QWidget* mWindow;
   ShowThisTool* mShowThis;
-  QString mFolder;  ///< Of the last file.
+  QString mFolder;  ///< The folder of the last look that was imported or exported.
 };
 
 }  // namespace velum::gui

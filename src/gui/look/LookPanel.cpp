@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kLabelWidth = 72;
 
-/// Decimals with which a thousandth of a span can be told.
+/// Decimals that are needed to show a thousandth of a span.
 int decimalsFor(double span) { return std::clamp(int(std::ceil(2.0 - std::log10(std::max(span, 1e-9)))), 0, 6); }
 
 QVBoxLayout* makeSection(QWidget* section, const QString& title) {

@@ -18,13 +18,13 @@ class LookPanel : public QWidget {
   LookPanel(session::Document& document, QWidget* parent);
   /// Shows the document as it is now.
   void refresh();
-  /// Nothing is still to be counted or drawn for it in the background.
+  /// True when no histogram is being counted and no preset's picture is being drawn for this panel in the background.
   bool isComplete() const { return mPresets->isComplete() && mEditor->isComplete(); }
 
  public slots:
-  /// The picture is done: the machine is free for the presets' pictures.
+  /// The view's picture is complete: the machine is free to draw the presets' pictures.
   void viewIsComplete() { mPresets->drawPictures(); }
-  /// What is under the pointer in a view.
+  /// Shows the value that is under the pointer in a view.
   void setProbe(double value) { mEditor->setProbe(value); }
   void clearProbe() { mEditor->clearProbe(); }
 

@@ -6,7 +6,8 @@
 
 namespace velum::gui {
 
-/// What the data looks like: the panel of presets, curves and light; that of the finish; looks in files; "show this".
+/// What the data looks like: the panel of presets, curves and light; the panel of the finish; looks in files; "show
+/// this".
 class LookRoom : public Room {
   Q_OBJECT
  public:

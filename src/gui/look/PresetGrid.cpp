@@ -12,7 +12,7 @@ namespace velum::gui {
 
 namespace {
 
-/// Without the modality in front, which the group says already.
+/// A preset's title, without the modality in front of it where the group tells the modality already.
 QString titleOf(const scene::Preset& preset, bool withModality) {
   QString text = textOf(preset.title);
   int colon = text.indexOf(": ");
@@ -22,7 +22,7 @@ QString titleOf(const scene::Preset& preset, bool withModality) {
   return text.left(1).toUpper() + text.mid(1);
 }
 
-/// What the data seems to be where the file does not say.
+/// The modality of a volume, or, where the file does not tell it, what the data seems to be.
 Modality kindOf(const Volume& volume) {
   if (volume.modality != Modality::Unknown) return volume.modality;
   std::string_view fitting = scene::choosePreset(volume);
@@ -60,7 +60,7 @@ PresetGrid::PresetGrid(session::Document& document, QWidget* parent)
 
 void PresetGrid::choose(const QString& name) { session::edit(document(), session::ChoosePreset{name.toStdString()}); }
 
-/// The presets for this kind of data and the one that is chosen; where they are wanted, all others.
+/// Lists the presets for this kind of data and the preset that is chosen; with "More" all others, too.
 void PresetGrid::fill() {
   bool mixes = scene::mixesChannels(document().scene().volume);
   Modality first = mixes ? Modality::Microscopy : mVolume ? kindOf(*mVolume) : Modality::Unknown;

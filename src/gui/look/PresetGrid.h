@@ -5,8 +5,8 @@
 
 namespace velum::gui {
 
-/// The presets as small pictures of the loaded data: those for this kind of data, the others behind "More". The list
-/// inside is named "preset"; its items hold the preset's name as their data.
+/// The presets as small pictures of the loaded data: the presets for this kind of data, and behind "More" all others.
+/// The list inside is named "preset"; its items hold the preset's name as their data.
 class PresetGrid : public PictureGrid {
   Q_OBJECT
  public:
@@ -19,7 +19,7 @@ class PresetGrid : public PictureGrid {
   void fill();
 
   QPushButton* mMore;
-  Shared<Volume> mVolume;  ///< Whose pictures these are; kept, so that its id is not taken for another's.
+  Shared<Volume> mVolume;  ///< The volume that the pictures show; kept alive, so that no other volume can get its id.
   int mChannel = -1;
 };
 

@@ -5,8 +5,8 @@
 
 namespace velum::gui {
 
-/// A click in any view shows the tissue there; with Shift beside what is shown; with Ctrl it is hidden. Stays until it
-/// is laid down.
+/// A click in any view shows the tissue there; with Shift in addition to what is shown already; with Ctrl the tissue is
+/// hidden. The tool stays active until it is laid down.
 class ShowThisTool : public ClickTool {
   Q_OBJECT
  public:

@@ -47,7 +47,7 @@ TransferCanvas::TransferCanvas(Kind kind, QWidget* parent)
       mKind(kind) {}
 
 session::CurveFrame TransferCanvas::frame() const {
-  // The faint end of opacities has room; factors are told evenly.
+  // On the axis of opacities the faint ones have more room; the axis of factors is even.
   QRectF p = plot();
   return {{p.left(), p.top()}, {p.width(), p.height()}, view(), hasColors() ? 0.5 : 1.0};
 }

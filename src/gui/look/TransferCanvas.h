@@ -5,12 +5,13 @@
 
 namespace velum::gui {
 
-/// The picture of a transfer function over a histogram, and the hand on it: points of the opacity curve, stops in the
-/// colour bar, the value axis. It changes nothing itself: it says what the function would become.
+/// Shows a transfer function over a histogram and lets the user edit it: points of the opacity curve, stops in the
+/// colour bar, the value axis. The canvas changes no data itself: it tells by signals what the function would become.
 class TransferCanvas : public CurveCanvas {
   Q_OBJECT
  public:
-  /// Values: opacity and colour by value. Gradients: the factor by gradient length alone, lower and without colours.
+  /// Values: opacity and colour by value. Gradients: only the factor by gradient length, on a lower canvas without
+  /// colours.
   enum class Kind { Values, Gradients };
   struct Selection {
     enum class Part { None, Point, Stop };
@@ -22,12 +23,12 @@ class TransferCanvas : public CurveCanvas {
 
   void setTransfer(const scene::TransferFunction& transfer);
   const scene::TransferFunction& transfer() const { return mTransfer; }
-  /// All that the axis can show.
+  /// Sets the whole range that the axis can show.
   void setWhole(session::AxisView whole);
-  /// What the axis shows; until then all.
+  /// Sets the part of the range that the axis shows; before the first call it shows all of it.
   void setView(session::AxisView view);
   void setLogarithmic(bool logarithmic);
-  /// A thin line at the value under the pointer of another view; nothing takes it away.
+  /// Draws a thin line at the value that is under the pointer in another view; std::nullopt takes the line away.
   void setProbe(std::optional<double> value);
 
   void select(Selection selection);
@@ -37,16 +38,17 @@ class TransferCanvas : public CurveCanvas {
   void moveSelected(double value, double opacity);
   void colorSelected(glm::vec3 color);
 
-  /// Where things are, widget pixels; for tests.
+  /// Where plot, colour bar and axis are, in widget pixels; for tests.
   session::CurveFrame frame() const;
   QRectF barRect() const;
   QRectF axisRect() const { return axis(); }
 
  signals:
-  /// The user makes this of it. @param merge  part of a drag, which ends with settled()
+  /// The user has edited the function, which becomes `next`. @param merge  the edit is part of a drag, which ends with
+  /// settled()
   void edited(const QString& label, const velum::scene::TransferFunction& next, bool merge);
   void selectionChanged();
-  /// A stop wants another colour: it was double clicked.
+  /// A stop was double clicked: the user wants to give it another colour.
   void colorWanted();
   /// The axis was moved or zoomed by hand.
   void viewChanged();
@@ -66,7 +68,8 @@ class TransferCanvas : public CurveCanvas {
   void addBeside() override;
 
  private:
-  /// Line: pressed on the curve; becomes Whole when it moves, a new point when it does not.
+  /// Line: the curve was pressed. Once the pointer moves, its direction decides for Shift or Scale; a press that does
+  /// not move adds a point.
   enum class Drag { None, Point, Stop, Line, Area, Shift, Scale, Stretch, Axis };
 
   session::Curve& curveOf(scene::TransferFunction& transfer) const;
@@ -96,13 +99,13 @@ class TransferCanvas : public CurveCanvas {
   bool mLogarithmic = true;
   std::optional<double> mProbe;
   Selection mSelection;
-  // The hand.
+  // The drag that goes on.
   Drag mDrag = Drag::None;
-  scene::TransferFunction mStart;  ///< As it was when the drag began.
+  scene::TransferFunction mStart;  ///< The function as it was when the drag began.
   session::AxisView mStartView;
   QPointF mStartPlace;
-  QString mStopLabel;       ///< What the drag of a stop is called.
-  bool mJustAdded = false;  ///< By the first click of what may become a double click.
+  QString mStopLabel;       ///< The name of the undo step of a stop's drag.
+  bool mJustAdded = false;  ///< The first click of a possible double click has added a point or a stop.
 };
 
 }  // namespace velum::gui

@@ -8,7 +8,7 @@
 
 namespace velum::gui {
 
-/// A step's name, as the Edit menu says it: "Move opacity point", "Move gradient point".
+/// An undo step's name, as the Edit menu shows it: "Move opacity point", "Move gradient point".
 QString TransferCanvas::named(const char* what) const {
   return QString("%1 %2 point").arg(what, hasColors() ? "opacity" : "gradient");
 }
@@ -52,14 +52,14 @@ void TransferCanvas::zoom(double about, double factor) {
   emit viewChanged();
 }
 
-/// Those that change what is selected, while something is.
+/// The keys that change the selected point or stop, while there is one.
 bool TransferCanvas::isOwnKey(int key) const {
   bool selects = key == Qt::Key_PageUp || key == Qt::Key_PageDown || key == Qt::Key_Insert;
   bool changes = key == Qt::Key_Delete || key == Qt::Key_Backspace || (key >= Qt::Key_Left && key <= Qt::Key_Down);
   return selects || (changes && mSelection.part != Selection::Part::None);
 }
 
-/// All points, then all colours.
+/// Goes through all points, then through all stops of colours.
 void TransferCanvas::selectNext(int by) {
   int points = int(curve().size()), count = points + (hasColors() ? int(mTransfer.colors.size()) : 0);
   if (count == 0) return;

@@ -124,7 +124,7 @@ void TransferCanvas::dragTo(QPointF place) {
   }
   scene::TransferFunction next = mStart;
   if (mDrag == Drag::Point) {
-    // From where the point was, so that taking it beside its middle does not move it.
+    // Relative to where the point was, so that a point that is pressed beside its middle does not jump.
     const auto& point = curveOf(mStart)[std::size_t(mSelection.index)];
     session::movePoint(curveOf(next), mSelection.index, session::valueAtX(f, session::xOf(f, point.value) + away.x()),
                        session::opacityAtY(f, session::yOf(f, point.opacity) + away.y()));
@@ -141,7 +141,7 @@ void TransferCanvas::dragTo(QPointF place) {
 void TransferCanvas::dragWhole(QPointF place) {
   session::CurveFrame f = frame();
   scene::TransferFunction next = mStart;
-  // Of the gradient curve only its own values move.
+  // A drag of the gradient curve moves only the values of that curve.
   scene::TransferFunction part;
   scene::TransferFunction& target = hasColors() ? next : part;
   if (!hasColors()) part.opacities = mStart.gradientOpacities;
@@ -155,7 +155,7 @@ void TransferCanvas::dragWhole(QPointF place) {
     label = tr("Stretch transfer function");
   } else {
     double from = std::max(session::opacityAtY(f, mStartPlace.y()), 1e-3);
-    // Never to nothing, from where no factor leads back.
+    // Never down to zero, from where no factor leads back.
     session::scaleOpacity(target, std::max(session::opacityAtY(f, place.y()) / from, 0.01));
     label = tr("Scale opacity");
   }

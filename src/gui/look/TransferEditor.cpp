@@ -24,7 +24,7 @@ NumberField* makeSpin(QWidget* parent, const QString& name, const QString& tip) 
   return spin;
 }
 
-/// Decimals with which a tenth of a pixel of an axis can be told.
+/// Decimals that are needed to show a tenth of a pixel of an axis.
 int decimalsFor(session::AxisView view) {
   return std::clamp(int(std::ceil(3.5 - std::log10(std::max(view.high - view.low, 1e-9)))), 0, 6);
 }
@@ -160,7 +160,7 @@ void TransferEditor::edit(const QString& label, const scene::TransferFunction& n
       mDocument, label.toStdString(), [&](scene::Scene& scene) { scene::currentTransfer(scene.volume) = next; }, merge);
 }
 
-/// Begins with a curve that changes nothing.
+/// Turns the curve by gradient on or off; a new curve changes nothing at first.
 void TransferEditor::useGradients(bool use) {
   double steep = mGradients->view().high;
   session::editByHand(mDocument, use ? "Use gradient opacity" : "Stop gradient opacity", [&](scene::Scene& scene) {
@@ -193,7 +193,7 @@ void TransferEditor::refresh() {
   countHistograms();
 }
 
-/// The data's range, and what points lie beyond it, so that they can be reached.
+/// The data's range, widened to points that lie beyond it, so that they can be reached.
 session::AxisView TransferEditor::wholeAxis() const {
   const scene::VolumeLayer& layer = mDocument.scene().volume;
   session::AxisView whole{layer.data->range.x, layer.data->range.y};
@@ -248,7 +248,7 @@ void TransferEditor::showHistograms(const Histograms& histograms) {
   showNumbers();
 }
 
-/// The numbers of what is selected; else what can be done.
+/// Shows the numbers of the selected point or stop; when none is selected, what can be done.
 void TransferEditor::showNumbers() {
   using Part = TransferCanvas::Selection::Part;
   TransferCanvas* canvas = selected();

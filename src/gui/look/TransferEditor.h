@@ -13,8 +13,8 @@
 
 namespace velum::gui {
 
-/// The transfer function of the shown channel over its histogram, with exact numbers for what is selected in it, and
-/// the curve by gradient, where it is used. Reads the document, and changes it by edits only.
+/// The transfer function of the shown channel over its histogram, with exact numbers for the selected point or stop,
+/// and the curve by gradient, where that is used. Reads the document, and changes it by edits only.
 class TransferEditor : public QWidget {
   Q_OBJECT
  public:
@@ -22,16 +22,16 @@ class TransferEditor : public QWidget {
   ~TransferEditor() override;
   /// Shows the document as it is now. The histogram of other data is counted in the background.
   void refresh();
-  /// True when the histogram of what is shown is there, too.
+  /// True when the histogram of the shown data has been counted.
   bool isComplete() const { return !mJob; }
 
  public slots:
-  /// A thin line at a value: what is under the pointer in another view.
+  /// Draws a thin line at the value that is under the pointer in another view.
   void setProbe(double value) { mCanvas->setProbe(value); }
   void clearProbe() { mCanvas->setProbe(std::nullopt); }
 
  private:
-  /// Payload, channel, time step.
+  /// What a histogram is of: id of the volume's payload, channel, time step.
   using Key = std::tuple<std::uint64_t, int, int>;
   struct Histograms {
     Histogram values, gradients;
@@ -57,8 +57,9 @@ class TransferEditor : public QWidget {
   ColorButton* mColor = nullptr;
   QStackedWidget *mSecond = nullptr, *mNumbers = nullptr;
   bool mGradientsActive = false;  ///< The numbers are those of the gradient curve.
-  Key mShown{0, -1, -1};          ///< Whose histogram is in the canvas.
-  bool mIsFitted = false;         ///< The axis has not been touched since the data came.
+  Key mShown{0, -1, -1};          ///< What the canvas' histogram is of.
+  bool mIsFitted =
+      false;  ///< The axis is fitted to the data, as the user has not moved it since the data came or was fitted.
   std::map<Key, Histograms> mCache;
   std::unique_ptr<Job> mJob;
 };

@@ -43,12 +43,12 @@ void BrushTool::refresh() {
   if (!mSketch.isReady()) mToolbox.stop(*this);
 }
 
-/// In the 3D view what is meant lies behind the surface that is seen, but not beyond what the brush covers.
+/// In the 3D view the place that is meant lies behind the visible surface, but no deeper than the brush reaches.
 std::optional<glm::dvec3> BrushTool::placeUnder(const ViewPoint& at) const {
   return at.material(0.5 * mSketch.radius());
 }
 
-/// With other buttons and keys the view does what it always does; beside the data, and on handles, too.
+/// For other buttons and keys, beside the data, and on handles the view does what it always does.
 bool BrushTool::press(const PointerEvent& event) {
   if (event.button != Qt::LeftButton || event.keys != Qt::NoModifier || mToolbox.isInTheWay(event.at)) return false;
   auto place = placeUnder(event.at);

@@ -4,12 +4,12 @@
 
 namespace velum::gui {
 
-/// The brush with which one strokes over what the selected membrane is to keep whole, or to let its sheet through, on
-/// any section or on what the 3D view shows. [ and ], or Alt and the wheel, change its radius.
+/// The brush with which the user strokes over tissue that the selected membrane is to keep whole, or that its sheet may
+/// pass through, on any section or on what the 3D view shows. [ and ], or Alt and the wheel, change its radius.
 class BrushTool : public Tool {
   Q_OBJECT
  public:
-  /// @param avoid  what is stroked over is not to be kept whole
+  /// @param avoid  the tissue under the stroke is not to be kept whole
   BrushTool(bool avoid, const WindowParts& parts, Sketch& sketch);
 
   bool start() override;
@@ -35,8 +35,8 @@ class BrushTool : public Tool {
   Sketch& mSketch;
   Toolbox& mToolbox;
   MessageBar& mMessages;
-  std::optional<scene::Stroke> mDraft;  ///< That is being drawn.
-  const ToolView* mView = nullptr;      ///< In which the brush is; null: in none.
+  std::optional<scene::Stroke> mDraft;  ///< The stroke that is being drawn.
+  const ToolView* mView = nullptr;      ///< The view in which the brush is; null: in none.
   QPointF mPointer;
 };
 

@@ -57,7 +57,7 @@ bool HandTool::putPin(const PointerEvent& event) {
   return true;
 }
 
-/// On a section anywhere; in the picture on what is seen, or else on the sheet.
+/// Puts a kernel: on a section anywhere; in the 3D picture on the surface that is seen, or else on the sheet.
 bool HandTool::putKernel(const PointerEvent& event) {
   auto middle = event.at.world();
   if (!middle)

@@ -4,7 +4,8 @@
 
 namespace velum::gui {
 
-/// Puts a pin or a kernel on the selected membrane's sheet; the drag goes on with it. One, or with Shift several.
+/// Puts a pin or a kernel on the selected membrane's sheet; the drag that follows the press moves or resizes it. The
+/// tool ends with one pin or kernel; with Shift held it stays for more.
 class HandTool : public Tool {
   Q_OBJECT
  public:
@@ -31,7 +32,7 @@ class HandTool : public Tool {
   SheetGrips& mGrips;
   Toolbox& mToolbox;
   MessageBar& mMessages;
-  bool mHasPut = false;  ///< With this press.
+  bool mHasPut = false;  ///< This press has put a pin or a kernel.
 };
 
 }  // namespace velum::gui

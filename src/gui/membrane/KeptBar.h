@@ -10,14 +10,14 @@
 
 namespace velum::gui {
 
-/// Over the views: what becomes of what the selected membrane protects, and, where too little of it is kept, what
-/// helps.
+/// A bar over the views: how much of the tissue that the selected membrane protects is kept whole, and, where that is
+/// too little, buttons with advice.
 class KeptBar : public QFrame {
   Q_OBJECT
  public:
   explicit KeptBar(QWidget* parent);
-  /// What was last measured stays, paler, until there is something new, so that nothing flickers while one drags.
-  /// @param attracts  something draws the sheet
+  /// The shares that were measured last stay, paler, until new ones are there, so that nothing flickers during a drag.
+  /// @param attracts  a force draws the sheet towards something
   void showStatus(const session::MembraneStatus& status, const Length& length, bool attracts);
 
  signals:
@@ -29,7 +29,7 @@ class KeptBar : public QFrame {
   void showAdvice(const std::vector<session::Advice>& advice, const Length& length);
   QLabel* mText;
   QPushButton* mButtons[kMostAdvice];
-  std::vector<session::Advice> mAdvice;  ///< of each button that is shown
+  std::vector<session::Advice> mAdvice;  ///< for each button that is shown
 };
 
 }  // namespace velum::gui

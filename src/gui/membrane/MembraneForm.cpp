@@ -125,7 +125,7 @@ QWidget* MembraneForm::makePlayer() {
   return tools;
 }
 
-/// What shows the numbers, and what writes files.
+/// The last part of the form: widgets that show the numbers, and buttons that write files.
 QWidget* MembraneForm::makeLast() {
   auto* tools = new QWidget(this);
   auto* row = new QHBoxLayout(tools);
@@ -160,7 +160,7 @@ void MembraneForm::addPicture() {
   mForm.add("look", tr("Sheet"), {.object = "membraneLook", .choices = {tr("Hidden"), tr("Grid"), tr("Surface")}});
 }
 
-/// What has no say in where a sheet rests by its rule is not shown.
+/// Adds the values of the cloth. Values that do not decide where a sheet rests by its rule are hidden.
 void MembraneForm::addCloth() {
   auto isSided = [this] { return mShown.membrane->field.rule == scene::KernelRule::Sided; };
   auto isPaper = [isSided] { return !isSided(); };
@@ -230,7 +230,7 @@ void MembraneForm::showStatus(const std::optional<session::MembraneStatus>& stat
   mPlay->setChecked(!isPlaying);
   mPlay->setText(isPlaying ? tr("Hold") : tr("Let move"));
   if (!status) return;
-  // The figure stays until there is another, so that the panel does not jump.
+  // The old figure stays until there is a new one, so that the panel does not jump.
   if (QString text = figureText(*status, Length(mDocument.scene())); !text.isEmpty()) mFigure->setText(text);
   mFigure->setEnabled(status->isMeasured);
   mShares->setEnabled(status->isMeasured);

@@ -18,8 +18,8 @@
 
 namespace velum::gui {
 
-/// What a membrane protects, how its sheet hangs and what it does to the picture; what it is doing just now. Below
-/// the numbers of its cut.
+/// What a membrane protects, how its sheet hangs, what the membrane does to the picture, and what its sheet is doing
+/// just now. Stands below the numbers of the membrane's cut.
 class MembraneForm : public QWidget {
   Q_OBJECT
  public:
@@ -29,10 +29,10 @@ class MembraneForm : public QWidget {
   SheetHandsForm& hands() { return *mHands; }
   /// In words: "cuts 12 % of what the plane cuts; 1.3 mm from the rest plane on average".
   static QString figureText(const session::MembraneStatus& status, const Length& length);
-  /// The buttons of the tools that say by a click what is protected, or let through.
+  /// The buttons of the tools with which a click says what is protected, or what the sheet may pass through.
   QPushButton& protectButton() { return *mProtect; }
   QPushButton& letThroughButton() { return *mLetThrough; }
-  /// Its brushes and strokes.
+  /// The membrane's brushes and strokes.
   SketchForm& sketch() { return *mSketch; }
 
  signals:
@@ -43,7 +43,7 @@ class MembraneForm : public QWidget {
   void exportClippedAsked();
 
  private:
-  /// The force on the sheet of a structure, or of a type of a model.
+  /// Sets the force with which a structure, or a type of a model, acts on the sheet.
   void setForceOf(int id, double strength);
   QWidget* makeProtect();
   QWidget* makePlayer();

@@ -42,7 +42,7 @@ void MembraneRoom::addManipulators() {
   mParts.toolbox.add(mGrips);
 }
 
-/// What the form says to the sheets, and they to it.
+/// Connects the form to the sheets, and the sheets to the form.
 void MembraneRoom::connectSheets(MembraneForm& form) {
   Viewport& viewport = mParts.views.viewport();
   Selection& selection = mParts.selection;
@@ -61,13 +61,13 @@ void MembraneRoom::connectSheets(MembraneForm& form) {
           [&viewport, &selection] { viewport.resetMembrane(selection.cut()); });
 }
 
-/// As long as the handles are over the views.
+/// Shows the bar of what is kept as long as the handles are over the views.
 void MembraneRoom::showKept() {
   const scene::Cut* cut = selectedMembrane(mParts.document(), mParts.selection);
   auto status = cut ? mParts.session.membranes().status(cut->id) : std::nullopt;
   bool isSeen = status && cut->enabled && !scene::isInlay(*cut) && mParts.toolbox.handlesShown();
   if (isSeen) mKept->showStatus(*status, Length(mParts.document().scene()), membrane::attracts(cut->membrane->field));
-  // Before anything is known there is nothing to be said.
+  // Before the first measurement there is nothing to show.
   mKept->setVisible(isSeen && (status->isMeasured || mKept->isVisible()));
 }
 

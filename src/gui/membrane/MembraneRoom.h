@@ -10,14 +10,14 @@
 
 namespace velum::gui {
 
-/// What there is to do with the selected membrane: the tools of its form, what stands on it in the views, its commands.
-/// A part of the room of cuts, whose panel holds the form.
+/// What can be done with the selected membrane: the tools of its form, the pins, kernels and strokes in the views, its
+/// commands. It is a part of the room of cuts, whose panel holds the form.
 class MembraneRoom : public Room {
   Q_OBJECT
  public:
   MembraneRoom(const WindowParts& parts, MembraneForm& form);
   void addActions(QMenu* menu);
-  /// Over what is in the toolbox already.
+  /// Adds pins, kernels and strokes to the toolbox, over the manipulators that are there already.
   void addManipulators();
   Sketch& sketch() { return mSketch; }
   void refresh(const session::Session&) override { showKept(); }

@@ -11,14 +11,14 @@
 
 namespace velum::gui {
 
-/// What keeps the selected membrane from protecting noise: the least piece that counts, whether noise is taken out
-/// first, and what that leaves out.
+/// What keeps the selected membrane from protecting noise: the size of the least piece that counts, whether noise is
+/// taken out first, and how much is left out by both.
 class NoiseForm : public QWidget {
   Q_OBJECT
  public:
   NoiseForm(session::Document& document, Selection& selection, QWidget* parent);
   void showField(const scene::ForceField& field);
-  /// @param voxelSize  volume of a voxel, 0 where there is no volume
+  /// @param voxelSize  volume of a voxel; 0 where there is no volume
   void showLeftOut(const membrane::LeftOut& leftOut, double voxelSize, const Length& length);
 
  private:

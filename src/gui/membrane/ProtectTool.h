@@ -3,8 +3,8 @@
 
 namespace velum::gui {
 
-/// One click in any view says what the selected membrane is to keep whole, or to let the sheet through: a structure
-/// where labels are shown, else tissue by its values. Shift goes on with the next.
+/// One click in any view says what the selected membrane is to keep whole, or what its sheet may pass through: a
+/// structure where labels are shown, else tissue by its values. With Shift the tool stays active for the next click.
 class ProtectTool : public ClickTool {
   Q_OBJECT
  public:

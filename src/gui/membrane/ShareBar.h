@@ -5,7 +5,7 @@
 
 namespace velum::gui {
 
-/// Three shares as one bar: what stays whole, what is removed whole, what is cut.
+/// Three shares of the protected volume as one bar: kept whole, removed whole, cut.
 class ShareBar : public QWidget {
   Q_OBJECT
 

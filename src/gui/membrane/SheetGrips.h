@@ -10,7 +10,8 @@
 
 namespace velum::gui {
 
-/// Pins and kernels of the selected membrane in all views: they can be selected, dragged, resized, removed at any time.
+/// Pins and kernels of the selected membrane in all views: they can be selected, dragged, resized and removed at any
+/// time, whatever tool is active.
 class SheetGrips : public QObject, public Manipulator {
   Q_OBJECT
  public:
@@ -20,7 +21,7 @@ class SheetGrips : public QObject, public Manipulator {
   SheetGrips(session::Document& document, Selection& selection, Toolbox& toolbox, QObject* parent);
 
   session::Hand selected() const { return mSelected; }
-  /// Takes hold of one that a tool has just put in. @param label  of the undo step that the tool has begun
+  /// Takes hold of a pin or kernel that a tool has just put in. @param label  of the undo step that the tool has begun
   void begin(const PointerEvent& event, session::Hand hand, Drag drag, const char* label);
 
   /// The drag is over: one undo step.
@@ -52,7 +53,7 @@ class SheetGrips : public QObject, public Manipulator {
   Selection& mSelection;
   Toolbox& mToolbox;
   session::Hand mSelected, mHover;
-  // While something is dragged.
+  // While a pin or kernel is dragged.
   Drag mDrag = Drag::None;
   const char* mLabel = "";
   const ToolView* mView = nullptr;
@@ -60,7 +61,7 @@ class SheetGrips : public QObject, public Manipulator {
   scene::Membrane mStart;
   glm::dvec2 mFrom{0.0};
   QPointF mPointer;
-  QString mTag;  ///< Number beside the pointer.
+  QString mTag;  ///< The number beside the pointer.
 };
 
 }  // namespace velum::gui

@@ -14,13 +14,14 @@
 
 namespace velum::gui {
 
-/// The pins and kernels of the selected membrane: buttons of their tools, and a row with its numbers for each.
+/// The pins and kernels of the selected membrane: the buttons of the tools that put them in, and for each pin or kernel
+/// a row with its numbers.
 class SheetHandsForm : public QWidget {
   Q_OBJECT
  public:
   SheetHandsForm(session::Document& document, Selection& selection, QWidget* parent);
   void showCut(const scene::Cut& cut);
-  /// The buttons of the tools that put them in.
+  /// The buttons of the tools that put in pins and kernels.
   QPushButton& pinButton() { return *mPin; }
   QPushButton& pushButton() { return *mPush; }
   QPushButton& pullButton() { return *mPull; }
@@ -33,7 +34,8 @@ class SheetHandsForm : public QWidget {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
-  /// Of a pin: `first` is its height over the rest plane; of a kernel: radius and strength.
+  /// The row of a pin or kernel. For a pin `first` is its height over the rest plane; for a kernel `first` and `second`
+  /// are radius and strength.
   struct Row {
     QWidget* widget = nullptr;
     QToolButton* name = nullptr;

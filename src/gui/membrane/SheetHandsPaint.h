@@ -9,7 +9,7 @@
 
 namespace velum::gui {
 
-/// Which of them are marked.
+/// Which pin or kernel is selected, and which is under the pointer.
 struct HandMarks {
   session::Hand selected, hover;
 };
@@ -17,13 +17,13 @@ struct HandMarks {
 /// Warm where the sheet is repelled, cool where it is attracted.
 QColor strengthColor(double strength);
 
-/// Pins and kernels of a membrane over a view: kernels as three thin rings in the picture, as the circles in which a
-/// section cuts their balls there; pins where they are near it.
+/// Pins and kernels of a membrane over a view: in the picture a kernel is three thin rings; on a section it is the
+/// circle in which the section cuts its ball, and only pins near the section are shown.
 void paintHands(QPainter& painter, const scene::Cut& cut, const session::ViewSpace& view, const HandMarks& marks);
 
-/// The sign of a pin, its point at a place. Size of its head: pixels.
+/// Draws the sign of a pin with its point at a place of the view, in pixels.
 void drawPin(QPainter& painter, QPointF point, bool hot, bool selected);
-/// A small disc with + or -, by which a kernel is held.
+/// Draws the grip of a kernel, a small disc with + or -.
 void drawKernel(QPainter& painter, QPointF middle, double strength, bool hot, bool selected);
 
 }  // namespace velum::gui

@@ -12,8 +12,8 @@
 
 namespace velum::gui {
 
-/// The strokes of the selected membrane over all views, and what can be done to them: each change is an undo step,
-/// after which the membrane's curve is fitted anew ([IMC] 3.3). And the radius that its brushes share.
+/// The strokes of the selected membrane over all views, and the edits of them: each is an undo step, after which the
+/// membrane's curve is fitted to the strokes anew ([IMC] 3.3). Also holds the radius that the brushes share.
 class Sketch : public QObject, public Manipulator {
   Q_OBJECT
  public:
@@ -22,10 +22,10 @@ class Sketch : public QObject, public Manipulator {
   double radius() const { return mRadius; }
   /// Which stroke of the membrane is marked; -1: none.
   int selected() const { return mSelected; }
-  /// There is a membrane to stroke for, and data to stroke over.
+  /// A membrane is selected, and there is a volume to stroke over.
   bool isReady() const { return strokes() && mDocument.scene().volume.data; }
   void addStroke(const scene::Stroke& stroke, const std::string& label);
-  /// [ and ] change the radius, whoever has the pointer.
+  /// [ and ] change the radius, whichever tool has the pointer.
   KeyAnswer radiusKey(const KeyStroke& stroke);
   void turnRadius(double notches);
 
@@ -34,9 +34,9 @@ class Sketch : public QObject, public Manipulator {
   void paint(ViewPainter& over) const override;
 
  public slots:
-  /// Of the brush, and of the marked stroke.
+  /// Sets the radius of the brush, and that of the selected stroke.
   void setRadius(double mm);
-  /// One undo step of radii ends.
+  /// Ends the undo step that a series of radius changes has joined.
   void settleRadius() { mDocument.endMerge(); }
   void select(int stroke);
   void remove(int stroke);
@@ -57,7 +57,7 @@ class Sketch : public QObject, public Manipulator {
   double mRadius = 3.0;
   int mSelected = -1;
   std::tuple<std::uint64_t, int, int> mCounted{};  ///< data, channel and time step of mWhole
-  std::uint64_t mFitted = 0;                       ///< data to whose size the brush was last made
+  std::uint64_t mFitted = 0;                       ///< the data to whose size the brush was last fitted
   Histogram mWhole;
 };
 

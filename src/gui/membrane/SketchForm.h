@@ -9,7 +9,8 @@
 
 namespace velum::gui {
 
-/// The brushes of a membrane, and the strokes that were drawn with them. It changes nothing itself.
+/// The brushes of a membrane, and the list of strokes that were drawn with them. The form changes no data itself: it
+/// asks by signals.
 class SketchForm : public QWidget {
   Q_OBJECT
  public:

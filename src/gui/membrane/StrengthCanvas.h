@@ -6,16 +6,18 @@
 
 namespace velum::gui {
 
-/// The signs of forces wherever they are drawn: what the sheet keeps whole, what draws it, what it is let through.
+/// The colours of forces wherever they are drawn: of tissue that the sheet keeps whole, of tissue that draws the sheet,
+/// and of tissue that the sheet may pass through.
 inline const QColor kKeepColor(0xf0, 0x86, 0x5c), kDrawColor(0x6c, 0xa6, 0xe4), kAvoidColor(0x9c, 0xae, 0xc2);
 
 using StrengthCurve = std::vector<scene::StrengthPoint>;
 
-/// As far as forces of a membrane go, to either side of 0.
+/// The largest force of a membrane; forces go from minus that to plus that.
 double mostStrength();
 
-/// The signed curve from values to forces over a histogram, and the hand on its points: above the line what the sheet
-/// leaves whole, below it what draws the sheet. It changes nothing itself: it says what the curve would become.
+/// Shows the signed curve from values to forces over a histogram and lets the user edit its points: values above the
+/// line of no force are kept whole by the sheet, values below that line draw the sheet. The canvas changes no data
+/// itself: it tells by signals what the curve would become.
 class StrengthCanvas : public CurveCanvas {
   Q_OBJECT
  public:
@@ -24,12 +26,13 @@ class StrengthCanvas : public CurveCanvas {
   void setCurve(const StrengthCurve& curve);
   void setHistogram(const Histogram& histogram, session::AxisView view);
 
-  /// Where a point is, widget pixels; for tests.
+  /// Where a point is, in widget pixels; for tests.
   QPointF placeOf(scene::StrengthPoint point) const;
   int selected() const { return mSelected; }
 
  signals:
-  /// @param merge  part of a drag, which ends with settled()
+  /// The user has edited the curve, which becomes `next`. @param merge  the edit is part of a drag, which ends with
+  /// settled()
   void edited(const QString& label, const std::vector<velum::scene::StrengthPoint>& next, bool merge);
 
  protected:

@@ -16,7 +16,8 @@ namespace velum::gui {
 
 class Job;
 
-/// The curves from values and gradients of the data to forces of the selected membrane, over how often those occur.
+/// The curves from values and gradients of the data to forces of the selected membrane, over histograms of these values
+/// and gradients.
 class StrengthForm : public QWidget {
   Q_OBJECT
  public:
@@ -37,7 +38,7 @@ class StrengthForm : public QWidget {
   QLabel* mTitle = nullptr;
   QComboBox* mAttribute = nullptr;
   StrengthCanvas* mCanvas;
-  std::pair<std::uint64_t, int> mCounted{0, -1};  ///< Volume and channel whose values they are.
+  std::pair<std::uint64_t, int> mCounted{0, -1};  ///< The id of the volume and the channel that the histograms are of.
   Histogram mValues, mGradients;
   std::unique_ptr<Job> mJob;
 };

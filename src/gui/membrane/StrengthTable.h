@@ -9,13 +9,13 @@
 
 namespace velum::gui {
 
-/// The structures that a membrane keeps whole, or that draw its sheet, each with its force; below them what adds
-/// another. It changes nothing itself.
+/// The structures that a membrane keeps whole, or that draw its sheet, each with its force; below them a list from
+/// which another structure is added. The table changes no data itself: it asks by signals.
 class StrengthTable : public QWidget {
   Q_OBJECT
  public:
   explicit StrengthTable(QWidget* parent);
-  /// @param structures  all that there are; without any the table hides
+  /// @param structures  all of the scene's structures; where there are none the table hides
   void showStrengths(const std::vector<scene::Structure>& structures,
                      const std::vector<scene::LabelStrength>& strengths);
 

@@ -4,7 +4,7 @@
 
 namespace velum::gui {
 
-/// The way from a model to a picture in which as much of each type is seen as should be ([VE] fig. 4).
+/// The steps from a model to a picture in which as many instances of each type are seen as should be ([VE] fig. 4).
 class EqualizeSteps : public StepStrip {
   Q_OBJECT
  public:

@@ -73,7 +73,7 @@ void Equalizer::take(const std::string& path, Handle handle) {
   scene::Scene from = mSession.scene();
   if (!from.model.data) return;
   session::TypesAt place = session::typesAt(*from.model.data, path);
-  // Who asks for more of what is hidden wants to see it.
+  // A user who asks for more instances of hidden types wants to see them.
   if (isNone(from, place.types)) session::setTypesVisible(from, place.types, true);
   bool isForView = handle == Handle::Seen && session::isCleared(from, cuts(), place.types);
   double aspect = double(mViewport.width()) / std::max(1, mViewport.height());
@@ -107,7 +107,8 @@ void Equalizer::giveUp() {
   emit counted();
 }
 
-/// Pictures tell how many are seen: a job beside the window, into the step that the handle has begun.
+/// A job in the background draws pictures to find how many instances are seen; its edit joins the undo step that the
+/// handle has begun.
 void Equalizer::findSeen(const session::Bar::Wish& wish) {
   double ratio = mViewport.devicePixelRatioF();
   glm::ivec2 size(std::lround(mViewport.width() * ratio), std::lround(mViewport.height() * ratio));
@@ -124,7 +125,7 @@ void Equalizer::findSeen(const session::Bar::Wish& wish) {
     session::commitCuts(mSession.document(), edit, call, true);
     emit told(QString::fromStdString(edit.told.front()));
   };
-  // One that cannot begin, is cancelled or fails leaves what the handle has come to.
+  // A job that cannot begin, is cancelled or fails leaves the cuts as the handle has set them.
   if (mJobs.isBusy()) mSession.document().endMerge();
   connect(
       &mJobs, &JobRunner::ended, this, [this] { mSession.document().endMerge(); }, Qt::SingleShotConnection);

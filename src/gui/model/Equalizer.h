@@ -12,8 +12,9 @@
 namespace velum::gui {
 
 /// What the handles of the bars do ([VE] 7.2): they set how many instances of a type or compartment are drawn, or seen,
-/// by the shares of cuts. What is seen while a handle is held is as many as the last picture lets expect; when it is
-/// let go pictures are drawn beside the window until it is so many, or the nearest there is.
+/// by the shares of cuts. While a handle is held, the number that is seen is estimated from the last picture; when the
+/// handle is let go, pictures are drawn in the background until the number that is seen is the one asked for, or as
+/// near to it as can be.
 class Equalizer : public QObject {
   Q_OBJECT
  public:
@@ -22,7 +23,8 @@ class Equalizer : public QObject {
   Equalizer(session::Session& session, Viewport& viewport, JobRunner& jobs, QObject* parent);
 
   const session::LiveCounts& counts() const { return mCounts; }
-  /// The cuts that are set; those that are on where none of these is. @param ids  none: all that are on
+  /// Chooses the cuts whose shares the handles set; where none of the chosen cuts is on, the handles set all cuts that
+  /// are on. @param ids  of the cuts; empty: all cuts that are on
   void setCuts(std::vector<int> ids);
   std::vector<int> cuts() const;
   const std::vector<int>& chosenCuts() const { return mChosen; }
@@ -31,16 +33,17 @@ class Equalizer : public QObject {
   void take(const std::string& path, Handle handle);
   void moveTo(double count);
   void letGo();
-  /// As it was before it was taken.
+  /// Lets the handle go and restores what it was before it was taken.
   void giveUp();
   bool isHeld() const { return mBar.isHeld(); }
-  /// Whose, and what it has come to: until a complete picture tells it, of the last that was; else empty.
+  /// The type or compartment of the handle that is held, or that was held last as long as no complete picture has
+  /// counted the result; else empty. heldCount() is the count that this handle has come to.
   const std::string& heldPath() const { return mHeldPath; }
   const Counts& heldCount() const { return mBar.now(); }
 
-  /// In one go.
+  /// Takes a handle, moves it to a count and lets it go.
   void set(const std::string& path, Handle handle, double count);
-  /// Forgets counts of a model that is no longer there.
+  /// To be called after every change: forgets the counts of a model that is hidden or no longer there.
   void refresh();
 
  signals:
@@ -59,7 +62,7 @@ class Equalizer : public QObject {
   session::LiveCounts mCounts;
   std::vector<int> mChosen;
   session::Bar mBar;
-  std::string mHeldPath;  ///< of the handle that is held, or was let go and that no picture knows of yet
+  std::string mHeldPath;  ///< of the handle that is held, or was let go of and whose result no picture has shown yet
 };
 
 }  // namespace velum::gui

@@ -87,7 +87,7 @@ void EqualizerBar::goToState(int state) {
 void EqualizerBar::showState() {
   session::ClipState now = session::clipState(mDocument.scene());
   for (std::size_t i = 0; i < mStates.size(); ++i) mStates[i]->setChecked(int(i) == int(now));
-  // There is a way to it: to the cut, cuts; to the thinned, shares that were there.
+  // A state can be gone to where there is a way to it: "Cut" needs cuts, "Thinned" needs shares that were there before.
   mStates[int(session::ClipState::Cut)]->setEnabled(!mDocument.scene().cuts.empty());
   mStates[int(session::ClipState::Thinned)]->setEnabled(now == session::ClipState::Thinned || !mThinned.empty());
 }

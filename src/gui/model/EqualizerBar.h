@@ -7,8 +7,8 @@
 
 namespace velum::gui {
 
-/// Over the bars: whether the model is whole, cut, or thinned by lots ([VE] fig. 4), which cuts the handles set, and
-/// whether bars are in percent or numbers.
+/// The row of buttons over the bars: whether the model is whole, cut, or thinned by lot ([VE] fig. 4), which cuts the
+/// handles set, and whether bars are in percent or numbers.
 class EqualizerBar : public QWidget {
   Q_OBJECT
  public:
@@ -29,8 +29,9 @@ class EqualizerBar : public QWidget {
   Equalizer& mEqualizer;
   std::vector<QPushButton*> mStates;
   QToolButton *mCuts = nullptr, *mPercent = nullptr;
-  Shared<Model> mModel;              ///< whose cuts these are
-  std::vector<scene::Cut> mThinned;  ///< as they were before another state was looked at; passing state
+  Shared<Model> mModel;              ///< the model that mThinned belongs to
+  std::vector<scene::Cut> mThinned;  ///< the cuts as they were before the user left the state "Thinned", which restores
+                                     ///< them; neither saved nor undone
 };
 
 }  // namespace velum::gui

@@ -8,7 +8,8 @@
 
 namespace velum::gui {
 
-/// The answer to "What hides this?": the types that stand before another, by how much of it, and a way to clear them.
+/// The answer to "What hides this?": the types that stand before a type or compartment, with the share of it that each
+/// hides, and buttons to clear them.
 class HidersBox : public QFrame {
   Q_OBJECT
  public:
@@ -17,9 +18,9 @@ class HidersBox : public QFrame {
   const session::Hiding& hiding() const { return mHiding; }
 
  signals:
-  /// What stands before a type is to go.
+  /// The instances that stand before a type are to be cleared.
   void clearAsked(const QString& path);
-  /// One of those that hide it is to be hidden itself.
+  /// A type that hides others is to be hidden itself.
   void hideAsked(const QString& path);
   void selectAsked(const QString& path);
 

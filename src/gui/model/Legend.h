@@ -12,14 +12,15 @@
 
 namespace velum::gui {
 
-/// Colours and names of the types that the picture shows most, over it.
+/// Colours and names of the types that the picture shows most, painted over the picture.
 class Legend : public Manipulator {
  public:
   Legend(const session::Document& document, Viewport& viewport) : mDocument(document), mViewport(viewport) {}
 
   void setShown(bool shown);
   bool isShown() const { return mIsShown; }
-  /// The picture is complete: counts what is seen, where the legend is shown. @return true where rows have changed
+  /// To be called when a picture is complete: counts which types it shows, if the legend is shown. @return true when
+  /// the legend's rows have changed
   bool count();
   const std::vector<QString>& names() const { return mNames; }
 
@@ -29,9 +30,9 @@ class Legend : public Manipulator {
   const session::Document& mDocument;
   Viewport& mViewport;
   bool mIsShown = false;
-  std::vector<std::uint32_t> mTypes;  ///< What is seen most first.
+  std::vector<std::uint32_t> mTypes;  ///< The type of which most is seen comes first.
   std::vector<QString> mNames;
-  Shared<Model> mModel;  ///< whose they are
+  Shared<Model> mModel;  ///< the model that the types belong to
 };
 
 }  // namespace velum::gui

@@ -18,36 +18,37 @@ class ModelCommands : public QObject {
   ModelCommands(session::Document& document, Selection& selection, QObject* parent);
 
   void setVisible(const Types& types, bool visible);
-  /// Shows types alone, or what was shown before.
+  /// Shows these types alone, or, where they are shown alone already, the types that were shown before.
   void toggleSolo(const Types& types);
   void setColor(const Types& types, glm::vec3 color);
-  /// Asks for a colour and gives it to all of them.
+  /// Asks for a colour and gives that to all of the types.
   void chooseColor(const Types& types, QWidget* window);
-  /// The palette's colours again.
+  /// Gives types the palette's colours again.
   void resetColor(const Types& types);
-  /// Shown, in the palette's colours.
+  /// Shows types, in the palette's colours.
   void reset(const Types& types);
-  /// Brings the camera to all instances of some types, or near to one.
+  /// Brings the camera to where it sees all instances of some types, or near to one instance.
   void goTo(const Types& types);
   void goToInstance(std::uint32_t instance);
-  /// Cuts clear what stands before it, or no longer do. @param path  of a type or compartment
+  /// Makes cuts clear the instances that stand before a type or compartment, or no longer do so. @param path  of the
+  /// type or compartment
   void setInView(const std::string& path, bool kept);
-  /// How many of a type or compartment are to be seen; none: any number.
+  /// Sets how many instances of a type or compartment are to be seen; nothing: any number.
   void setTarget(const std::string& path, std::optional<double> visible);
-  /// Asks how many.
+  /// Asks how many instances are to be seen, and sets that target.
   void askTarget(const std::string& path, QWidget* window);
   void setGhosts(const Types& types, std::optional<scene::Ghosts> ghosts);
-  /// The entries for one or several types. @param title  what they are  @param path  of the one type or compartment
-  /// that they are; empty: several
+  /// Adds the entries for one or several types to a menu. @param title  names the types  @param path  of the single
+  /// type or compartment that they are; empty: several are meant
   void fillMenu(QMenu& menu, const Types& types, const QString& title, const std::string& path);
 
   session::Document& document() { return mDocument; }
   Selection& selection() { return mSelection; }
 
  signals:
-  /// What hides a type or compartment is to be said.
+  /// The user asks what hides a type or compartment.
   void hidingAsked(const QString& path);
-  /// What is seen is to be as wanted.
+  /// The user wants all targets to be met: as many instances are to be seen as the targets say.
   void targetsAsked();
 
  private:

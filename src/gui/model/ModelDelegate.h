@@ -7,7 +7,8 @@
 
 namespace velum::gui {
 
-/// Paints the rows of a ModelList: eye, colour, name, bar, number; and reads numbers that are typed.
+/// Paints the rows of a ModelList: eye, colour, name, bar, number; and makes the field in which a row's number is
+/// typed.
 class ModelDelegate : public QStyledItemDelegate {
   Q_OBJECT
  public:
@@ -17,7 +18,7 @@ class ModelDelegate : public QStyledItemDelegate {
   void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
   /// @param cell  of the column Bar
   CountBar barOf(const TypeTree::Row& row, QRect cell) const;
-  /// The row under the pointer elsewhere, in the picture; -1: none.
+  /// Sets the type that is under the pointer in the picture, whose row is marked; -1: none.
   void setPointed(int type) { mPointed = type; }
 
   QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem&, const QModelIndex& index) const override;
@@ -34,7 +35,7 @@ class ModelDelegate : public QStyledItemDelegate {
   int mPointed = -1;
 };
 
-/// The heads of the columns: over the bars their ruler.
+/// The heads of the columns; the head of the bars is their ruler.
 class ModelHeader : public QHeaderView {
   Q_OBJECT
  public:

@@ -46,7 +46,7 @@ void ModelList::showCounts() {
   if (mEqualizer.counts().isExact() && !mEqualizer.isHeld() && !underMouse()) mOrder->look();
 }
 
-/// Beside the row: a banner would move the picture under it.
+/// Shows words beside the row rather than in a banner over the picture.
 void ModelList::sayWords(const QString& words) {
   QModelIndex row = mHeldBar.isValid() ? QModelIndex(mHeldBar) : currentIndex();
   QRect cell = visualRect(row.siblingAtColumn(ModelTree::Bar));
@@ -63,7 +63,7 @@ void ModelList::setPointed(int type) {
   viewport()->update();
 }
 
-/// What people have typed: it is drawn, or the field has changed nothing.
+/// Takes the number that was typed into a row as the number that is drawn; a text that is no number changes nothing.
 void ModelList::setTyped(const QModelIndex& index, const QString& text) {
   const TypeTree::Row& row = rowOf(index);
   auto number = ModelTree::readNumber(text, double(mTree->countOf(row).total()));
@@ -71,7 +71,7 @@ void ModelList::setTyped(const QModelIndex& index, const QString& text) {
   mEqualizer.set(row.path, Equalizer::Handle::Left, *number);
 }
 
-/// All of a small tree; of a large one what is left of the search, or its first two floors.
+/// Opens all of a small tree; of a large one the rows that the search leaves, or the first two levels.
 void ModelList::openSome() {
   bool isSmall = mTree->model() && mTree->model()->types.size() <= kMostOpen;
   isSmall || mOrder->isSearching() ? expandAll() : expandToDepth(1);
@@ -148,12 +148,12 @@ void ModelList::currentChanged(const QModelIndex& current, const QModelIndex& pr
   emit picked(row.isType ? int(row.number) : -1);
 }
 
-/// All that are selected, when the row is one of them; else the row alone.
+/// The types of all selected rows, when this row is one of them; else those of this row alone.
 session::TypeNumbers ModelList::typesFor(const QModelIndex& shown) const {
   return selectionModel()->isRowSelected(shown.row(), shown.parent()) ? selectedTypes() : rowOf(shown).types;
 }
 
-/// The handle that is nearest: of two at one place that which lies in the way that the pointer is off.
+/// The handle nearest to the pointer; of two handles at one place, the one on whose side of it the pointer is.
 Equalizer::Handle ModelList::handleAt(const QModelIndex& index, double x) const {
   CountBar bar = mDelegate->barOf(rowOf(index), visualRect(index.siblingAtColumn(ModelTree::Bar)));
   double at = x - bar.box.left(), toSeen = std::abs(at - bar.seen), toLeft = std::abs(at - bar.left);

@@ -7,9 +7,10 @@
 
 namespace velum::gui {
 
-/// The tree of compartments and types: an eye, a colour, the name, a bar of what is seen, hidden and removed ([VE] 7),
-/// whose handles set how much is, and a number. What is done to a selected row is done to all that are selected; what
-/// is done to a compartment, to all below it. A bar is its row's alone.
+/// The tree of compartments and types: an eye, a colour, the name, a bar of how many instances are seen, hidden and
+/// removed ([VE] 7), whose handles set these numbers, and a number. What is done to a selected row is done to all
+/// selected rows; what is done to a compartment is done to all types below it. A drag of a bar acts on its own row
+/// alone.
 class ModelList : public BarList {
   Q_OBJECT
  public:
@@ -17,21 +18,21 @@ class ModelList : public BarList {
 
   ModelTree& tree() { return *mTree; }
   TypeOrder& order() { return *mOrder; }
-  /// Follows the layer; opens what is new as far as it has room.
+  /// Shows the layer; opens the tree of another model as far as its rows have room.
   void showLayer(const scene::ModelLayer& layer);
   void setSearch(const QString& text);
-  /// Types of the rows that are selected, and of those that the search leaves.
+  /// The types of the rows that are selected; listedTypes(): of the rows that the search leaves.
   session::TypeNumbers selectedTypes() const;
   session::TypeNumbers listedTypes() const;
-  /// Of the row that the keyboard is in; empty: none, or that of all types.
+  /// The path of the current row; empty: there is none, or it is the row of all types.
   std::string selectedPath() const;
   /// Selects a type's row and brings it into view; -1 selects nothing.
   void selectType(int type);
-  /// Bars in percent of their rows; else numbers on a ruler that all share.
+  /// Shows bars in percent of each row's own total; false: as numbers on a ruler that all rows share.
   void setPercent(bool percent);
-  /// The type under the pointer in the picture; -1: none.
+  /// Sets the type that is under the pointer in the picture; -1: none.
   void setPointed(int type);
-  /// The ends of a row's bar, for tests. @param row  of the tree
+  /// Where a row's bar and its parts are, for tests. @param row  of the tree
   CountBar barOf(int row) const;
   /// Where a column of a type's or a compartment's row is, for tests.
   QRect cellOfType(int type, ModelTree::Column column) const;
@@ -73,7 +74,7 @@ class ModelList : public BarList {
   ModelTree* mTree;
   TypeOrder* mOrder;
   ModelDelegate* mDelegate;
-  QPersistentModelIndex mHeldBar;  ///< Whose handle is dragged.
+  QPersistentModelIndex mHeldBar;  ///< The row whose bar's handle is dragged.
   int mHoveredRow = -1;
   bool mIsQuiet = false;
 };

@@ -3,7 +3,7 @@
 
 namespace velum::gui {
 
-/// The looks of models as small pictures of the loaded one. The list inside is named "modelLook"; its items hold the
+/// The looks of models as small pictures of the loaded model. The list inside is named "modelLook"; its items hold the
 /// look's name as their data.
 class ModelLookGrid : public PictureGrid {
   Q_OBJECT
@@ -12,7 +12,7 @@ class ModelLookGrid : public PictureGrid {
   void refresh();
 
  private:
-  Shared<Model> mModel;  ///< Whose pictures these are; kept, so that its id is not taken for another's.
+  Shared<Model> mModel;  ///< The model that the pictures show; kept alive, so that no other model can get its id.
 };
 
 }  // namespace velum::gui

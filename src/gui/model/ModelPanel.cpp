@@ -186,7 +186,7 @@ void ModelPanel::setSearch(const QString& text) {
   mList->selectType(mCommands.selection().type());
 }
 
-/// What is not as the file has it, in words.
+/// Shows in words what differs from the file.
 void ModelPanel::showNotes(const Model& model) {
   QStringList lines;
   auto add = [&lines](const std::string& line) {

@@ -81,7 +81,7 @@ void ModelRoom::takeStep(EqualizeSteps::Step step) {
   }
 }
 
-/// In pictures beside the window: the answer comes a moment later.
+/// Finds by pictures that are drawn in the background what hides a type: the answer comes a moment later.
 void ModelRoom::findHiding(const QString& path) {
   auto hiding = std::make_shared<session::Hiding>();
   const Viewport& viewport = mParts.views.viewport();
@@ -120,7 +120,7 @@ void ModelRoom::connectViews() {
   });
 }
 
-/// All numbers that are wanted at once, in pictures beside the window; what cannot be is said.
+/// Meets all targets at once, by pictures that are drawn in the background; targets that cannot be met are told.
 void ModelRoom::meetTargets() {
   if (mParts.session.scene().model.targets.empty())
     return mParts.messages.showNote(tr("No type has a number to be seen: give one in its menu."));

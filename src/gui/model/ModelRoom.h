@@ -18,7 +18,7 @@ class ModelRoom : public Room {
   Equalizer& equalizer() { return *mEqualizer; }
   TypeHighlight& highlight() { return mHighlight; }
   void findType();
-  /// Puts legend and veil over the handles that are there by now.
+  /// Adds the legend and the highlight to the toolbox, over the handles that have been added by then.
   void addLegend() {
     mParts.toolbox.add(mHighlight);
     mParts.toolbox.add(mLegend);
@@ -41,7 +41,7 @@ class ModelRoom : public Room {
   TypeHighlight mHighlight;
   QAction* mLegendAction = nullptr;
   bool mHadModel = false;
-  int mUsualWidth = 0;  ///< Of the side panel; 0: not known yet.
+  int mUsualWidth = 0;  ///< The side panel's width without a model, pixels; 0: not known yet.
 };
 
 }  // namespace velum::gui

@@ -10,26 +10,26 @@
 
 namespace velum::gui {
 
-/// The types of the scene's model with what is shown of them, and how much: numbers are those of an equalizer's last
-/// picture.
+/// The types of the scene's model, with whether each type is shown, and how many of its instances are: the numbers are
+/// those of the equalizer's last picture.
 class ModelTree : public TypeTree {
   Q_OBJECT
  public:
   enum Column { Eye, Swatch, Name, Bar, Count, kColumns };
   enum Role { VisibleRole = kOwnRole, ColorRole };
-  enum Shown { None, Some, All };  ///< of a row's types; what VisibleRole says
+  enum Shown { None, Some, All };  ///< how many of a row's types are shown: the value of VisibleRole
 
   ModelTree(const Equalizer& equalizer, QObject* parent);
-  /// Follows the layer; tells nobody where it is as before.
+  /// Shows the layer; emits nothing where the layer is the same as before.
   void showLayer(const scene::ModelLayer& layer);
-  /// Follows the equalizer.
+  /// Shows the equalizer's counts.
   void showCounts();
   int shownCount() const { return mShownCount; }
   const BarScale& scale() const { return mScale; }
   void setPercent(bool percent);
-  /// What is known of a row's instances; nothing before there are counts: then `total` is 0.
+  /// The counts of a row's instances; before there are counts the sum, total(), is 0.
   Counts countOf(const Row& row) const;
-  /// What people have typed into a row's number: "50", "20 %"; nothing where it is no number.
+  /// The number that was typed into a row's field: "50", or "20 %" of `total`; nothing where the text is no number.
   static std::optional<double> readNumber(const QString& text, double total);
 
   QVariant data(const QModelIndex& index, int role) const override;

@@ -7,15 +7,15 @@
 
 namespace velum::gui {
 
-/// Shows where the picture shows some types, while the pointer is on their row: all else is darkened.
+/// Shows where in the picture some types are, while the pointer is on their row: all other pixels are darkened.
 class TypeHighlight : public Manipulator {
  public:
   explicit TypeHighlight(Viewport& viewport) : mViewport(viewport) {}
-  /// None: nothing is darkened. @return true where there is something else to be painted
+  /// Sets the types; none: nothing is darkened. @return true when the views must be painted anew
   bool show(const session::TypeNumbers& types);
-  /// The picture is another one.
+  /// To be called when the picture is another one. @return as show()
   bool look();
-  /// Pixels of the picture that show them.
+  /// How many pixels of the picture show the types.
   int pixels() const { return mPixels; }
 
   void paint(ViewPainter& over) const override;

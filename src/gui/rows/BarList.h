@@ -5,8 +5,8 @@
 namespace velum::gui {
 
 /// A list whose rows have cells that are pressed rather than selected: eyes, colours, bars. A bar's knob is dragged,
-/// and moved by Ctrl+Left and Ctrl+Right; Esc gives a drag up where that can be. What a cell takes is not for the
-/// selection.
+/// and moved by Ctrl+Left and Ctrl+Right; Esc gives up a drag in lists that can do so. A press that a cell takes does
+/// not change the selection.
 class BarList : public QTreeView {
   Q_OBJECT
  public:
@@ -15,28 +15,31 @@ class BarList : public QTreeView {
 
  protected:
   explicit BarList(QWidget* parent);
-  /// Once the rows are there. @param widths  of columns, pixels; 0: has what is left  @param leastRows  that are seen
+  /// Sets the widths of the columns; to be called once the model is set. @param widths  in pixels; 0: the column has
+  /// the width that is left  @param leastRows  how many rows are seen at least
   void layColumns(std::span<const int> widths, int leastRows);
 
-  /// The left button on a cell. @return the press is the cell's
+  /// The left button was pressed on a cell. @return true: the cell takes the press
   virtual bool pressCell(const QModelIndex& index, QMouseEvent* event) = 0;
-  /// What a press has taken is dragged. @param x  where its knob should be, of the viewport
+  /// The knob that a press has taken is dragged. @param x  where the knob should be, pixels of the viewport
   virtual void dragKnob(double x) = 0;
   virtual void letKnobGo() = 0;
-  /// A drag can be given up.
+  /// A knob is held whose drag can be given up.
   virtual bool isKnobHeld() const { return false; }
   virtual void giveKnobUp() {}
-  /// Keys that move knobs, and those of rows, are the list's own, before commands of the window that have the same.
+  /// The keys that move knobs, and the keys of rows, act on this list rather than on commands of the window that have
+  /// the same keys.
   virtual bool hasKeys() const { return true; }
-  /// The knob of the row that the keyboard is in, so many steps to the right. @param isSeen  Shift: the other knob
+  /// Moves the knob of the current row by some steps to the right. @param isSeen  true: Shift is held, and the knob of
+  /// the part that is seen moves
   virtual void stepKnob(int /*steps*/, bool /*isSeen*/) {}
 
-  /// A press has taken a knob: whoever takes the knob moves it by what the pointer moves; whoever presses elsewhere
-  /// brings it there. @param knob  where it is
+  /// A press at x drags a knob from now on. A press on the knob moves it by as much as the pointer moves; a press
+  /// elsewhere brings the knob to the pointer. @param knob  where the knob is; both are pixels of the viewport
   void holdKnob(double x, double knob);
-  /// The same of what has none: it comes to the pointer.
+  /// The same for a bar without a knob: its value follows the pointer at once.
   void holdKnob(double x) { holdKnob(x, x + 1e6); }
-  /// A cell has taken the press that goes on.
+  /// A cell has taken the press, and the button is still down.
   bool isHeld() const { return mIsHeld; }
   void selectRowOf(const QModelIndex& index, int nameColumn);
 
@@ -48,7 +51,7 @@ class BarList : public QTreeView {
 
  private:
   bool mIsHeld = false;      ///< a press was taken by a cell
-  bool mIsDragging = false;  ///< and it drags
+  bool mIsDragging = false;  ///< the press drags a knob
   double mGrip = 0.0;        ///< how far the pointer is off the knob that it holds
 };
 

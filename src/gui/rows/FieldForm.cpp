@@ -34,7 +34,7 @@ bool inPercent(const scene::FieldFacts& facts, const FieldText& text) {
   return facts.kind == FieldKind::Number && text.inPercent.value_or(isShare);
 }
 
-/// As many as a thousandth of the range asks for, or some.
+/// How many decimals a number has: enough for a thousandth of the range, where there is a range.
 int decimalsOf(const scene::FieldFacts& facts, const FieldText& text) {
   if (facts.kind == FieldKind::Whole || inPercent(facts, text)) return 0;
   double span = facts.range.max - facts.range.min;
@@ -133,7 +133,7 @@ QWidget* FieldForm::makeChoice(const Row& row, QWidget* parent) {
   return box;
 }
 
-/// Of a vector one number for all of its components.
+/// Makes a field for a number; for a vector one number that all components get.
 QWidget* FieldForm::makeNumber(const Row& row, QWidget* parent) {
   auto* control = new NumberRow(0, 1, decimalsOf(row.facts, row.text), suffixOf(row.facts, row.text), parent);
   control->setName(row.text.name);

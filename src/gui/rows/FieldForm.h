@@ -17,54 +17,56 @@
 
 namespace velum::gui {
 
-/// What a form says of a field beyond what its fields() says. Its functions are asked at every refresh.
+/// What a form says about a field of the scene in addition to the field's own fields() entry. The functions are called
+/// at every refresh.
 struct FieldText {
-  const char* object = "";   ///< Name of the control's object, by which tests find it.
-  QString tip = {};          ///< Where there is more to say than what the field means.
-  QString name = {};         ///< What is read out; empty: the row's title.
-  QString step = {};         ///< The undo step; empty: made of the name, or as `call` has it.
-  QString stepOff = {};      ///< The same where a tick is taken away; empty: no other.
-  QStringList choices = {};  ///< Of a choice, in the order of its values; empty: their names.
-  /// The part of the field's range that is offered; without it all.
+  const char* object = "";   ///< Object name of the control, by which tests find it.
+  QString tip = {};          ///< The control's tip; empty: the meaning of the field.
+  QString name = {};         ///< What screen readers say; empty: the row's title.
+  QString step = {};         ///< Name of the undo step; empty: made of the name above, or the name that `call` gives.
+  QString stepOff = {};      ///< Name of the undo step when a tick is taken away; empty: the same name.
+  QStringList choices = {};  ///< Texts of a choice's values, in the order of the values; empty: the values' names.
+  /// The part of the field's range that the control offers; no function: the whole range.
   std::function<Range()> range = {};
-  std::optional<bool> inPercent = {};  ///< Without it: a number from 0 to 1 is.
+  std::optional<bool> inPercent = {};  ///< Whether a number is shown in percent; nothing: a number from 0 to 1 is.
   std::function<bool()> isShown = {}, isEnabled = {};
-  /// What is shown, in the field's unit, where the path is of no item that is there.
+  /// The number that is shown instead of the field's value, in the field's unit, where the path may be of no item.
   std::function<double()> number = {};
-  /// The command that sets it, where more goes with it than `set` does. @param value  as of `set`
+  /// The command that sets the field, where more has to change than the command `set` does. @param value  as `set`
+  /// takes it
   std::function<session::Call(const std::string& value)> call = {};
 };
 
-/// Rows of a form, each of a field of the scene: its label, and a control that is made from the field's fields(), shows
-/// it, and changes it by the command `set`. What is dragged is one undo step.
+/// Rows of a form, each for a field of the scene: a label, and a control that is made from the field's fields() entry,
+/// shows the field and changes it by the command `set`. A drag is one undo step.
 class FieldForm : public QObject {
   Q_OBJECT
  public:
-  /// @param root   what the paths of the rows begin with; "cuts.N.membrane." where `place` says which
-  /// @param place  the item of the list, from 0; -1: there is none, and nothing is shown or changed
+  /// @param root  beginning of the paths of all rows; "cuts.N.membrane." where `place` says which item N is
+  /// @param place  the item's place in the list, from 0; -1: there is no item, and nothing is shown or changed
   FieldForm(session::Document& document, QObject* parent, std::string root = {}, std::function<int()> place = {});
 
-  /// How undo steps are named that have no text of their own: "Change %1", with the row's name.
+  /// Sets the names of undo steps for fields whose text has none: "Change %1", with the row's name.
   void setSteps(const QString& steps) { mSteps = steps; }
-  /// Rows that are added come into that.
+  /// Sets the grid into which rows are added from now on.
   void setGrid(QGridLayout* grid) { mGrid = grid; }
-  /// A row: the title, and the field's control; a tick box and a colour have their title on them.
+  /// Adds a row: the title, and the field's control; a tick box and a button of a colour have the title on themselves.
   /// @param path  behind the root: "finish.contours"
   QWidget* add(const std::string& path, const QString& title, FieldText text = {});
-  /// The control alone.
+  /// Makes a field's control without a row.
   QWidget* make(QWidget* parent, const std::string& path, const QString& title, FieldText text = {});
-  /// Something else in the column of controls.
+  /// Adds a widget that is of no field to the column of controls.
   void addWidget(QWidget* widget);
-  /// Of all controls, but for those that FieldText::isEnabled says it of.
+  /// Enables or disables all controls but those whose FieldText has isEnabled.
   void setEnabled(bool isEnabled);
-  /// Shows the scene. Rows that are not shown are not read.
+  /// Shows the scene's values. Fields of hidden rows are not read.
   void refresh();
 
-  /// A row as laws look at it.
+  /// A row as tests check it.
   struct Told {
     std::string path;  ///< with an N for the item
     QWidget* control;
-    Range offered;  ///< of numbers, in the field's unit
+    Range offered;  ///< range that the control offers for a number, in the field's unit
   };
   std::vector<Told> rows() const;
 
@@ -88,7 +90,7 @@ class FieldForm : public QObject {
   std::function<int()> mPlace;
   QString mSteps;
   QGridLayout* mGrid = nullptr;
-  std::deque<Row> mRows;  ///< which stay where they are
+  std::deque<Row> mRows;  ///< a deque, as rows must stay where they are in memory
 };
 
 /// A grid of labels and controls. @param parent  null: the grid becomes part of another layout

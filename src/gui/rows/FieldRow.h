@@ -5,7 +5,8 @@
 
 namespace velum::gui {
 
-/// Fields side by side, all as wide as each other, in as many lines as it takes that none is narrower than it must be.
+/// Lays fields out side by side, all with the same width, in as many lines as are needed to give each field its least
+/// width.
 class FieldRow : public QLayout {
  public:
   explicit FieldRow(QWidget* parent);
@@ -24,7 +25,7 @@ class FieldRow : public QLayout {
 
  private:
   std::vector<QLayoutItem*> shown() const;
-  /// How many stand in a line of this width.
+  /// How many fields stand in a line of this width.
   int columnCount(int width) const;
 
   std::vector<std::unique_ptr<QLayoutItem>> mItems;

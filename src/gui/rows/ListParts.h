@@ -10,8 +10,8 @@
 
 #include "gui/rows/RowPaint.h"
 
-/// What stands around the list of a page: over it an eye and a name, a search and its orders; under it buttons and a
-/// number.
+/// What stands around the list of a page: above the list an eye and a name, a search field and a menu of orders; below
+/// the list buttons and a number.
 namespace velum::gui {
 
 constexpr int kListFieldHeight = 28;
@@ -21,13 +21,14 @@ QVBoxLayout* makeColumn(QWidget* widget, int spacing);
 /// A button without a frame.
 QPushButton* makeQuiet(const QString& text, const char* name, const QString& tip, QWidget* parent);
 
-/// The name of what is listed, and an eye that shows or hides all of it. What is added to the row stands to the right.
+/// The name of the listed things, and an eye that shows or hides all of them. Widgets that are added to the row stand
+/// to the right.
 struct ListHead {
   QHBoxLayout* row = nullptr;
   QLabel* name = nullptr;
   EyeButton* shown = nullptr;
 };
-/// @param eyeName, eyeTitle  of the eye, for tests and for screen readers
+/// @param eyeName, eyeTitle  names of the eye, for tests and for screen readers
 ListHead makeListHead(const char* eyeName, const QString& eyeTitle, const QString& tip, QWidget* parent);
 
 /// A field to search in, and a menu of orders.
@@ -37,9 +38,9 @@ struct ListSearch {
   QToolButton* sort = nullptr;
   QMenu* menu = nullptr;
 
-  /// A switch between both.
+  /// Adds a switch between the search field and the menu's button.
   QToolButton* addSwitch(const char* name, const QString& text, const QString& tip) const;
-  /// One of a group of choices of the menu. @param isFirst  the one that holds
+  /// Adds one of a group of choices to the menu. @param isFirst  this choice is chosen at first
   QAction* addChoice(QActionGroup* group, const QString& text, bool isFirst) const;
 };
 /// @param name  as in "modelSearch" and "modelSort"

@@ -12,7 +12,7 @@ class PictureCard : public QAbstractButton {
   /// @param picture  of kPicture; null: the program's sign
   PictureCard(const QString& title, const QString& line, const QPixmap& picture, QWidget* parent);
   QSize sizeHint() const override;
-  /// How wide and, without its lines of text, how high one is.
+  /// A card's width, and its height without the lines of text, in pixels.
   static QSize size();
 
  protected:

@@ -7,14 +7,14 @@
 
 namespace velum::gui {
 
-/// A word of our tables as Qt has it.
+/// A UTF-8 text of the program's tables as Qt's text.
 inline QString textOf(std::string_view text) { return QString::fromUtf8(text.data(), int(text.size())); }
 
-/// A picture of ours as Qt has it; without its alpha.
+/// An Image as Qt's picture; without its alpha.
 QImage toQImage(const Image& image);
 
-/// Small pictures with names below them, of which one is chosen: by a click, by Enter or Space. It is as high as all of
-/// its rows; the panel scrolls. Items hold their name as their data.
+/// Small pictures with names below them, of which one is chosen: by a click, by Enter or Space. The list is as high as
+/// all of its rows, so that the panel scrolls rather than the list. Items hold their name as their data.
 class PictureList : public QListWidget {
   Q_OBJECT
  public:
@@ -23,13 +23,13 @@ class PictureList : public QListWidget {
   void add(const QString& name, const QString& title, const QString& tip, const QPixmap& picture);
   void setPicture(const QString& name, const QPixmap& picture);
   QStringList names() const;
-  /// Name and title of each.
+  /// Name and title of each picture.
   QList<std::pair<QString, QString>> titles() const;
-  /// Marks a name; none where it is not in the list. Tells nobody.
+  /// Marks the picture of a name; no picture where the name is not in the list. Emits no signal.
   void mark(const QString& name);
-  /// As wide as that, and as high as it takes.
+  /// Makes the list as wide as this, and as high as its rows then need.
   void fit(int width);
-  /// Of a picture on the screen, in its own pixels.
+  /// The size of a picture on the screen, in device pixels.
   QSize pictureSize() const;
 
  signals:

@@ -12,8 +12,8 @@
 
 namespace velum::gui {
 
-/// The compartments and types of a model as rows of a tree; all of it hangs below one row. What columns show is of
-/// those that derive from it. Rows are made once a model; compartments without types have none.
+/// The compartments and types of a model as rows of a tree, all below a single root row. Derived classes decide what
+/// the columns show. The rows are made once for each model; compartments without types have no row.
 class TypeTree : public QAbstractItemModel {
   Q_OBJECT
  public:
@@ -36,13 +36,13 @@ class TypeTree : public QAbstractItemModel {
     std::string path;
     QString name;
     std::uint64_t instances = 0;       ///< of all types below
-    double mass = 0.0;                 ///< of one instance, dalton; a compartment's: of all of its
-    std::vector<std::uint32_t> types;  ///< it and all below, ascending
+    double mass = 0.0;                 ///< of one instance, dalton; for a compartment: of all its instances
+    std::vector<std::uint32_t> types;  ///< the row's own type and those of all rows below, ascending
   };
 
   TypeTree(int columns, int nameColumn, QObject* parent);
 
-  /// @return true where it was another one
+  /// @return true when the model is another than before
   bool setModel(const Shared<Model>& model);
   const Shared<Model>& model() const { return mModel; }
   const std::vector<Row>& rows() const { return mRows; }
@@ -57,7 +57,7 @@ class TypeTree : public QAbstractItemModel {
   QVariant data(const QModelIndex& index, int role) const override;
 
  protected:
-  /// Cells of all rows have changed. @param roles  what of them
+  /// Tells that cells of all rows have changed. @param roles  which of the cells' data
   void tellCells(int firstColumn, int lastColumn, const QList<int>& roles);
 
  private:
@@ -70,16 +70,16 @@ class TypeTree : public QAbstractItemModel {
   std::vector<int> mRowOfType;  ///< by type
 };
 
-/// Sorts, filters and searches them: a row stays whose name holds all words, with those above and below it. What rows
-/// say of their instances is looked at when a key or a filter is chosen, and by look(): rows do not jump while a bar is
-/// dragged.
+/// Sorts, filters and searches the rows of a TypeTree: a search leaves the rows whose name holds all words, and the
+/// rows above and below them. The rows' counts are read only when a key or a filter is chosen, and by look(), so that
+/// rows do not jump while a bar is dragged.
 class TypeOrder : public QSortFilterProxyModel {
   Q_OBJECT
  public:
   enum class Key { Name, Count, Mass, Part };
   /// The share of a kind of kCountKinds.
   static Key keyOf(CountOf kind) { return Key(int(Key::Part) + int(kind)); }
-  /// Types of which some are as it says.
+  /// Which types are left: all, or those of which some instances are seen, none is seen, or some are removed.
   enum class Only { All, Seen, Unseen, Removed };
   explicit TypeOrder(QObject* parent);
   void setKey(Key key);

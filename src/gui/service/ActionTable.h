@@ -7,9 +7,9 @@
 
 namespace velum::gui {
 
-/// Every command of the window by its id ("cut.addPlane"): what menus, tool bar, keys, the command finder and scripts
-/// trigger. Icons are theirs by the first two parts of the id: resources/icons. Shortcuts are data:
-/// resources/keys.json, over which the user's own keys.json in the configuration folder goes.
+/// Every command of the window by its id ("cut.addPlane"): menus, tool bar, keys, the command finder and scripts
+/// trigger these. The first two parts of an id name the command's icon in resources/icons. Shortcuts are data:
+/// resources/keys.json has the usual ones, and the user's own keys.json in the configuration folder takes precedence.
 class ActionTable : public QObject {
   Q_OBJECT
  public:
@@ -17,21 +17,21 @@ class ActionTable : public QObject {
 
   /// Adds a command to a menu. @param tip  one line, in the imperative; the shortcut is added to it
   QAction* add(QMenu* menu, const QString& id, const QString& text, const QString& tip, std::function<void()> slot);
-  /// The same, only while something is open.
+  /// Adds a command that is enabled only while something is open.
   QAction* addForScene(QMenu* menu, const QString& id, const QString& text, const QString& tip,
                        std::function<void()> slot);
   /// Null for an unknown id.
   QAction* find(const QString& id) const { return mActions.value(id); }
-  /// In the order in which they were added.
+  /// All commands in the order in which they were added.
   const QList<QAction*>& all() const { return mOrder; }
   /// Enables the commands that need something open.
   void setSceneOpen(bool open);
   /// The keys that a command has without the user's own.
   QList<QKeySequence> usualKeys(const QString& id) const { return mUsual.value(id); }
-  /// Gives a command keys, and takes them from others; kept in the user's keys.json. @return what went wrong with the
-  /// file, one line; empty when nothing did
+  /// Gives a command keys, takes these keys from other commands, and writes the user's keys.json. @return what went
+  /// wrong with the file, one line; empty when nothing did
   QString setKeys(const QString& id, const QList<QKeySequence>& keys);
-  /// The command that has a key; null when none has.
+  /// The command that has a key; null when no command has it.
   QAction* withKey(const QKeySequence& key) const;
   /// What is wrong with the user's keys.json; empty when nothing is.
   QString warning() const { return mWarning; }
@@ -43,7 +43,8 @@ class ActionTable : public QObject {
 
   QWidget* mWindow;
   QHash<QString, QAction*> mActions;
-  QHash<QString, QList<QKeySequence>> mKeys, mUsual;  ///< By id: in force, and without the user's own.
+  QHash<QString, QList<QKeySequence>> mKeys,
+      mUsual;  ///< By id: the keys in force, and the keys without the user's own.
   QList<QAction*> mOrder, mNeedScene;
   QString mWarning;
 };

@@ -6,7 +6,7 @@ namespace velum::gui {
 
 namespace detail {
 
-/// What is to be called, without its type: see CallLater.cpp.
+/// A function object without its type, and how to call and delete it: see CallLater.cpp.
 struct LaterCall {
   void* body;
   void (*run)(void* body);
@@ -16,8 +16,9 @@ void callLater(QObject* owner, const LaterCall& call);
 
 }  // namespace detail
 
-/// Calls body() in the thread of `owner` when that comes back to its events; never, if the owner goes before. In the
-/// order in which it was asked for. The way from a worker into the window. Any thread.
+/// Calls body() in the thread of `owner` when that thread comes back to its events; never, if the owner is deleted
+/// before. Calls are made in the order in which they were asked for. This is the way from a worker into the window; may
+/// be called from any thread.
 template <class Body>
 void callLater(QObject* owner, Body body) {
   detail::callLater(owner, {new Body(std::move(body)), [](void* of) { (*static_cast<Body*>(of))(); },

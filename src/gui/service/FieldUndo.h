@@ -4,8 +4,9 @@
 
 namespace velum::gui {
 
-/// Undo and redo in a field take back what is typed there, and nothing else: of a field in which nothing has been typed
-/// since it was entered they are the window's. Fields keep the keys for themselves otherwise, to no effect.
+/// Gives the keys of undo and redo to the window while the field with the keyboard has no typed text to undo or redo.
+/// In a field with typed text the keys act on this text, and on nothing else. Without this class a field would take the
+/// keys even when they have no effect there.
 class FieldUndo : public QObject {
   Q_OBJECT
  public:

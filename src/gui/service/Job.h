@@ -7,8 +7,8 @@
 
 namespace velum::gui {
 
-/// A session::Job that tells by signals, in this object's thread. With the object go those that are still under way:
-/// who gives a job up hears no more of it. To let it go when it says that it has finished, use deleteLater().
+/// A session::Job that tells by signals, in this object's thread. Deleting the object cancels work that is under way,
+/// and no signal comes any more. In a slot of finished() use deleteLater() to delete it.
 class Job : public QObject {
   Q_OBJECT
  public:

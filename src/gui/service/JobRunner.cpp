@@ -8,7 +8,7 @@ namespace velum::gui {
 
 namespace {
 
-constexpr double kAtOnceMs = 200.0;  // longer, and a hand asks what has become of its click
+constexpr double kAtOnceMs = 200.0;  // after longer the user wonders what has become of the click
 
 }  // namespace
 

@@ -37,7 +37,7 @@ class Ring : public QWidget {
   }
 };
 
-/// What holds the ring: what scrolls with the widget, or else its window.
+/// The widget that the ring is a child of: the one that scrolls with the marked widget, or else its window.
 QWidget* hostOf(QWidget* widget) {
   for (QWidget* p = widget->parentWidget(); p; p = p->parentWidget()) {
     auto* area = p->parentWidget() ? qobject_cast<QScrollArea*>(p->parentWidget()->parentWidget()) : nullptr;
@@ -69,7 +69,7 @@ KeyboardFocus::KeyboardFocus(QWidget& window, std::function<QWidget*()> home)
   qApp->installEventFilter(this);
 }
 
-/// Of the window or of a dialog over it; what pops up has its own mark.
+/// True for widgets of the window or of a dialog over it; popups have a mark of their own.
 bool KeyboardFocus::isOurs(const QWidget* widget) const {
   for (const QWidget* p = widget; p; p = p->parentWidget()) {
     if (p == &mWindow) return true;
@@ -133,7 +133,7 @@ void KeyboardFocus::focusWent(QWidget*, Qt::FocusReason reason) {
     mark(nullptr);
 }
 
-/// Esc that nobody in the window has used.
+/// Esc that no widget in the window has used: the keyboard goes to the home view.
 bool KeyboardFocus::goHome(QObject* watched) {
   if (watched != &mWindow) return false;
   QWidget *home = mHome(), *now = mWindow.focusWidget();

@@ -6,14 +6,15 @@
 
 namespace velum::gui {
 
-/// What the keyboard needs beyond Qt, for a window and its dialogs: a ring round what has the keyboard, while it is
-/// used; the keys of a control before commands of the window that have the same; Esc from a panel back to the views.
+/// What the keyboard needs beyond Qt, for a window and its dialogs: a ring round the widget that has the keyboard,
+/// while the keyboard is used; the keys of a control go before commands of the window that have the same keys; Esc
+/// leads from a panel back to the views.
 class KeyboardFocus : public QObject {
   Q_OBJECT
  public:
-  /// @param home  the view that Esc goes to; null: none is shown
+  /// @param home  the view that Esc goes to; null: no view is shown
   KeyboardFocus(QWidget& window, std::function<QWidget*()> home);
-  /// What the ring is round, null without one.
+  /// The widget that the ring is round; null while there is no ring.
   QWidget* marked() const { return mTarget; }
 
  protected:
@@ -30,7 +31,7 @@ class KeyboardFocus : public QObject {
   QWidget& mWindow;
   std::function<QWidget*()> mHome;
   QPointer<QWidget> mTarget, mRing;
-  bool mLastWasKey = false;  ///< and not the mouse
+  bool mLastWasKey = false;  ///< the keyboard was used last, not the mouse
 };
 
 }  // namespace velum::gui

@@ -8,25 +8,26 @@
 
 namespace velum::gui {
 
-/// Background work that is wanted anew whenever something changes: of several wishes the last one is done, when nothing
-/// has been wished for a while and the one before is over. Whoever wishes never waits.
+/// Background work that is wanted anew whenever something changes: of several requests only the last one is done, when
+/// there has been no further request for a while and the work before is over. The caller never waits.
 class NewestJob : public QObject {
   Q_OBJECT
  public:
-  /// Takes what the work needs as it is when the work begins.
+  /// Makes the work from the state of things at the moment when the work begins.
   using Prepare = std::function<Job::Work()>;
   using Done = std::function<void()>;
 
-  /// @param patienceMs  a hand that moves on is not answered on its way
+  /// @param patienceMs  how long there must be no further request, so that no work begins while the user still drags
   NewestJob(int patienceMs, QObject* parent);
   ~NewestJob() override;
 
-  /// What was wished before is given up. @param prepare  in this object's thread; its work in a thread of its own
-  /// @param done  afterwards, in this object's thread, unless something else has been wished or the work has failed
+  /// Asks for work, and gives up all work that was asked for before. @param prepare  called in this object's thread;
+  /// the work that it returns runs in a thread of its own  @param done  called afterwards in this object's thread,
+  /// unless other work has been asked for or the work has failed
   void want(Prepare prepare, Done done);
-  /// Nothing is wished any more.
+  /// Gives up all work that was asked for.
   void stop();
-  /// Something is wished, and is not there yet.
+  /// Work has been asked for and is not done yet.
   bool isBusy() const { return mWish != nullptr || mIsWanted; }
 
  private:
@@ -37,9 +38,9 @@ class NewestJob : public QObject {
   void start();
 
   QTimer mPatience;
-  std::unique_ptr<Wish> mWish;  ///< not begun
-  std::unique_ptr<Job> mJob;    ///< perhaps of something that nobody wants any more
-  bool mIsWanted = false;       ///< the job
+  std::unique_ptr<Wish> mWish;  ///< the request that has not begun
+  std::unique_ptr<Job> mJob;    ///< the work that runs, perhaps for a request that was given up
+  bool mIsWanted = false;       ///< mJob's result is still wanted
 };
 
 }  // namespace velum::gui

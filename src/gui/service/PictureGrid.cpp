@@ -63,7 +63,7 @@ void PictureGrid::drawPictures() {
     draw(scene, wanted, size, done, progress);
   };
   mJob = std::make_unique<Job>(work, nullptr);
-  // Why a driver draws nothing has no place in the window.
+  // When a driver draws nothing, the error is not shown in the window.
   connect(mJob.get(), &Job::finished, this, [this] {
     mJob.release()->deleteLater();
     drawPictures();

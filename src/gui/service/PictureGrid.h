@@ -14,20 +14,21 @@
 
 namespace velum::gui {
 
-/// Small pictures of what is open to choose from, drawn in the background when the view has nothing to do. Without a
-/// driver for that the names alone must do.
+/// Small pictures of the data that is open, one for each choice, drawn in the background when the view has nothing to
+/// do. Without a graphics driver for drawing in the background only the names are shown.
 class PictureGrid : public QWidget {
   Q_OBJECT
  public:
-  /// Draws the pictures named of a scene, telling each as it is done; another thread's.
+  /// Draws the pictures that are named of a scene, and calls `done` with each as it is ready. Called in another thread.
   using Draw = std::function<void(const scene::Scene& scene, const std::vector<std::string>& names, glm::ivec2 size,
                                   const std::function<void(const std::string&, const Image&)>& done, Progress&)>;
   struct Kind {
     int columns = 3, pictureHeight = 64;
     Draw draw;
-    int patienceMs = 0;        ///< Longer a busy view does not keep the pictures away; 0: always.
+    int patienceMs =
+        0;  ///< After so long the pictures are drawn even if the view is still busy; 0: they always wait for it.
     bool keepsOld = false;     ///< Old pictures stay until the new ones come.
-    bool onlyVisible = false;  ///< Nothing is drawn while nobody sees it.
+    bool onlyVisible = false;  ///< Nothing is drawn while the grid is hidden.
   };
   PictureGrid(session::Document& document, Kind kind, QWidget* parent);
   ~PictureGrid() override;
@@ -44,9 +45,10 @@ class PictureGrid : public QWidget {
   PictureList& list() { return *mList; }
   QVBoxLayout& column() { return *mColumn; }
   session::Document& document() const { return mDocument; }
-  /// The one of a name; none while it is not drawn.
+  /// The picture of a name; null while it has not been drawn.
   QPixmap picture(const QString& name) const { return mPictures.value(name); }
-  /// The pictures are to be of something else than before. @param isOpen  whether there is anything to draw
+  /// Makes the pictures out of date, as they are to show something else than before. @param isOpen  whether there is
+  /// anything to draw
   void renew(bool isOpen);
 
  private:
@@ -60,7 +62,7 @@ class PictureGrid : public QWidget {
   PictureList* mList;
   QTimer mPatience;
   bool mIsOpen = false;
-  int mTurn = 0;  ///< Counts what the pictures are of.
+  int mTurn = 0;  ///< Counts the calls of renew(), so that pictures of an earlier call are known.
   QSet<QString> mTried;
   QHash<QString, QPixmap> mPictures;
   std::unique_ptr<Job> mJob;

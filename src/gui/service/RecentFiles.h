@@ -8,12 +8,12 @@
 
 namespace velum::gui {
 
-/// The picture of a recent file; null when there is none. @param logicalSize  it is cut to this
+/// The picture of a recent file; null when there is none. @param logicalSize  size to which the picture is cut
 QPixmap recentPixmap(const std::filesystem::path& file, QSize logicalSize, double pixelRatio);
-/// Keeps a picture of the view for a file. Any size; a cache that cannot be written is no error.
+/// Keeps a picture of the view, of any size, for a file. A cache that cannot be written is no error.
 void saveRecentPicture(const std::filesystem::path& file, const QImage& image);
 
-/// A recent file to click on: picture, name, where and when.
+/// A recent file to click on: its picture, name and folder, and when it was open.
 class RecentCard : public PictureCard {
   Q_OBJECT
  public:
@@ -24,7 +24,7 @@ class RecentCard : public PictureCard {
   session::RecentFile mFile;
 };
 
-/// A row of cards, as many as fit. Hidden while there is none.
+/// A row of cards of recent files, as many as fit. Hidden while there are none.
 class RecentRow : public QWidget {
   Q_OBJECT
  public:

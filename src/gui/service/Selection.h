@@ -3,17 +3,17 @@
 
 namespace velum::gui {
 
-/// What panels and views have selected together. Passing state: it is neither saved nor undone.
+/// What panels and views have selected together. Passing state: the selection is neither saved nor undone.
 class Selection : public QObject {
   Q_OBJECT
  public:
   using QObject::QObject;
 
-  /// Label id; 0: none.
+  /// Label id of the selected structure; 0: none.
   int structure() const { return mStructure; }
-  /// Id of a cut; 0: none. May be that of a cut that has gone, for the time of an edit.
+  /// Id of the selected cut; 0: none. During an edit it may be the id of a cut that was just removed.
   int cut() const { return mCut; }
-  /// A type of the scene's model, by its place there; -1: none.
+  /// The selected type of the scene's model, by its place among the model's types; -1: none.
   int type() const { return mType; }
 
  public slots:

@@ -18,7 +18,7 @@ bool isChangedByWheel(const QWidget* widget) {
          qobject_cast<const QComboBox*>(widget) || qobject_cast<const QTabBar*>(widget);
 }
 
-/// To what it stands in, if that scrolls.
+/// Hands the wheel to the page that the widget stands in, if that page scrolls.
 void giveToPage(QWidget& widget, QWheelEvent& event) {
   QWidget* at = widget.parentWidget();
   while (at && !qobject_cast<QAbstractScrollArea*>(at)) at = at->parentWidget();

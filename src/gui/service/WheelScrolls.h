@@ -4,9 +4,9 @@
 
 namespace velum::gui {
 
-/// The wheel over panels and dialogs scrolls them: it changes a number, a slider, a list that drops down or a row of
-/// tabs only while that has the keyboard, which the wheel does not give it. What is under the pointer as a panel
-/// scrolls would change unseen otherwise.
+/// Makes the wheel over panels and dialogs scroll them: the wheel changes a number, a slider, a list that drops down or
+/// a row of tabs only while this control has the keyboard, and does not give it the keyboard. Otherwise a control that
+/// comes under the pointer while a panel scrolls would change unnoticed.
 class WheelScrolls : public QObject {
   Q_OBJECT
  public:

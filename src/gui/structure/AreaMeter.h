@@ -11,8 +11,9 @@
 
 namespace velum::gui {
 
-/// How much of the picture each structure takes: seen, hidden, removed. Counted in the background in a small picture,
-/// while somebody looks at the bars; and what their handles do: they set how far a structure stands out of the cuts.
+/// Counts how much of the picture each structure takes: seen, hidden, removed. It counts in the background in a small
+/// picture, while the bars are shown; and it does what the handles of the bars do: they set how far a structure stands
+/// out of the cuts.
 class AreaMeter : public QObject {
   Q_OBJECT
  public:
@@ -20,17 +21,18 @@ class AreaMeter : public QObject {
 
   void setOn(bool on);
   bool isOn() const { return mIsOn; }
-  /// The session has changed.
+  /// To be called after every change of the session.
   void refresh();
   bool isMeasuring() const { return mCounting.isBusy(); }
-  /// Null where nothing is known of it.
+  /// The counts of a structure; null where they are not known.
   const Counts* find(int id) const;
 
-  /// Takes hold of the handle of a structure; says why where it cannot be. @return true where it is held
+  /// Takes hold of the handle of a structure; where there is no cut to pull it out of, told() says so. @return true
+  /// when the handle is held
   bool take(int id);
   void moveTo(double pixels);
   void letGo();
-  /// As it was before it was taken.
+  /// Lets the handle go and restores what it was before it was taken.
   void giveUp();
   bool isHeld() const { return mBar.isHeld(); }
 
@@ -52,10 +54,10 @@ class AreaMeter : public QObject {
   Viewport& mViewport;
   bool mIsOn = false;
   NewestJob mCounting;
-  scene::Scene mMeasured;  ///< what the result is of, or will be
+  scene::Scene mMeasured;  ///< the scene that mResult is of, or will be
   Result mResult;
   session::Bar mBar;
-  int mHeldId = 0;  ///< structure of the handle that is held
+  int mHeldId = 0;  ///< the structure whose handle is held
 };
 
 }  // namespace velum::gui

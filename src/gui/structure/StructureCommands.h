@@ -20,38 +20,40 @@ class StructureCommands : public QObject {
   StructureCommands(session::Document& document, Selection& selection, QObject* parent);
 
   void setVisible(const Ids& ids, bool visible);
-  /// Shows those that are hidden and hides those that are shown.
+  /// Of these structures, shows those that are hidden and hides those that are shown.
   void invertVisible(const Ids& ids);
-  /// Shows a structure alone, or what was shown before.
+  /// Shows a structure alone, or, where it is shown alone already, the structures that were shown before.
   void toggleSolo(int id);
   void setColor(const Ids& ids, glm::vec3 color);
-  /// Joins one undo step until endMerge() of the document.
+  /// Sets opacities. Changes join one undo step until endMerge() of the document.
   void dragOpacity(const Ids& ids, double opacity);
-  /// Gives structures a lit sphere of their own in a finished picture; empty: that of the finish.
+  /// Sets how structures are shown; setLitSphere() gives them a lit sphere of their own in a finished picture, or, for
+  /// an empty name, that of the finish.
   void setShowAs(const Ids& ids, scene::ShowAs as);
   void setLitSphere(const Ids& ids, const QString& name);
   void rename(int id, const QString& name);
-  /// Whether the selected cut leaves structures whole; nothing without a cut.
+  /// Sets whether the selected cut leaves structures whole; does nothing when no cut is selected.
   void setSpared(const Ids& ids, bool whole);
   bool isSpared(int id) const;
-  /// The force of structures on the sheet of the selected membrane; nothing without one.
-  /// @param strength  > 0 keeps them whole, < 0 draws the sheet to them, 0 takes them off
+  /// Sets the force of structures on the sheet of the selected membrane; does nothing when no membrane is selected.
+  /// @param strength  > 0 keeps the structures whole, < 0 draws the sheet to them, 0 gives them no force
   void setStrength(const Ids& ids, double strength);
-  /// Brings the camera near and the crosshair into the structure's middle, at once or when its size is known.
+  /// Brings the camera near a structure and the crosshair into its middle, at once or as soon as the structure's size
+  /// is known.
   void goTo(int id);
 
-  /// The entries for one or several structures.
+  /// Adds the entries for one or several structures to a menu.
   void fillMenu(QMenu& menu, const Ids& ids);
 
   StructureMeter& meter() { return mMeter; }
   session::Document& document() { return mDocument; }
-  /// The name of the selected cut; empty without one.
+  /// The name of the selected cut; empty when no cut is selected.
   QString cutName() const;
 
  signals:
-  /// Somebody wants the row of a structure to be seen, e.g. "Rename" in a menu.
+  /// The row of a structure is to be seen and its name edited, e.g. by "Rename" in a menu.
   void renameAsked(int id);
-  /// These are to be written for other programs.
+  /// These structures are to be written for other programs.
   void exportAsked(const std::vector<int>& ids);
 
  private:
@@ -67,7 +69,7 @@ class StructureCommands : public QObject {
   Selection& mSelection;
   StructureMeter mMeter;
   session::SoloMemory mSolo;
-  int mGoTo = 0;  ///< Wants to be gone to when its size is known.
+  int mGoTo = 0;  ///< The structure that goTo() waits for, until its size is known; 0: none.
   CameraFlight mFlight;
 };
 

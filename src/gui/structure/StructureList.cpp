@@ -201,7 +201,7 @@ void StructureList::currentChanged(const QModelIndex& current, const QModelIndex
   if (!mIsQuiet && current.isValid()) emit picked(current.data(StructureModel::IdRole).toInt());
 }
 
-/// All that are selected, when the row is one of them; else the row alone.
+/// The ids of all selected rows, when this row is one of them; else that of this row alone.
 std::vector<int> StructureList::idsFor(int id) const {
   std::vector<int> ids = selectedIds();
   return std::find(ids.begin(), ids.end(), id) != ids.end() ? ids : std::vector<int>{id};

@@ -7,19 +7,20 @@ namespace velum::gui {
 class StructureCommands;
 
 /// The list of structures: an eye, a colour, the name, the size, an opacity that is dragged, and S for solo. What is
-/// done to a selected row is done to all that are selected.
+/// done to a selected row is done to all selected rows.
 class StructureList : public BarList {
   Q_OBJECT
  public:
   StructureList(StructureCommands& commands, AreaMeter& areas, QWidget* parent);
-  /// What stands beside the names: sizes with opacities or with the scan's values, or bars of what is seen of them.
+  /// What stands beside the names: sizes with opacities, sizes with the scan's values, or bars that tell how much of
+  /// each structure is seen.
   enum class Shown { Opacity, Values, Bars };
   void setShown(Shown shown);
   CountBar barOf(int id) const { return mModel->barOf(id, cellOf(id, StructureModel::Bar)); }
 
   StructureModel& rows() { return *mModel; }
   StructureOrder& order() { return *mOrder; }
-  /// Ids of the rows that are selected, in their order.
+  /// Ids of the rows that are selected, in the order of the rows.
   std::vector<int> selectedIds() const;
   /// Ids of the rows that the search leaves.
   std::vector<int> listedIds() const;
@@ -56,8 +57,8 @@ class StructureList : public BarList {
   AreaMeter& mAreas;
   StructureModel* mModel;
   StructureOrder* mOrder;
-  int mBarId = 0;      ///< Whose bar is dragged; 0: none's.
-  int mOpacityId = 0;  ///< Whose opacity is dragged; 0: none's.
+  int mBarId = 0;      ///< The structure whose bar is dragged; 0: none.
+  int mOpacityId = 0;  ///< The structure whose opacity is dragged; 0: none.
   bool mIsQuiet = false;
 };
 

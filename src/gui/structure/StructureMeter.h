@@ -13,28 +13,31 @@
 
 namespace velum::gui {
 
-/// Counts the voxels of every structure in the background, once for a label volume, and what the scan measured in it,
-/// once for each scan, channel and time step.
+/// Counts the voxels of every structure in the background, once for each label volume, and measures the scan's values
+/// in every structure, once for each scan, channel and time step.
 class StructureMeter : public QObject {
   Q_OBJECT
  public:
   explicit StructureMeter(QObject* parent = nullptr);
 
-  /// Starts to count where the data is another one. Cheap otherwise.
+  /// Starts to count if the label data has changed. Cheap otherwise.
   void measure(const Shared<LabelVolume>& labels);
   bool isMeasuring() const { return mCounting.isBusy(); }
-  /// Its table has it, and no voxel does. False while it is not known.
+  /// True for a structure that no voxel has, although the table of labels may list it. False while the counts are not
+  /// known.
   bool isAbsent(int id) const { return mLabels && !mCounting.isBusy() && mSizes.count(id) == 0; }
-  /// Null while it is not known, and for structures without voxels.
+  /// The size of a structure; null while it is not known, and for structures without voxels.
   const session::StructureSize* find(int id) const;
   const Shared<LabelVolume>& labels() const { return mLabels; }
 
-  /// Starts to measure the scan's values in the structures where they are others. Cheap otherwise.
+  /// Starts to measure the scan's values in the structures if the scan, channel, time step or labels have changed.
+  /// Cheap otherwise.
   void measureValues(const scene::Scene& scene);
   bool isMeasuringValues() const { return mMeasuring.isBusy(); }
-  /// Null while they are not known, and for structures in which no voxel of the scan lies.
+  /// The scan's values in a structure; null while they are not known, and for structures in which no voxel of the scan
+  /// lies.
   const session::StructureValues* findValues(int id) const;
-  /// Of the scan's values; empty: not known.
+  /// The unit of the scan's values; empty: not known.
   const QString& valueUnit() const { return mValueUnit; }
 
  signals:
@@ -45,7 +48,7 @@ class StructureMeter : public QObject {
   Shared<LabelVolume> mLabels;
   std::map<int, session::StructureSize> mSizes;
   NewestJob mCounting;
-  /// What values are of.
+  /// What mValues was measured in.
   struct Measured {
     Shared<LabelVolume> labels;
     Shared<Volume> scan;

@@ -82,7 +82,7 @@ QString StructureModel::valueText(int id, Column column) const {
   return QString::fromStdString(tidyNumber(column == Mean ? values->mean : values->most));
 }
 
-/// What the scan measured in it; empty where nobody has asked.
+/// The tip with the scan's values in a structure; empty where they have not been measured.
 QString StructureModel::valuesTip(int id) const {
   const session::StructureValues* values = mMeter.findValues(id);
   if (!values) return {};
@@ -175,7 +175,7 @@ QVariant StructureModel::headerData(int section, Qt::Orientation orientation, in
   if (orientation != Qt::Horizontal) return {};
   bool isText = section == Size || section == Mean || section == Most;
   if (role == Qt::TextAlignmentRole) return int(Qt::AlignVCenter | (isText ? Qt::AlignRight : Qt::AlignLeft));
-  // Of narrow columns the names are for those who hear them.
+  // The names of narrow columns are not shown, but screen readers say them.
   bool isShown = role == Qt::DisplayRole && (isText || section == Name);
   if (!isShown && role != Qt::AccessibleTextRole && role != Qt::ToolTipRole) return {};
   QString unit = mMeter.valueUnit();

@@ -12,8 +12,8 @@
 
 namespace velum::gui {
 
-/// The structures of a scene as rows. Follows the scene by differences, so that thousands of rows cost nothing while
-/// something else changes.
+/// The structures of a scene as rows. Only rows that differ from the scene are changed, so that thousands of rows cost
+/// nothing while something else changes.
 class StructureModel : public QAbstractTableModel {
   Q_OBJECT
  public:
@@ -26,26 +26,26 @@ class StructureModel : public QAbstractTableModel {
     SoloRole,
     VoxelsRole,
     AbsentRole,
-    MeanRole,  ///< Of the scan's values in it; invalid while it is not known, as the next.
+    MeanRole,  ///< Mean of the scan's values in the structure; this and MostRole are invalid while not known.
     MostRole
   };
 
   StructureModel(const StructureMeter& meter, const AreaMeter& areas, QObject* parent);
 
-  /// Takes the structures over, row by row where the ids are the same.
-  /// @param solo  that is shown alone
+  /// Shows the scene's structures; where the ids are as before only rows that differ are changed. @param solo  the
+  /// structure that is shown alone
   void setRows(const std::vector<scene::Structure>& rows, std::optional<int> solo);
-  /// Of the scene: sizes are told in ml, or in nm^3.
+  /// Sets the scene's unit of length: it decides whether sizes are told in ml, or in nm^3.
   void setLengthUnit(LengthUnit unit);
-  /// The sizes are known, or no longer.
+  /// To be called when the sizes have become known, or are no longer.
   void sizesChanged();
-  /// What the scan measured in them is known, or no longer.
+  /// To be called when the scan's values in the structures have become known, or are no longer.
   void valuesChanged();
-  /// How much of the picture they take is known, or another.
+  /// To be called when the areas of the structures in the picture have become known, or have changed.
   void areasChanged();
-  /// The bar of a row in a cell.
+  /// The bar of a structure, laid out in a cell.
   CountBar barOf(int id, QRect cell) const;
-  /// -1: no such row.
+  /// The row of a structure; -1: it has none.
   int rowOf(int id) const;
 
   int rowCount(const QModelIndex& parent = {}) const override;
@@ -71,7 +71,7 @@ class StructureModel : public QAbstractTableModel {
   std::optional<int> mSolo;
 };
 
-/// Sorts and searches them: by words of the name, or by the number.
+/// Sorts the rows of a StructureModel and searches them: by words of the name, or by the number.
 class StructureOrder : public QSortFilterProxyModel {
   Q_OBJECT
  public:
@@ -79,10 +79,10 @@ class StructureOrder : public QSortFilterProxyModel {
   explicit StructureOrder(QObject* parent);
   void setKey(Key key);
   Key key() const { return mKey; }
-  /// Rows stay whose name holds every word, or whose number is the text.
+  /// Leaves the rows whose name holds every word of the text, or whose number is the text.
   void setSearch(const QString& text);
   bool isSearching() const { return !mWords.isEmpty(); }
-  /// Rows of structures without voxels stay, too.
+  /// Sets whether the rows of structures without voxels are shown, too.
   void setAbsentShown(bool shown);
 
  protected:

@@ -239,7 +239,7 @@ void StructurePanel::showColumns(bool on) {
   measureValues();
 }
 
-/// Only where somebody wants to see them.
+/// Measures the scan's values, only while they are shown.
 void StructurePanel::measureValues() {
   using Key = StructureOrder::Key;
   bool isOrder = mList->order().key() == Key::Mean || mList->order().key() == Key::Most;

@@ -9,8 +9,8 @@
 
 namespace velum::gui {
 
-/// The labels beside the volume: how they are shown altogether, and the list of structures. Reads the document, and
-/// changes it by edits only.
+/// The page of labelled structures: how all labels together are shown, and the list of structures. Reads the document,
+/// and changes it by edits only.
 class StructurePanel : public QWidget {
   Q_OBJECT
  public:
@@ -25,7 +25,7 @@ class StructurePanel : public QWidget {
 
  signals:
   void openLabelsAsked();
-  /// The shapes of structures are to be smoothed. @param deviation  a length
+  /// The shapes of structures are to be smoothed. @param deviation  of the smoothing, a length
   void smoothingAsked(const std::vector<int>& ids, double deviation);
 
  protected:
@@ -59,7 +59,7 @@ class StructurePanel : public QWidget {
   NumberRow *mTint = nullptr, *mUnlabelled = nullptr, *mOnSections = nullptr, *mOpacity = nullptr,
             *mSmoothing = nullptr;
   ColorButton* mColor = nullptr;
-  scene::LabelLayer mShownLabels;  ///< What the rows were last made from.
+  scene::LabelLayer mShownLabels;  ///< The labels that the rows were last made from.
   double mShownOnSections = -1.0;
   bool mIsMade = false;
 };

@@ -5,7 +5,7 @@
 
 namespace velum::gui {
 
-/// Labelled structures: their list, what can be done to them, and what a click on one in a view does.
+/// Labelled structures: their list, their commands, and what a click on a structure in a view does.
 class StructureRoom : public Room {
   Q_OBJECT
  public:
@@ -13,13 +13,13 @@ class StructureRoom : public Room {
   void refresh(const session::Session& session) override;
   StructureCommands& commands() { return *mCommands; }
   AreaMeter& areas() { return *mAreas; }
-  /// Of the rows that are selected in the list.
+  /// Ids of the structures whose rows are selected in the list.
   std::vector<int> selectedIds() const { return mPanel->selectedIds(); }
 
  signals:
   /// A file of labels for what is open is to be chosen.
   void openLabelsAsked();
-  /// Something is to be searched where the page of structures is not there.
+  /// The user wants to search while the page of structures is hidden: another room has to do it.
   void findAskedElsewhere();
 
  private:
@@ -30,7 +30,7 @@ class StructureRoom : public Room {
   StructureCommands* mCommands;
   AreaMeter* mAreas;
   StructurePanel* mPanel;
-  bool mIsModelAlone = false;  ///< Nothing is open that could have structures.
+  bool mIsModelAlone = false;  ///< Only a model is open, and nothing that could have labels.
 };
 
 }  // namespace velum::gui

@@ -7,17 +7,18 @@ namespace velum::gui {
 
 /// How handles look over pictures and sections alike.
 
-/// Lines are drawn twice, dark and wide below, so that they can be seen over light and dark tissue.
+/// Draws a line twice, first dark and wide, then in its colour, so that it can be seen over light and dark tissue.
 void strokeTwice(QPainter& painter, const QPainterPath& path, const QColor& color, double width);
 void drawKnob(QPainter& painter, QPointF place, bool hot);
-/// A square that stands for a face which is moved. @param along  screen direction in which it goes
+/// Draws a square that stands for a face that can be moved. @param along  direction of the screen in which the face
+/// moves
 void drawGrip(QPainter& painter, QPointF place, QPointF along, bool hot);
 void drawArrow(QPainter& painter, QPointF foot, QPointF tip, bool hot);
-/// Numbers beside the pointer.
+/// Draws a text beside the pointer, such as numbers.
 void drawTag(QPainter& painter, QPointF pointer, const QSize& view, const QString& text);
-/// A line at the top of a view that says what to do next.
+/// Draws a line at the top of a view that says what to do next.
 void drawHint(QPainter& painter, const QSize& view, const QString& text);
-/// The cursor for something that goes along a direction of the screen.
+/// The cursor for a handle that moves along a direction of the screen.
 Qt::CursorShape cursorAlong(QPointF direction);
 
 }  // namespace velum::gui

@@ -6,12 +6,12 @@ namespace velum::gui {
 class Toolbox;
 
 /// The pointer of those who use keys: while a tool is active and a view has the keyboard, arrows move a mark over the
-/// view, Enter clicks there, and Space presses the button, with which the arrows then drag, and lets go of it. Shift
-/// makes steps larger. It does what the mouse does, so that no tool knows the difference.
+/// view, Enter clicks there, and Space presses the left button or lets go of it; while the button is down the arrows
+/// drag. Shift makes steps larger. Tools get the same events as from the mouse, and need not know the difference.
 class KeyPointer {
  public:
   explicit KeyPointer(Toolbox& toolbox) : mToolbox(toolbox) {}
-  /// @param view  that has the keyboard
+  /// @param view  the view that has the keyboard
   KeyAnswer key(const KeyStroke& stroke, ToolView& view);
   /// The tool was laid down: nothing is pressed any more.
   void letGo();
@@ -25,7 +25,7 @@ class KeyPointer {
   bool isIn(const ToolView& view) const { return mView == &view; }
 
   Toolbox& mToolbox;
-  ToolView* mView = nullptr;  ///< Where the mark is; null: it was not needed yet.
+  ToolView* mView = nullptr;  ///< The view that the mark is in; null: no mark was needed yet.
   QPointF mPlace;
   bool mIsDown = false, mHasMoved = false;
 };

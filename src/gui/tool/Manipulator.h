@@ -10,7 +10,7 @@ namespace velum::gui {
 /// A button of the pointer that goes down, is dragged, or is let go, in a view.
 struct PointerEvent {
   const ViewPoint& at;
-  Qt::MouseButton button = Qt::NoButton;  ///< while it is dragged: none
+  Qt::MouseButton button = Qt::NoButton;  ///< during a drag: none
   Qt::KeyboardModifiers keys;
   QPoint globalPlace;
 };
@@ -20,10 +20,10 @@ struct KeyStroke {
   int key = 0;
   Qt::KeyboardModifiers keys;
   bool isInView = false;  ///< a view has the keyboard
-  bool isTyping = false;  ///< it goes into a field
+  bool isTyping = false;  ///< the key goes into a field of text
 };
 
-/// What to do about a key; empty: it is for others.
+/// What to do about a key; empty: the asked object does not use the key.
 using KeyAnswer = std::function<void()>;
 
 /// Paints over one view, in its (logical) pixels.
@@ -35,16 +35,17 @@ struct ViewPainter {
 };
 
 /// Something that stands over the views and can be taken hold of at any time, such as the handles of a cut. The toolbox
-/// asks it before a view takes the pointer for camera or crosshair. The window's thread.
+/// hands it an event before a view uses the pointer for camera or crosshair. All functions are called in the window's
+/// thread.
 class Manipulator {
  public:
   virtual ~Manipulator() = default;
 
-  /// A button goes down. @return true: what follows is this one's, until the last button is let go
+  /// A button goes down. @return true: this manipulator gets all that follows, until the last button is let go
   virtual bool press(const PointerEvent&) { return false; }
   virtual void drag(const PointerEvent&) {}
   virtual void release(const PointerEvent&) {}
-  /// No button is down. @return the cursor where press() would take hold
+  /// The pointer moves with no button down. @return the cursor where press() would take hold
   virtual std::optional<Qt::CursorShape> hover(const ViewPoint&) { return std::nullopt; }
   /// The pointer has left the views, or has gone on to something else.
   virtual void leave() {}
@@ -52,12 +53,12 @@ class Manipulator {
   virtual bool isInTheWay(const ViewPoint&) const { return false; }
   /// @param notches  of the wheel, away from the hand
   virtual bool wheel(const PointerEvent&, double /*notches*/) { return false; }
-  /// Asked before commands that have the same key.
+  /// Called before commands of the window that have the same key.
   virtual KeyAnswer key(const KeyStroke&) { return {}; }
   /// The document has changed.
   virtual void refresh() {}
   virtual void paint(ViewPainter&) const {}
-  /// While it is dragged the other views leave it the machine.
+  /// True while a drag needs the machine for its own view: the other views pause.
   virtual bool pausesOtherViews() const { return false; }
 };
 

@@ -6,21 +6,22 @@
 
 namespace velum::gui {
 
-/// Something that is taken up to work with the pointer, and laid down again: at most one has it, see Toolbox. It makes
-/// edits of the document, whose mathematics is in session.
+/// Something that is taken up to work with the pointer, and laid down again: at most one tool has the pointer, see
+/// Toolbox. A tool makes edits of the document; the mathematics of these edits is in session.
 class Tool : public QObject, public Manipulator {
   Q_OBJECT
  public:
   using QObject::QObject;
 
   bool isActive() const { return mIsActive; }
-  /// Takes it up; called by the toolbox. @return false when there is nothing to work on, which it has then said
+  /// Takes the tool up; called by the toolbox. @return false when there is nothing to work on; the tool has then told
+  /// the user
   virtual bool start() { return true; }
-  /// Lays it down; called by the toolbox. What is half done is given up.
+  /// Lays the tool down; called by the toolbox. Work that is half done is given up.
   virtual void stop() {}
   /// The left button went down and up in one place, and nothing had been taken hold of.
   virtual void click(const PointerEvent&) {}
-  /// Handles of cuts give way to it: they are neither shown nor taken.
+  /// While this tool is active the handles of cuts are neither shown nor taken.
   virtual bool hidesHandles() const { return false; }
   /// The picture marks what the extrusions of two planes share, see render::Frame::marksOverlaps.
   virtual bool marksOverlaps() const { return false; }
@@ -36,8 +37,8 @@ class Tool : public QObject, public Manipulator {
   bool mIsActive = false;
 };
 
-/// A tool whose clicks mean places of the world. In the picture a drag still turns the camera, and handles can be taken
-/// hold of; on a section, where a press would move the crosshair, the press is the click.
+/// A tool whose clicks mean places of the world. In the 3D picture a drag still turns the camera, and handles can be
+/// taken hold of; on a section, where a press would move the crosshair otherwise, the press counts as the click.
 class ClickTool : public Tool {
   Q_OBJECT
  public:

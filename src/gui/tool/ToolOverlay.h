@@ -7,7 +7,8 @@ namespace velum::gui {
 
 class Toolbox;
 
-/// What tools and manipulators show over one view, whose size it follows. Takes no events: the view hands them over.
+/// A widget that paints what tools and manipulators show over one view, and has the view's size. It takes no events:
+/// the view hands its events to the toolbox.
 class ToolOverlay : public QWidget {
  public:
   ToolOverlay(const Toolbox& toolbox, ToolView& view);

@@ -8,7 +8,7 @@
 namespace velum::gui {
 
 /// A view of the scene as tools know it: what its pixels mean, and what is seen there. The 3D picture and each section
-/// are one.
+/// are such views.
 class ToolView {
  public:
   virtual ~ToolView() = default;
@@ -17,7 +17,7 @@ class ToolView {
   virtual session::ViewSpace space() const = 0;
   /// What is seen at a place of the widget; nothing while there is no picture.
   virtual std::optional<render::Pick> pickAt(QPointF place) = 0;
-  /// Cuts and what belongs to them are shown over it, and can be taken hold of.
+  /// The handles of cuts, and of what belongs to cuts, are shown over this view and can be taken hold of.
   virtual bool showsHandles() const = 0;
   /// The cursor where nothing can be taken hold of and no tool has the pointer.
   virtual Qt::CursorShape restCursor() const = 0;

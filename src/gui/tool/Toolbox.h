@@ -15,34 +15,37 @@ namespace velum::gui {
 class ToolOverlay;
 
 /// Who has the pointer in the views: first the tool that is active, then the manipulators that stand over the views,
-/// what was added last first, then the view itself, which moves camera or crosshair. At most one tool is
-/// active; Esc lays it down. Views hand it their events; it knows what is dragged until the last button is let go.
+/// the one that was added last first, then the view itself, which moves camera or crosshair. At most one tool is
+/// active; Esc lays it down. Views hand their events to the toolbox; it keeps in mind which tool or manipulator is
+/// dragged until the last button is let go.
 class Toolbox : public QObject {
   Q_OBJECT
  public:
-  /// @param window  whose keys it hears
+  /// @param window  the window whose keys the toolbox hears
   Toolbox(const session::Document& document, QWidget& window);
 
   /// Paints over a view from now on. The view hands its events over by the functions below.
   void addView(ToolView& view);
-  /// Is asked before those that were added before it, and painted over them.
+  /// Adds a manipulator, which is asked before those that were added earlier, and painted over them.
   void add(Manipulator& manipulator) { mManipulators.insert(mManipulators.begin(), &manipulator); }
-  /// The button, or the command, is down while the tool is active, and takes it up or lays it down.
+  /// Ties a button, or a command, to a tool: it is down while the tool is active, and a press takes the tool up or lays
+  /// it down.
   void bind(Tool& tool, QAbstractButton& button);
   void bind(Tool& tool, QAction& action);
 
   Tool* active() const { return mActive; }
-  /// Lays down the tool that is active and takes up this one; none is active when it refuses.
+  /// Lays down the tool that is active and takes up this one; when this one refuses to start, no tool is active.
   void start(Tool& tool);
-  /// Lays down the tool that is active, or this one if it is.
+  /// Lays down the tool that is active; with an argument only if that tool is the active one.
   void stop();
   void stop(const Tool& tool);
 
-  /// Manipulators are shown over the views and can be taken hold of; put away, they leave the picture and their keys.
+  /// Whether manipulators are shown over the views and can be taken hold of; while they are put away they also get no
+  /// keys.
   bool handlesShown() const { return mHandlesShown; }
   void setHandlesShown(bool shown);
 
-  // From views. True: the event was not for the view.
+  // Called by views with their events. True: a tool or manipulator has used the event, and the view must not.
   bool press(ToolView& view, const QMouseEvent& event);
   bool drag(ToolView& view, const QMouseEvent& event);
   bool release(ToolView& view, const QMouseEvent& event);
@@ -53,20 +56,20 @@ class Toolbox : public QObject {
   std::optional<Qt::CursorShape> hover(ToolView& view, QPointF place);
   void leave();
 
-  // From the keyboard, for the active tool alone: the left button at a place of a view.
+  // Called by KeyPointer, for the active tool alone: the left button at a place of a view.
   void pressAt(ToolView& view, QPointF place);
   void dragAt(ToolView& view, QPointF place);
-  /// @param isClick  it did not move meanwhile
+  /// @param isClick  the pointer did not move while the button was down
   void releaseAt(ToolView& view, QPointF place, bool isClick);
   void hoverAt(ToolView& view, QPointF place);
 
-  /// What is dragged wants the machine for its view.
+  /// The tool or manipulator that is dragged needs the machine for its own view.
   bool pausesOtherViews() const { return mHolder && mHolder->pausesOtherViews(); }
-  /// Something stands here that tools which draw are to leave alone.
+  /// A handle stands at this place, so that a tool must not draw there.
   bool isInTheWay(const ViewPoint& at) const;
   /// To be called after every change of the document.
   void refresh();
-  /// Paints over all views anew, or over one.
+  /// Paints anew what lies over all views, or over one view.
   void repaint();
   void repaint(const ToolView& view);
   void paint(ViewPainter& over) const;
@@ -97,7 +100,7 @@ class Toolbox : public QObject {
   std::vector<Manipulator*> mManipulators;
   bool mHandlesShown = true;
   Tool* mActive = nullptr;
-  Manipulator* mHolder = nullptr;  ///< Has taken hold of the pointer.
+  Manipulator* mHolder = nullptr;  ///< The tool or manipulator that has taken hold of the pointer; null: none.
   KeyPointer mKeyPointer{*this};
 };
 

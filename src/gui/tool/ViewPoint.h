@@ -10,7 +10,7 @@
 namespace velum::gui {
 
 /// A place of a view under the pointer, and what it means in the world: the same for the 3D picture and for sections,
-/// so that no tool tells them apart. What is seen there is looked up when it is first asked for.
+/// so that tools need not tell them apart. What is seen at the place is looked up by the first call that asks for it.
 class ViewPoint {
  public:
   ViewPoint(ToolView& view, const scene::Scene& scene, QPointF place)
@@ -20,19 +20,22 @@ class ViewPoint {
   QPointF place() const { return mPlace; }
   glm::dvec2 pixel() const { return toVec(mPlace); }
   const session::ViewSpace& space() const { return mSpace; }
-  /// A press here has a meaning at once. In the picture it may still become a turn of the camera.
+  /// The place is on a section, where a press has a meaning at once; in the 3D picture a press may still become a turn
+  /// of the camera.
   bool isOnSection() const { return mSpace.section() != nullptr; }
 
-  /// What is seen here; nothing where nothing is hit.
+  /// What is seen at the place; nothing where no object is hit.
   const std::optional<render::Pick>& pick() const;
-  /// On a section any point of its plane; in the picture the surface that is seen. World.
+  /// The place in the world: on a section the point of the section's plane; in the 3D picture the point of the surface
+  /// that is seen there, or nothing.
   std::optional<glm::dvec3> world() const;
-  /// In the material that is meant: on a section the point itself; in the picture, where the point lies on the
-  /// material's border, 2.5 voxels behind it. @param most  but no deeper than this
+  /// A place in the world inside the material that is meant: on a section the point itself; in the 3D picture, where
+  /// the point lies on the material's border, 2.5 voxels behind the border. @param most  a length: the place is no
+  /// deeper than this
   std::optional<glm::dvec3> material(double most = std::numeric_limits<double>::infinity()) const;
-  /// The labelled region that is seen; 0: none.
+  /// The id of the structure that is seen; 0: none.
   int structure() const { return pick() ? pick()->structure : 0; }
-  /// The type of the model's instance that is seen; -1: none.
+  /// The type of the instance of the model that is seen; -1: none.
   int type() const { return pick() ? pick()->type : -1; }
 
  private:

@@ -5,7 +5,7 @@
 
 namespace velum::gui {
 
-/// Brings the camera to another place on a short way. A hand that moves it meanwhile has it.
+/// Moves the camera to another place in a short animation. If the user moves the camera meanwhile the flight ends.
 class CameraFlight : public QObject {
   Q_OBJECT
  public:

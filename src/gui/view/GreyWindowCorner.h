@@ -9,31 +9,31 @@
 
 namespace velum::gui {
 
-/// "Abdomen: W 400  L 50 HU"
+/// A grey window as text: "Abdomen: W 400 L 50 HU"
 QString greyWindowTitle(const scene::GreyWindow& window);
 /// Sets the grey window by name, as one undo step.
 void setGreyWindow(session::Document& document, std::string_view name);
 
-/// Words over light and dark tissue: light, with a dark seam.
+/// Draws words that can be read over light and dark tissue: light, with a dark seam.
 void drawOverTissue(QPainter& painter, const QRectF& box, int flags, const QString& text, int alpha = 225);
 
-/// What a text in a lower corner of a section may take, pixels; 0: the section is too small for any.
+/// The width that a text in a lower corner of a section may take, pixels; 0: the section is too small for any text.
 double cornerRoom(glm::dvec2 size);
-/// The end of what stands in its lower right corner.
+/// The lower right end of the text in a section's lower right corner, pixels.
 QPointF lowerRight(glm::dvec2 size);
 
-/// The grey window in the corner of a section: it says it, and lets it be typed. Enter takes what is typed, Esc and a
-/// click elsewhere leave it; what is not understood stays, marked, and changes nothing. What else the mouse does is the
-/// section's.
+/// Shows the grey window in the corner of a section, and lets the user type another. Enter takes the typed text, Esc
+/// and a click elsewhere leave the window as it was; a text that is not understood stays, marked, and changes nothing.
+/// All other mouse events go to the section.
 class GreyWindowCorner : public QWidget {
   Q_OBJECT
  public:
   GreyWindowCorner(session::Document& document, QWidget* section);
-  /// Of a section view.
+  /// The corner that belongs to a section view.
   static GreyWindowCorner& of(QWidget& section);
   /// To be called after every change of the document or of the section's size.
   void refresh();
-  /// Lets it be typed.
+  /// Opens the field in which the grey window is typed.
   void startTyping();
 
  protected:
@@ -48,7 +48,7 @@ class GreyWindowCorner : public QWidget {
   void mark(bool isRefused);
 
   session::Document& mDocument;
-  QLineEdit* mField;  ///< The section's, over all of it.
+  QLineEdit* mField;  ///< A child of the section, above everything else in it.
   QString mText;
 };
 

@@ -12,11 +12,11 @@ namespace velum::gui {
 namespace {
 
 constexpr int kPatienceMs = 300;  // after which an older picture of the same data is dimmed
-constexpr int kPaintMs = 100;     // it is waited for no longer: a window that is covered paints nothing
+constexpr int kPaintMs = 100;     // how long a paint is waited for: a window that is covered paints nothing
 const QColor kDim(10, 11, 13, 165), kClosed(18, 20, 23), kGround(16, 18, 21, 200);
 constexpr double kRound = 6.0, kAround = 12.0;
 
-/// Whose picture a scene's is: two patients' must never be taken for each other.
+/// Names the data of a scene, so that pictures of two patients are never taken for each other.
 std::string dataOf(const scene::Scene& scene) {
   auto name = [](char kind, const scene::Source& source) { return kind + source.path + '\n' + source.series; };
   if (scene.volume.data) return name('v', scene.volume.source);
@@ -40,7 +40,7 @@ PreparingVeil::PreparingVeil(QWidget& view) : QWidget(&view) {
   mPatience.setSingleShot(true);
   mPatience.setInterval(kPatienceMs);
   connect(&mPatience, &QTimer::timeout, this, [this] {
-    // A hand that turns the picture sees it follow.
+    // While a button is down the user turns the picture and sees it follow: it is not dimmed.
     if (QGuiApplication::mouseButtons() != Qt::NoButton) return mPatience.start();
     set(Kind::Dim);
   });

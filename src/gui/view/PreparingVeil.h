@@ -8,21 +8,21 @@
 
 namespace velum::gui {
 
-/// What lies over a view whose picture is not that of the scene: dim where the picture is an older one of the same
-/// data, closed where it is one of other data, which could be taken for these. Says "Preparing", or that there will be
-/// none. Lets the mouse through.
+/// Lies over a view whose picture is not that of the scene: dim where the picture is an older one of the same data,
+/// opaque where the picture is of other data and could be taken for the scene's. Says "Preparing", or that there will
+/// be no picture. Lets the mouse through.
 class PreparingVeil : public QWidget {
   Q_OBJECT
  public:
   enum class Kind { None, Dim, Closed, Failed };
 
-  /// @param view  that it covers, whatever its size
+  /// @param view  the view that the veil covers, and whose size it follows
   explicit PreparingVeil(QWidget& view);
 
-  /// The view's picture is no longer the scene's: other data's is not seen any more, an older one of the same data is
-  /// dimmed where the new one is long in coming.
+  /// The view's picture is no longer the scene's: a picture of other data is covered at once, an older picture of the
+  /// same data is dimmed if the new one takes long.
   void await(const scene::Scene& scene);
-  /// The same at once: a long piece of work is next, while which nothing is painted.
+  /// Dims the picture at once, as a long piece of work comes next during which nothing is painted.
   void awaitLong();
   /// A picture of this scene is on the screen.
   void lift(const scene::Scene& shown);
@@ -33,7 +33,7 @@ class PreparingVeil : public QWidget {
 
   Kind kind() const { return mKind; }
   bool hasFailed() const { return mHasFailed; }
-  /// It is not on the screen yet as it is, and will soon be: what it covers must not be held up before.
+  /// True when the veil has changed and is about to be painted: no long work may begin before.
   bool awaitsPaint() const;
 
  protected:
@@ -44,7 +44,7 @@ class PreparingVeil : public QWidget {
   void set(Kind kind);
 
   Kind mKind = Kind::None;
-  std::string mShown;  ///< Whose picture is on the screen; empty: there is none.
+  std::string mShown;  ///< The data whose picture is on the screen; empty: there is no picture.
   bool mHasFailed = false, mAwaitsPaint = false;
   QTimer mPatience;
   QElapsedTimer mSinceSet;

@@ -18,7 +18,8 @@ namespace velum::gui {
 enum class MenuId { File, Edit, View, Look, Cut, Structures, Time, Help };
 using Menus = std::array<QMenu*, std::size_t(MenuId::Help) + 1>;  ///< By MenuId.
 
-/// The window as its rooms see it: what they build themselves into, and what they work with. Lives as long as they do.
+/// The window as its rooms see it: the places into which rooms build their parts, and the objects that they work with.
+/// Must live as long as the rooms.
 struct WindowParts {
   QWidget& window;
   session::Session& session;
@@ -36,9 +37,8 @@ struct WindowParts {
   session::Document& document() const { return session.document(); }
 };
 
-/// A part of the window that brings all that is its own: a page of the side panel, menu entries and their actions,
-/// tools. It builds them in its constructor. The window makes it, and tells it of every
-/// change.
+/// A part of the window with all that belongs to it: a page of the side panel, menu entries and their actions, tools. A
+/// room builds these in its constructor. The window makes the rooms, and tells them of every change.
 class Room : public QObject {
   Q_OBJECT
  public:

@@ -8,7 +8,7 @@ namespace velum::gui {
 /// What the pointer does to the lines over a section.
 struct SectionHints {
   bool showKnobs = false;  ///< The pointer is in the view.
-  bool hotKnob = false;    ///< It is on a knob, or drags one.
+  bool hotKnob = false;    ///< The pointer is on a knob, or drags one.
   bool hasFocus = false;
 };
 
@@ -17,7 +17,7 @@ struct SectionHints {
 void paintSectionOverlay(QPainter& painter, const scene::Scene& scene, scene::SectionKind kind,
                          const scene::SectionPlane& plane, const SectionHints& hints);
 
-/// "Axial"
+/// The name of a section: "Axial".
 QString sectionName(scene::SectionKind kind);
 
 }  // namespace velum::gui

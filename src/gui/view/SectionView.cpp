@@ -126,7 +126,7 @@ void SectionView::setSheets(render::SheetIndices sheets) {
   update();
 }
 
-/// How coarse a picture is drawn: what the last full one took says what can be drawn at once.
+/// How coarse a picture is drawn: the time that the last full picture took tells what can be drawn at once.
 int SectionView::coarseness() const {
   if (!mRestTimer.isActive() || mFullMs <= kAtOnceMs) return 1;
   return std::clamp(int(std::ceil(std::sqrt(mFullMs / kAtOnceMs))), 2, kMostCoarse);

@@ -14,8 +14,8 @@
 
 namespace velum::gui {
 
-/// One section view: picture, lines and words over it, and the mouse. It draws on the processor, so that it answers
-/// whatever the graphics driver does.
+/// One section view: picture, lines and words over it, and the mouse. It draws on the processor, so that the view
+/// answers whatever the graphics driver does.
 class SectionView : public QWidget, public ToolView {
   Q_OBJECT
  public:
@@ -33,13 +33,13 @@ class SectionView : public QWidget, public ToolView {
   bool isCurrent() const { return !isVisible() || !mStale; }
   /// The full picture of the scene is on the screen, or the view is hidden.
   bool isComplete() const { return !isVisible() || (!mStale && mDrawnCoarse == 1); }
-  /// How often it has been painted; for tests and measurements.
+  /// How often the view has been painted; for tests and measurements.
   int paintCount() const { return mPaintCount; }
-  /// Shows in its button whether the view fills the window.
+  /// Shows in the maximise button whether the view fills the window.
   void setMaximised(bool maximised);
-  /// All of the data, in the middle.
+  /// Shows all of the data, in the view's middle.
   void fit();
-  /// To the next plane away from the viewer (-1) or towards the viewer (+1).
+  /// Moves the section by some planes, towards the viewer (+1) or away from the viewer (-1).
   void scroll(double steps);
 
   QWidget& widget() override { return *this; }
@@ -51,7 +51,7 @@ class SectionView : public QWidget, public ToolView {
  signals:
   void pointedAt(const velum::render::Pick& pick);
   void pointedAtNothing();
-  /// The user does something here: other views are to leave it the machine.
+  /// The user does something in this view: other views are to leave the machine to it.
   void touched();
   void maximiseWanted();
   /// The right button was clicked over a structure, which is selected now.
@@ -101,26 +101,26 @@ class SectionView : public QWidget, public ToolView {
   std::vector<scene::Cut> mCutsShown;
   render::SheetIndices mSheets;
   render::SectionImage mImage;
-  QImage mOutlines;                  ///< Of the instances of the model; null where there is none.
-  std::size_t mOutlinesMissing = 0;  ///< That there was no time to draw.
-  scene::ModelLayer mModelShown;     ///< whose they are
+  QImage mOutlines;                  ///< Outlines of the model's instances; null where there is no model.
+  std::size_t mOutlinesMissing = 0;  ///< How many outlines there was no time to draw.
+  scene::ModelLayer mModelShown;     ///< the model whose outlines these are
   scene::SectionPlane mOutlinesPlane;
   Selection& mSelection;
   Toolbox& mToolbox;
   bool mStale = true;
-  int mDrawnCoarse = 1;  ///< Device pixels along the edge of one of mImage.
-  double mFullMs = 0.0;  ///< Time that the last full picture took.
+  int mDrawnCoarse = 1;  ///< How many device pixels one pixel of mImage is wide.
+  double mFullMs = 0.0;  ///< How long the last full picture took to draw.
   QTimer mRestTimer;
   int mPaintCount = 0;
   // Pointer.
   Drag mDrag = Drag::None;
   glm::dvec2 mDragStart{0.0}, mDragLast{0.0};
   bool mHasMoved = false;
-  scene::Scene mDragScene;  ///< As it was when the drag began.
+  scene::Scene mDragScene;  ///< The scene as it was when the drag began.
   scene::SectionPlane mDragPlane;
-  glm::dvec3 mCrosshairBefore{0.0};  ///< Before the last click; a double click puts it back there.
+  glm::dvec3 mCrosshairBefore{0.0};  ///< The crosshair before the last click; a double click puts it back there.
   QElapsedTimer mSincePress;
-  double mWheelRest = 0.0;  ///< Parts of a notch that a fine wheel has turned.
+  double mWheelRest = 0.0;  ///< The part of a notch that a fine wheel has turned so far.
   SectionHints mHints;
 };
 

@@ -9,8 +9,8 @@
 
 namespace velum::gui {
 
-/// The time steps of a series: a slider, and play. Hidden for data without time. The next step is shown when the views
-/// have drawn the one before, so that no step is left out on a slow machine.
+/// The time steps of a series: a slider, and play. Hidden for data without time. While playing, the next step is shown
+/// only when the views have drawn the one before, so that no step is left out on a slow machine.
 class TimeBar : public QFrame {
   Q_OBJECT
  public:
@@ -18,7 +18,7 @@ class TimeBar : public QFrame {
   void refresh();
   void setPlaying(bool playing);
   bool isPlaying() const { return mTimer.isActive(); }
-  /// By some steps, round the ends.
+  /// Goes on by some steps; after the last step comes the first, and the other way round.
   void step(int steps);
 
  signals:

@@ -4,7 +4,7 @@
 namespace velum::gui {
 
 /// The one way in which views change what they show (crosshair, zoom, turn, layout): no edit of the picture.
-/// @param change  of the scene's sections; what it does to the rest is dropped
+/// @param change  changes the scene's sections; changes of the rest of the scene are dropped
 inline void changeSections(session::Document& document, const session::Document::Change& change) {
   scene::Scene next = document.scene();
   change(next);

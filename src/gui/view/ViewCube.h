@@ -9,20 +9,20 @@
 
 namespace velum::gui {
 
-/// A cube in the corner of the 3D view that turns with the camera: it says from where one looks, and a click on a face,
-/// an edge or a corner flies there. A drag turns the camera. It is none of the picture's.
+/// A cube in the corner of the 3D view that turns with the camera: it shows from where the camera looks, and a click on
+/// a face, an edge or a corner flies the camera there. A drag turns the camera. The cube is not part of saved pictures.
 class ViewCube : public QWidget {
   Q_OBJECT
  public:
-  /// @param view  the 3D view in whose corner it stands
+  /// @param view  the 3D view in whose corner the cube stands
   ViewCube(session::Document& document, QWidget& view);
 
   /// To be called after every change of the document.
   void refresh();
   void setShown(bool shown);
-  /// The side under a place: 1, 0 or -1 along each axis, towards the eye; nothing beside the cube.
+  /// The face, edge or corner of the cube under a place: 1, 0 or -1 along each axis; nothing beside the cube.
   std::optional<glm::ivec3> partAt(QPointF place) const;
-  /// "anterior, left"; of what is no patient "-y, +x".
+  /// The name of a side: "anterior, left"; for data that is not of a patient "-y, +x".
   QString nameOf(glm::ivec3 side) const;
 
  protected:
@@ -35,7 +35,7 @@ class ViewCube : public QWidget {
   void leaveEvent(QEvent* event) override;
 
  private:
-  /// A cell of a face, as it is seen; cells of one edge or corner are on several faces.
+  /// A cell of a face, as it is seen on the screen; an edge or corner has cells on several faces.
   struct Cell {
     glm::ivec3 side;
     QPolygonF outline;
@@ -51,7 +51,7 @@ class ViewCube : public QWidget {
   session::Document& mDocument;
   QWidget& mView;
   CameraFlight mFlight;
-  scene::Camera mCamera;  ///< as it is painted
+  scene::Camera mCamera;  ///< the camera for which the cube is painted
   bool mIsShown = true;
   std::optional<glm::ivec3> mHover, mPressed;
   QPointF mFrom, mLast;

@@ -78,7 +78,7 @@ void Viewport::initializeGL() {
   }
 }
 
-/// Gives everything on the GPU back, while its context still lives: the widget goes, or moves to another window.
+/// Gives back everything on the GPU while the context still lives, as the widget is deleted or moves to another window.
 void Viewport::release() {
   mSectionTimer.stop();
   mRestTimer.stop();
@@ -162,7 +162,7 @@ void Viewport::sceneChanged() {
 
 bool Viewport::marksOverlaps() const { return mToolbox.active() && mToolbox.active()->marksOverlaps(); }
 
-/// What is drawn of the scene. Where sheets rest is told by the sheets themselves.
+/// The scene as it is drawn. The sheets themselves tell where they rest.
 scene::Scene Viewport::drawnScene() const {
   scene::Scene scene = scene::pictureScene(mDocument.scene());
   for (auto& cut : scene.cuts)
@@ -237,7 +237,7 @@ bool Viewport::drawSome() {
   QElapsedTimer clock;
   clock.start();
   bool done = mRenderer->work(mFrame, budgetMs);
-  // It rests before what is long: what that will replace is dimmed first.
+  // Pause before a long piece of work: the picture that it will replace is dimmed first.
   if (!done && double(clock.nsecsElapsed()) * 1e-6 < budgetMs) mVeil->awaitLong();
   bool grown = mStage == Stage::Full && mRenderer->stats().samples > 0 && mSinceShown.elapsed() > kShowMs;
   if (done || grown) show();

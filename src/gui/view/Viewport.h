@@ -15,9 +15,9 @@ namespace velum::gui {
 
 class PreparingVeil;
 
-/// The progressive 3D view. While the scene changes it shows coarse pictures, sized so that each is ready at once; when
-/// the scene rests it refines in short sections between events, and when the picture is complete it does no work at
-/// all.
+/// The progressive 3D view. While the scene changes the view shows coarse pictures, sized so that each is ready at
+/// once; when the scene rests the picture is refined in short pieces of work between events, and when the picture is
+/// complete the view does no work at all.
 class Viewport : public QOpenGLWidget, public ToolView {
   Q_OBJECT
  public:
@@ -26,7 +26,7 @@ class Viewport : public QOpenGLWidget, public ToolView {
 
   /// To be called after every change of the document.
   void sceneChanged();
-  /// Leaves the machine to another view: no work on the picture until nobody has asked for so long.
+  /// Leaves the machine to another view: stops work on the picture until pause() has not been called for so long.
   void pause(int ms);
 
   void lookFrom(scene::StandardView view);
@@ -34,16 +34,18 @@ class Viewport : public QOpenGLWidget, public ToolView {
   scene::Camera frame(const scene::Scene& scene, scene::StandardView view) const;
   void toggleProjection();
 
-  /// What is on the screen is the scene as it is, its sheets at rest, if only a coarse picture of it.
+  /// The picture on the screen shows the scene as it is, with its sheets at rest, even if the picture is only a coarse
+  /// one.
   bool isCurrent() const { return !mPending && mHasPicture && !mSession.isOnItsWay(); }
   bool isConverged() const { return mStage == Stage::Idle && !mPending && !mAwaitsCounts && mSession.isSettled(); }
   /// Empty before the driver is known.
   render::Stats stats() const { return mRenderer ? mRenderer->stats() : render::Stats{}; }
-  /// How many pictures it has painted; for tests and measurements.
+  /// How many pictures the view has shown; for tests and measurements.
   int shownCount() const { return mShownCount; }
-  /// Gives up everything on the GPU and makes it again, as after the driver has lost it.
+  /// Gives up everything on the GPU and makes it again, as after the driver has lost its context.
   void loseContext();
-  /// Jobs of players have ended: there may be something to do that no picture waits for.
+  /// To be called when jobs of the session's players have ended: their results may ask for work although no picture is
+  /// being drawn.
   void playersTold();
   const session::MembraneMover& membranes() const { return mSession.membranes(); }
   void playMembranes(bool play);
@@ -63,25 +65,26 @@ class Viewport : public QOpenGLWidget, public ToolView {
   Qt::CursorShape restCursor() const override { return Qt::ArrowCursor; }
 
  signals:
-  /// The sheets' indices are others: sections are to be drawn anew.
+  /// The sheets' indices have changed: sections are to be drawn anew.
   void sheetsMoved();
   /// What membranes().status() says has changed; a few times a second at most.
   void sheetsTold();
-  /// Something that was computed beside has come in.
+  /// A result that players computed in the background has come in.
   void playersHeard();
   /// How far the picture is refined. @param stage  in words; empty when complete
   void refined(double fraction, const QString& stage);
   void pointedAt(const velum::render::Pick& pick);
   void pointedAtNothing();
-  /// A click that was no drag and for no tool: what it hit; nothing hit, too.
+  /// A click, neither a drag nor used by a tool, and what it hit, which may be nothing.
   void clickedAt(const velum::render::Pick& pick);
-  /// The same with the right button.
+  /// A click as above with the right button.
   void menuAskedAt(const velum::render::Pick& pick, QPoint globalPlace);
-  /// What became of the model's instances in a picture of the scene; a moment later, as nothing waits for it.
-  /// @param isComplete  the picture is the one that stays; false: a coarse one, while something moves
+  /// What became of the model's instances in a picture of the scene; it comes a moment after the picture, as nothing
+  /// waits for the counts.
+  /// @param isComplete  true: of the picture that stays; false: of a coarse picture, while something moves
   void counted(const velum::render::InstanceBits& bits, bool isComplete);
   void failed(const QString& message);
-  /// A double click beside the handles, and on no instance of a model.
+  /// A double click that hit neither a handle nor an instance of a model.
   void maximiseWanted();
   /// A double click on an instance of the model.
   void instanceWanted(const velum::render::Pick& pick);
@@ -136,20 +139,20 @@ class Viewport : public QOpenGLWidget, public ToolView {
   std::unique_ptr<render::Renderer> mRenderer;
   std::unique_ptr<QOpenGLFramebufferObject> mShown;  ///< The picture on the screen, kept while the next one is made.
   render::Frame mFrame;
-  std::uint64_t mSheetsShown = 0;  ///< Of the players, in the frame on its way.
+  std::uint64_t mSheetsShown = 0;  ///< The session's shownCount() when mFrame was begun.
   render::SheetIndices mIndicesTold;
   QElapsedTimer mSinceSheetsTold;
   bool mSheetsWereSettled = true;
   scene::Scene mWanted;  ///< What the 3D view last heard that it should show.
   Stage mStage = Stage::Idle;
   bool mPending = true;        ///< The scene has changed since mFrame was made.
-  bool mAwaitsCounts = false;  ///< Those of mFrame have not been heard.
+  bool mAwaitsCounts = false;  ///< The counts of mFrame have not arrived yet.
   bool mHasPicture = false;    ///< mFrame has a complete sample, so that it can be picked from.
   double mCoarseScale = 0;     ///< Device pixels to one pixel of a coarse picture; 0: not known yet.
   QTimer mSectionTimer, mRestTimer, mPickTimer, mPauseTimer;
   QElapsedTimer mSinceShown, mSinceTold;
   Stage mToldStage = Stage::Idle;
-  bool mIsFresh = false;  ///< The picture on its way to the screen is a new one.
+  bool mIsFresh = false;  ///< The next paint puts a new picture on the screen.
   int mShownCount = 0;
   // Pointer.
   Drag mDrag = Drag::None;

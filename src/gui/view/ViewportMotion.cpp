@@ -10,7 +10,7 @@ constexpr int kTellMs = 200;
 
 }  // namespace
 
-/// Something may be due that no picture waits for.
+/// Starts the timer, as sheets may need work although no picture is being drawn.
 void Viewport::wakeSheets() {
   bool isDue = !mSession.isStill() || membranes().indices() != mIndicesTold || mSession.shownCount() != mSheetsShown;
   if (mRenderer && isDue && !mSectionTimer.isActive() && !mPauseTimer.isActive()) mSectionTimer.start();

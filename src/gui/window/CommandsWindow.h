@@ -9,13 +9,14 @@
 
 namespace velum::gui {
 
-/// What has been done to what is open, as the lines of a script that does it again; and a line to type another.
+/// Shows the edits of the open scene as lines of a script that makes these edits again, and has a field in which
+/// another command is typed.
 class CommandsWindow : public QWidget {
   Q_OBJECT
  public:
   CommandsWindow(session::Session& session, JobRunner& jobs, QWidget* parent);
 
-  /// The document has changed. Its lines are told when nothing has changed for a moment.
+  /// To be called when the document has changed. The lines are shown when nothing has changed for a moment.
   void refresh();
 
  protected:

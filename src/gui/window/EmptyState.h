@@ -6,8 +6,8 @@ namespace velum::gui {
 
 class RecentRow;
 
-/// What the window shows before there is data: samples of what the program is for, what it takes and how, and the
-/// recent files. What is higher than the window scrolls.
+/// What the window shows before there is data: samples of what the program is for, the files that it opens and the ways
+/// to open them, and the recent files. It scrolls when it is higher than the window.
 class EmptyState : public QFrame {
   Q_OBJECT
  public:
@@ -17,7 +17,7 @@ class EmptyState : public QFrame {
  signals:
   void openFiles();
   void openFolder();
-  /// A scene of the program's own, by its name.
+  /// One of the program's own scenes is to be opened, by its name.
   void openSample(const QString& name);
 
  private:

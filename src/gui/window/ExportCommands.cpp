@@ -20,7 +20,7 @@ namespace velum::gui {
 
 namespace {
 
-/// That of the picture saved last; a slide's before there is one.
+/// The size of the picture saved last; the size of a slide before any was saved.
 glm::ivec2 usualPictureSize() {
   QSize size = Preferences().value(kPictureSizeKey).toSize();
   return size.isEmpty() ? glm::ivec2(1920, 1080) : glm::ivec2(size.width(), size.height());
@@ -95,7 +95,7 @@ void ExportCommands::saveAnimationTo(const QString& path, const session::Picture
 
 // Sheets, and what they leave.
 
-/// Id of the selected one, else of the first that is enabled; 0: none.
+/// Id of the selected membrane, else of the first one that is enabled; 0: none.
 int ExportCommands::membraneToExport() const {
   const scene::Scene& scene = mParts.session.scene();
   if (const scene::Cut* selected = selectedMembrane(mParts.document(), mParts.selection)) return selected->id;
@@ -104,8 +104,8 @@ int ExportCommands::membraneToExport() const {
   return 0;
 }
 
-/// The sheets as the window shows them where they rest or are held; else where they will come to rest, as the same
-/// scene always gives the same sheets. To be called in a worker.
+/// A function, to be called in a worker, that returns the scene at rest: sheets that rest or are held as the window
+/// shows them, other sheets where they will come to rest, as the same scene always gives the same sheets.
 std::function<scene::Scene(Progress&)> ExportCommands::sceneAtRest() const {
   const session::MembraneMover& player = mParts.session.membranes();
   scene::Scene scene = mParts.session.scene();

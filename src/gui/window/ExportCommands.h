@@ -9,7 +9,8 @@
 
 namespace velum::gui {
 
-/// What is written for other programs: pictures, sheets of membranes, volumes without what is cut away.
+/// The commands that write files for other programs: pictures, sheets of membranes, volumes without the parts that are
+/// cut away, models, counts and structures.
 class ExportCommands : public Room {
   Q_OBJECT
  public:
@@ -18,22 +19,22 @@ class ExportCommands : public Room {
   void addActions(QMenu* menu);
 
   void savePictureTo(const QString& path, const session::PictureOptions& options, const scene::Scene& scene);
-  /// Its frames, NAME-0000 and on.
+  /// Writes an animation as single frames, NAME-0000 and on.
   void saveAnimationTo(const QString& path, const session::PictureOptions& options, const scene::Scene& scene,
                        session::Motion motion, int frames);
-  /// The sheet of the selected membrane, or of the first, as it rests.
+  /// Writes the sheet of the selected membrane, or of the first membrane where none is selected, as the sheet rests.
   void exportSheetTo(const QString& path);
-  /// The volume without what the cuts take away.
+  /// Writes the volume without the parts that the cuts take away.
   void exportClippedTo(const QString& path);
-  /// The instances that cuts leave of the model.
+  /// Writes the instances of the model that the cuts leave.
   void exportModelTo(const QString& path);
-  /// How many of each type are seen, hidden and removed, in a picture as large as the view.
+  /// Writes how many instances of each type are seen, hidden and removed, in a picture as large as the view.
   void exportBarsTo(const QString& path);
-  /// Structures as surfaces or as labels.
+  /// Writes structures as surfaces or as labels.
   void exportStructuresTo(const QString& path, const session::StructureExport& what);
 
  signals:
-  /// Structures are to be exported: askExportStructures() with those that are selected.
+  /// Structures are to be exported: askExportStructures() is to be called with the selected structures.
   void exportStructuresAsked();
 
  public slots:
@@ -47,7 +48,8 @@ class ExportCommands : public Room {
  private:
   void askSavePicture();
   QString askPath(const QString& title, const char* suffix, const QString& filters);
-  /// What is to be written, from a scene at rest. @return what the file could not hold
+  /// Writes a file from a scene whose sheets are at rest; called in a worker. @return what the file could not hold, one
+  /// line each
   using Write = std::function<std::vector<std::string>(const scene::Scene& settled, Progress&)>;
   void write(const QString& path, Write work);
   int membraneToExport() const;

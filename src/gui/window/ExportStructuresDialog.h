@@ -8,11 +8,11 @@
 
 namespace velum::gui {
 
-/// Which structures are exported, and how: the file is asked for after it.
+/// Asks which structures are exported, and how; the file's name is asked for after this dialog.
 class ExportStructuresDialog : public QDialog {
   Q_OBJECT
  public:
-  /// @param selected  ids of those that are selected; empty: all is all there is to choose
+  /// @param selected  ids of the selected structures; empty: only "all" can be chosen
   ExportStructuresDialog(const scene::Scene& scene, std::vector<int> selected, QWidget* parent);
   session::StructureExport options() const;
 

@@ -104,7 +104,7 @@ void FileCommands::openAsked(const QStringList& paths, bool add) {
   if (add || isLook || mayLeave()) mLoads.openPaths(paths, add);
 }
 
-/// Where what is open lies; empty when nothing has a place.
+/// The folder of the open file; empty when nothing that is open has one.
 QString FileCommands::folder() const {
   const std::string& path = mParts.session.file().path();
   return path.empty() ? QString() : QFileInfo(QString::fromStdString(path)).path();

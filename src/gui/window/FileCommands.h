@@ -5,15 +5,16 @@
 
 namespace velum::gui {
 
-/// The File menu: what is opened, saved, closed, and what is asked before work is lost.
+/// The File menu: opens, saves and closes files, and asks before work is lost.
 class FileCommands : public Room {
   Q_OBJECT
  public:
   FileCommands(const WindowParts& parts, FileLoads& loads, ExportCommands& exports);
 
-  /// True when what is open is saved, or given up.
+  /// Asks about unsaved changes. @return true when the open scene is saved, or the user gives its changes up
   bool mayLeave();
-  /// Asks first where something would be lost.
+  /// Opens files, and asks first where unsaved changes would be lost. @param add  to the open scene, instead of in its
+  /// place
   void openAsked(const QStringList& paths, bool add = false);
   void saveSceneTo(const QString& path);
   /// Back to the empty window.

@@ -24,7 +24,7 @@ namespace velum::gui {
 
 namespace {
 
-/// What there is to know of what was read. @param before  the scene without it, whose data has been spoken of
+/// The notes about the data that was read. @param before  the scene before that, whose data has had its notes already
 std::vector<std::string> notesOf(const session::Loaded& loaded, const scene::Scene& before) {
   std::vector<std::string> notes = loaded.notes;
   auto take = [&](const auto& data, const auto& known) {
@@ -40,7 +40,7 @@ QString withoutSlash(const QString& path) { return QDir::cleanPath(QFileInfo(pat
 double aspectOf(const QWidget& view) { return double(std::max(1, view.width())) / std::max(1, view.height()); }
 QString nameOf(const QString& path) { return QFileInfo(path).fileName(); }
 
-/// In red where labels are not where the scan is. @return false where they are
+/// Shows an error where labels do not lie where the scan lies. @return false where they do
 bool sayMisplaced(const WindowParts& parts, const QString& name) {
   std::string misplaced = session::misplacedLabels(parts.session.scene());
   if (!misplaced.empty()) parts.messages.showError(QString("%1: %2").arg(name, toText(misplaced)));
@@ -229,7 +229,7 @@ void FileLoads::show(session::Loaded& loaded, const QString& path) {
   if (isNew && !mUnattended) emit volumeOpened();
 }
 
-/// In red where slices are missing: what is seen there was not measured. All that is known of the data is said.
+/// Shows all notes about the data; as an error where slices are missing, as what is seen there was not measured.
 void FileLoads::sayNotes(const QString& name, const std::vector<std::string>& notes) {
   if (sayMisplaced(mParts, name)) return;
   const auto& volume = mParts.session.scene().volume.data;

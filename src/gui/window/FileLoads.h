@@ -7,23 +7,23 @@
 
 namespace velum::gui {
 
-/// Reads what is opened, in the background, asks for data that is missing, and shows it; remembers it among the recent
-/// files.
+/// Reads files in the background, asks for data that is missing, and shows what was read; remembers the file among the
+/// recent ones.
 class FileLoads : public QObject {
   Q_OBJECT
  public:
   explicit FileLoads(const WindowParts& parts);
 
-  /// Files or folders. @param add  beside what is open, instead of in its place
+  /// Opens files or folders. @param add  to the open scene, instead of in its place
   void openPaths(const QStringList& paths, bool add);
   void openPhantom(const QString& name, int voxels);
-  /// One of session::showcases().
+  /// Opens one of session::showcases().
   void openSample(const QString& name);
-  /// A file as labels of what is open, whatever it looks like.
+  /// Opens a file as labels of the open scene, whatever kind of file it seems to be.
   void openLabels(const QString& path);
-  /// The work of a session that has died. @param path  what it was of
+  /// Opens the work of a session that has died. @param path  the file that this work was of
   void openLost(const std::filesystem::path& folder, const QString& path);
-  /// Shows what has been read. @param path  what it is called
+  /// Shows what has been read. @param path  of the file, as the user knows it
   void show(session::Loaded& loaded, const QString& path);
 
   /// Nothing is asked: data that is missing is an error.
@@ -31,15 +31,15 @@ class FileLoads : public QObject {
   bool isUnattended() const { return mUnattended; }
   /// Puts a file in front of the recent ones.
   void rememberFile(const QString& path);
-  /// Keeps a picture of what is open for its card.
+  /// Keeps a picture of the open scene for the card of its file.
   void rememberPicture();
 
  signals:
-  /// Something is about to be shown: the views are to have the size that they will have.
+  /// A scene is about to be shown: the views are to take their final size now.
   void aboutToShow();
-  /// It is a look, for what is open.
+  /// The file is a look, which is to be given to the open scene.
   void lookOpened(const QString& path);
-  /// A volume was opened from its own file: what that does not say may be asked.
+  /// A volume was opened from its own file: facts that the file does not tell may now be asked for.
   void volumeOpened();
   /// Recovered work is safe again.
   void lostWorkTaken();
@@ -58,7 +58,7 @@ class FileLoads : public QObject {
 
   const WindowParts& mParts;
   bool mUnattended = false;
-  bool mWantsPicture = false;  ///< The recent file that is open has no picture since it was opened.
+  bool mWantsPicture = false;  ///< No picture of the open recent file has been kept since it was opened.
 };
 
 }  // namespace velum::gui

@@ -5,7 +5,7 @@
 
 namespace velum::gui {
 
-/// The user guide, which rides in the program: no network, no browser.
+/// The user guide, which is part of the program: it needs no network and no browser.
 class HelpWindow : public QWidget {
   Q_OBJECT
  public:

@@ -4,7 +4,7 @@
 
 namespace velum::gui {
 
-/// Undo, redo, and the list of both; what was done as commands; preferences.
+/// Undo, redo, and the list of both; the edits as commands of a script; preferences.
 class HistoryCommands : public Room {
   Q_OBJECT
  public:
@@ -12,7 +12,7 @@ class HistoryCommands : public Room {
   void refresh(const session::Session& session) override;
 
  signals:
-  /// How things are shown has changed.
+  /// A preference has changed that decides how things are shown.
   void preferencesChanged();
 
  private:
@@ -22,7 +22,7 @@ class HistoryCommands : public Room {
   void showCommands();
 
   QAction *mUndo, *mRedo, *mCopy;
-  CommandsWindow* mCommands = nullptr;  ///< From when it is first shown.
+  CommandsWindow* mCommands = nullptr;  ///< Made when it is first shown; null before.
 };
 
 }  // namespace velum::gui

@@ -10,7 +10,7 @@
 namespace velum::gui {
 
 /// Every command with its keys, which are changed here: choose a command, press the keys. Keys that another command has
-/// are taken from it, and it is said.
+/// are taken from that command, and the page says so.
 class KeysPage : public QWidget {
   Q_OBJECT
  public:

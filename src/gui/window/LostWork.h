@@ -16,11 +16,11 @@ class LostWork : public QObject {
 
   void lookFor(const std::filesystem::path& root);
   bool isLooking() const { return mScan != nullptr; }
-  /// Opens the first that is offered and can be read, as modified. False when nothing is.
+  /// Opens the first offered work that can be read, as a modified scene. @return false when there is none
   bool restore();
 
  signals:
-  /// The user wants it: what is open may have to be saved first.
+  /// The user wants the offered work back: the open scene may have to be saved first.
   void restoreAsked();
 
  private:

@@ -63,7 +63,7 @@ void MainWindow::buildRooms() {
   mExports = add(new ExportCommands(parts));
   mFiles = add(new FileCommands(parts, *mLoads, *mExports));
   auto* history = add(new HistoryCommands(parts));
-  // Every number says its unit anew.
+  // Every number field shows its unit anew.
   connect(history, &HistoryCommands::preferencesChanged, this, [this] {
     refresh();
     for (QWidget* widget : findChildren<QWidget*>()) widget->update();
@@ -81,7 +81,7 @@ void MainWindow::buildRooms() {
   mFrame.bar->fill(mActions);
 }
 
-/// What one room asks and another does.
+/// Connects what one room asks for to the room that does it.
 void MainWindow::connectRooms() {
   mModels->addLegend();
   connect(mFrame.empty, &EmptyState::openFiles, this, [this] { mFiles->askOpen(false); });
@@ -109,7 +109,7 @@ void MainWindow::connectRooms() {
   connect(&viewport(), &Viewport::failed, mFrame.messages, &MessageBar::showError);
 }
 
-/// What jobs have computed.
+/// Takes over what jobs have computed.
 void MainWindow::collect() {
   mSession.collect();
   viewport().playersTold();

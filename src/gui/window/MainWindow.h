@@ -13,8 +13,8 @@
 
 namespace velum::gui {
 
-/// The window: a session, the views of it, and the rooms that bring all else. It makes them, and tells them of every
-/// change; what they can do is theirs.
+/// The window: a session, its views, and the rooms that bring everything else. The window makes the rooms and tells
+/// them of every change; what can be done is in the rooms.
 class MainWindow : public QMainWindow {
   Q_OBJECT
  public:
@@ -25,23 +25,24 @@ class MainWindow : public QMainWindow {
   void openPaths(const QStringList& paths, bool add = false) { mLoads->openPaths(paths, add); }
   void openPhantom(const QString& name, int voxels) { mLoads->openPhantom(name, voxels); }
   void openLabels(const QString& path) { mLoads->openLabels(path); }
-  /// Shows a scene whose data is in memory. @param name  what it is called
+  /// Shows a scene whose data is in memory. @param name  of the scene
   void showScene(scene::Scene scene, const QString& name);
   void saveSceneTo(const QString& path) { mFiles->saveSceneTo(path); }
   void newScene() { mFiles->newScene(); }
   ExportCommands& exports() { return *mExports; }
   /// Stops the load or the picture that is running; what is open stays.
   void cancelJob() { mJobs.cancel(); }
-  /// Journals every change from now on, in a folder under this one. @param offers  what dead sessions left there, too
+  /// Journals every change from now on, in a folder under this one. @param offers  true: also offers the work that dead
+  /// sessions left there
   void protectWork(const std::filesystem::path& root, bool offers = true);
-  /// Opens the work that is offered, as modified. False when nothing is offered.
+  /// Opens the work that is offered, as a modified scene. @return false when nothing is offered
   bool restoreWork() { return mLost->restore(); }
   /// A script runs: nothing is asked. Unsaved changes are given up; data that is missing is an error.
   void setUnattended(bool unattended) { mLoads->setUnattended(unattended); }
   /// Leaves without asking, whatever is unsaved.
   void leave(int exitCode);
-  /// The program is made to end: nothing is asked, what runs is stopped, and edits that are unsaved are offered at the
-  /// next start.
+  /// To be called when the system makes the program end: nothing is asked, running work is stopped, and unsaved edits
+  /// are offered at the next start.
   void abandon();
 
   session::Session& session() { return mSession; }
@@ -64,7 +65,7 @@ class MainWindow : public QMainWindow {
   bool isBusy() const { return mJobs.isBusy(); }
   /// What went wrong in the last job or while saving; empty when nothing did.
   QString lastError() const { return mJobs.lastError(); }
-  /// Dead sessions' work is still being looked for.
+  /// True while the window still looks for the work of dead sessions.
   bool isLookingForWork() const { return mLost->isLooking(); }
   /// Nothing is running, and what is shown is complete.
   bool isSettled() const { return !isBusy() && (!mSession.file().isOpen() || mViews->isComplete()); }
@@ -94,7 +95,7 @@ class MainWindow : public QMainWindow {
   ViewGrid* mViews;
   JobRunner mJobs;
   WindowParts mParts;
-  // Rooms: told of every change in this order.
+  // The rooms, which are told of every change in this order.
   std::vector<Room*> mRooms;
   FileLoads* mLoads = nullptr;
   LostWork* mLost = nullptr;

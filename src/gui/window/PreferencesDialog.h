@@ -6,15 +6,15 @@
 
 namespace velum::gui {
 
-/// What the user chooses for the program: appearance and units, mouse and wheel, keys, memory. Everything counts at
-/// once, but memory, which counts from the next start on.
+/// What the user chooses for the program: appearance and units, mouse and wheel, keys, memory. Every choice takes
+/// effect at once, but that of memory, which takes effect at the next start.
 class PreferencesDialog : public QDialog {
   Q_OBJECT
  public:
   PreferencesDialog(ActionTable& actions, QWidget* parent);
 
  signals:
-  /// How things are shown has changed.
+  /// A preference has changed that decides how things are shown.
   void changed();
 
  private:

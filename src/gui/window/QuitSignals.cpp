@@ -17,7 +17,7 @@ constexpr int kSignals[] = {SIGTERM, SIGINT, SIGHUP};
 
 std::atomic<int> gPipe{-1};  // for the signal handler alone
 
-/// Does only what a handler may.
+/// The signal handler; does only what a handler may do.
 void onSignal(int number) {
   int error = errno;
   for (int one : kSignals) std::signal(one, SIG_DFL);

@@ -5,7 +5,8 @@
 namespace velum::gui {
 
 /// Tells in the event loop that the system, or a terminal, wants the program to end: SIGTERM, SIGINT and SIGHUP, unless
-/// they were ignored when it was started (nohup). A second one ends it at once. One a process.
+/// these signals were ignored when the program was started (nohup). A second signal ends the program at once. At most
+/// one object of this class in a process.
 class QuitSignals : public QObject {
   Q_OBJECT
  public:

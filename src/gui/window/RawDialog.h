@@ -14,17 +14,17 @@
 
 namespace velum::gui {
 
-/// Asks what the samples of a file without a header are, and shows a plane of it as they would be read. It begins with
-/// the likeliest layout that fills the file.
+/// Asks how the samples of a file without a header are laid out, and shows a plane of the volume as it would be read.
+/// The dialog begins with the likeliest layout that fills the file.
 class RawDialog : public QDialog {
   Q_OBJECT
  public:
-  /// @param source  the file, and what is known of it already: raw.dims of zero asks for a guess
+  /// @param source  the file, and what is known already of its layout: raw.dims of zero asks for a guess
   RawDialog(const scene::Source& source, QWidget* parent);
   ~RawDialog() override;
-  /// As it is to be read.
+  /// The file with the layout in which it is to be read.
   scene::Source source() const;
-  /// The guesses are there.
+  /// The guesses of the layout have been computed.
   bool hasGuessed() const { return !mJob; }
 
  private:

@@ -8,17 +8,17 @@
 
 namespace velum::gui {
 
-/// Offers the work of sessions that have died, one after the other; it waits and stops nothing.
+/// Offers the work of sessions that have died, one after the other. The bar waits for an answer and blocks nothing.
 class RecoveryBar : public QFrame {
   Q_OBJECT
  public:
   explicit RecoveryBar(QWidget* parent);
 
-  /// Also work that cannot be read: where it lies, and why. Shows itself when there is some.
+  /// Offers work, and shows the bar when there is any. Of work that cannot be read the bar says where it lies, and why.
   void offer(std::vector<session::LostWork> work);
-  /// Null when nothing is offered.
+  /// The work that is offered now; null when nothing is offered.
   const session::LostWork* current() const { return mWork.empty() ? nullptr : &mWork.front(); }
-  /// The current one is settled, one way or the other: shows the next.
+  /// The current work is restored or given up: offers the next.
   void next();
 
  signals:

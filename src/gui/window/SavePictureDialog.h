@@ -14,25 +14,26 @@
 
 namespace velum::gui {
 
-/// Of the size in pixels of the picture saved last, among the preferences.
+/// The key of the preference that holds the size in pixels of the picture saved last.
 inline constexpr const char* kPictureSizeKey = "picture/size";
 
-/// Asks how large and how fine a picture is to be, and shows it small meanwhile, drawn as the picture will be.
+/// Asks how large and how fine a picture is to be, and shows a small preview, drawn as the picture will be.
 class SavePictureDialog : public QDialog {
   Q_OBJECT
  public:
-  /// @param viewSize  of the 3D view, offered beside; @param size  that it begins with, both in pixels
+  /// @param viewSize  size of the 3D view, which can be chosen, too  @param size  size that the dialog begins with,
+  /// both in pixels
   SavePictureDialog(glm::ivec2 viewSize, glm::ivec2 size, const scene::Scene& scene, QWidget* parent);
   ~SavePictureDialog() override;
-  /// Chooses what was chosen for the picture before: unit, resolution, layers, animation, as far as this scene has it.
-  /// How many samples, and what is behind the picture, are the scene's.
+  /// Chooses what was chosen for the picture before: unit, resolution, layers, animation, as far as this scene can have
+  /// them. The number of samples and the background are taken from the scene.
   void recall();
-  /// Keeps it, and the size, for the next one.
+  /// Keeps these choices, and the size, for the next picture.
   void remember() const;
   session::PictureOptions options() const;
   /// The scene with the background that is chosen.
   scene::Scene pictureScene() const;
-  /// What moves; nothing for a single picture.
+  /// What moves in an animation; nothing for a single picture.
   std::optional<session::Motion> motion() const;
   int frames() const { return mFrames->value(); }
   /// The command line that makes this picture; the scene goes into a file of its own in velum's folder under

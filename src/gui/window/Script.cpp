@@ -46,7 +46,7 @@ Script::Script(MainWindow& window, QString name, const QString& text)
 
 void Script::start() {
   mWindow.setUnattended(true);
-  // What the command line names is read first.
+  // The files that the command line names are read first.
   waitFor([this] { return !mWindow.isBusy() && !mWindow.isLookingForWork(); }, kMostMs, tr("the files"));
 }
 
@@ -149,7 +149,7 @@ bool Script::runAction(const QString& command, const QString& rest) {
   return true;
 }
 
-/// A command that scripts have without a window, too. What is long is a job, here.
+/// Runs a command that scripts without a window have, too. Here long commands are jobs.
 void Script::runCommand(const QString& line) {
   session::Call call = session::parseCall(line.toStdString());
   bool isLong = !call.command().act && session::isLong(mWindow.document().scene(), call);
@@ -164,7 +164,7 @@ void Script::runCommand(const QString& line) {
   std::fflush(stdout);
 }
 
-/// What the window does in its own way: it shows what was read, and draws pictures beside.
+/// Runs the commands that the window does in its own way: it shows what was read, and draws pictures in the background.
 bool Script::runFile(const QString& command, const QString& rest) {
   auto waitForJob = [this](const QString& what) { waitFor([this] { return !mWindow.isBusy(); }, kMostMs, what); };
   auto argumentsOf = [&]<class Arguments>(Arguments) {

@@ -18,13 +18,15 @@ class Script : public QObject {
   Script(MainWindow& window, QString name, const QString& text);
 
   void start();
-  /// Each line is said on stdout when it is done, after the time of the monotonic clock in seconds.
+  /// Sets whether each line is printed on stdout when it is done, with the time of the monotonic clock in seconds
+  /// before it.
   void setEcho(bool echo) { mEcho = echo; }
 
  signals:
   /// The last line is done.
   void finished();
-  /// Nothing more is run. @param error  one line with file and line number @param exitCode  1 usage, 2 input
+  /// A line has failed, and no further line is run. @param error  one line with file and line number  @param exitCode
+  /// 1 usage, 2 input
   void failed(const QString& error, int exitCode);
 
  private:
@@ -41,7 +43,7 @@ class Script : public QObject {
   MainWindow& mWindow;
   QString mName;
   QStringList mLines;
-  int mLine = 0;  ///< that runs, from 1
+  int mLine = 0;  ///< number of the line that runs, from 1
   bool mEcho = false;
   bool mIsSaid = false;
   std::function<bool()> mReady;  ///< what the line waits for; empty: nothing

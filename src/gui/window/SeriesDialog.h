@@ -9,15 +9,16 @@
 
 namespace velum::gui {
 
-/// Which of several DICOM series is to be opened, each with its middle image, and with which segments of it.
+/// Asks which of several DICOM series is to be opened, and with which of the series' segments; shows each series with
+/// its middle image.
 class SeriesDialog : public QDialog {
   Q_OBJECT
  public:
   SeriesDialog(std::vector<session::Series> series, const QString& folder, QWidget* parent);
 
-  /// The one that is chosen.
+  /// The series that is chosen.
   const session::Series& series() const { return mSeries[std::size_t(row())]; }
-  /// File of the segments that are chosen; empty: none.
+  /// The file of the segments that are chosen; empty: none are.
   std::filesystem::path labels() const;
 
  private:

@@ -25,7 +25,7 @@ namespace {
 constexpr const char* kNeeded = "4.5 is needed: install or update the graphics driver; Mesa's software driver will do";
 constexpr std::size_t kMostSaid = 1000;  // bytes of a driver's own words
 
-/// What the handler, of which Qt has one a process, has taken.
+/// The messages that the handler, of which Qt has one for each process, has taken.
 struct Taken {
   QMutex mutex;
   QStringList warnings, lines;
@@ -46,7 +46,7 @@ std::string whyNoPlatform(QStringList warnings) {
   return warnings.isEmpty() ? "Qt finds no platform" : warnings.join("; ").simplified().toStdString();
 }
 
-/// Where somebody looks at what is drawn.
+/// True where windows are on a screen that somebody can see.
 bool hasScreen() {
   QString name = QGuiApplication::platformName();
   return !name.startsWith("offscreen") && !name.startsWith("minimal");

@@ -4,12 +4,12 @@
 
 #include "core/Error.h"
 
-/// What the program needs of the machine before there is a window.
+/// Checks what the program needs of the machine before there is a window, and what is said where that is missing.
 namespace velum::gui {
 
-/// Keeps what Qt says while it lives, which is told on stderr at its end unless it was dropped. Where Qt would abort,
-/// for it can make no platform, one line says why and the process ends with ExitCode::Gpu. One at a time; made before
-/// QApplication.
+/// Keeps Qt's messages while this object lives; they are printed on stderr at its end unless drop() was called. Where
+/// Qt would abort, as it finds no platform for windows, one line says why and the process ends with ExitCode::Gpu. Only
+/// one such object at a time; to be made before QApplication.
 class StartMessages {
  public:
   StartMessages();
@@ -17,7 +17,7 @@ class StartMessages {
   StartMessages(const StartMessages&) = delete;
   StartMessages& operator=(const StartMessages&) = delete;
 
-  /// It was said in other words.
+  /// Forgets the messages, as the same was said in other words.
   void drop();
   /// What Qt has warned of so far, without categories.
   static QStringList warnings();
@@ -27,12 +27,12 @@ class StartMessages {
   QtMessageHandler mBefore;
 };
 
-/// Tries what the 3D view will need. QApplication and a StartMessages live. @throw gpu::GpuError when windows get no
-/// OpenGL 4.5 here
+/// Tries what the 3D view will need; QApplication and a StartMessages must exist. @throw gpu::GpuError when a window
+/// gets no OpenGL 4.5 on this machine
 void requireOpenGl();
 
-/// Says on stderr why there will be no window. @param asks  also in a dialog, where somebody can see it, and waits
-/// until that is closed
+/// Says on stderr why there will be no window. @param asks  also says so in a dialog, if there is a screen, and waits
+/// until the dialog is closed
 /// @return exit code
 int refuseStart(const Error& error, bool asks);
 

@@ -6,7 +6,7 @@
 
 namespace velum::gui {
 
-/// The status bar: what is open, what is under the pointer, how far the picture is, who draws it.
+/// The status bar: what is open, what is under the pointer, how far the picture is, and which graphics driver draws it.
 class StatusLine : public Room {
   Q_OBJECT
  public:

@@ -4,7 +4,7 @@
 
 namespace velum::gui {
 
-/// Playing time steps.
+/// The commands that play time steps.
 class TimeCommands : public Room {
   Q_OBJECT
  public:

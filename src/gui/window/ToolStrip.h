@@ -5,13 +5,14 @@
 
 namespace velum::gui {
 
-/// The tool bar: what the program is for comes first. All of it is icons; as many as there is room for say their name,
-/// too, in the same order, and what a narrow window has no room for at all is behind a button at the end.
+/// The tool bar: the commands that the program is for come first. All commands are icons; as many as there is room for
+/// show their name, too, from the first on, and commands that a narrow window has no room for are behind a button at
+/// the end.
 class ToolStrip : public QToolBar {
   Q_OBJECT
  public:
   explicit ToolStrip(QWidget* window);
-  /// Once all commands are there.
+  /// Fills the bar; to be called once all commands are in the table.
   void fill(const ActionTable& actions);
 
  protected:

@@ -6,7 +6,7 @@
 
 namespace velum::gui {
 
-/// From where one looks, layouts of the views, and what moves sections.
+/// The commands of the View menu: directions to look from, layouts of the views, and what moves sections.
 class ViewCommands : public Room {
   Q_OBJECT
  public:

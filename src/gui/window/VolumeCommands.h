@@ -13,9 +13,9 @@ class VolumeCommands : public Room {
   VolumeCommands(const WindowParts& parts, FileLoads& loads);
   void refresh(const session::Session& session) override;
 
-  /// Reads the volume anew as another source says.
+  /// Reads the volume anew from a source that tells another layout or voxel size. @param step  the undo step's name
   void reread(const QString& step, const scene::Source& source);
-  /// Leaves out what is not part of the largest body, or shows it again.
+  /// Leaves out of the volume what is not part of the largest body, such as the table, or shows it again.
   void hideTable(bool hidden);
 
  private:

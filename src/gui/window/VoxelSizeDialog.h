@@ -5,11 +5,11 @@
 
 namespace velum::gui {
 
-/// Asks how large the voxels of what is open are, where its file does not say, or says it wrong.
+/// Asks how large the voxels of the open data are, where the file does not tell, or tells a wrong size.
 class VoxelSizeDialog : public QDialog {
   Q_OBJECT
  public:
-  /// @param text  why it is asked
+  /// @param text  says why the user is asked
   VoxelSizeDialog(const QString& text, QWidget* parent);
   VoxelSizeForm& form() { return *mForm; }
 

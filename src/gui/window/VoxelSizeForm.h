@@ -10,27 +10,27 @@
 
 namespace velum::gui {
 
-/// Asks for the edges of a voxel: three numbers, what they are in, and what usual scanners and microscopes give. While
-/// the numbers are those that are known another unit tells the same lengths; what was guessed or typed are numbers, and
-/// the unit says what they are in.
+/// Asks for the edges of a voxel: three numbers, their unit, and a list of sizes that usual scanners and microscopes
+/// give. While the numbers show known lengths, another unit converts them to the same lengths; numbers that were
+/// guessed or typed stay as they are when another unit is chosen.
 class VoxelSizeForm : public QWidget {
   Q_OBJECT
  public:
   explicit VoxelSizeForm(QWidget* parent);
   /// Millimetres along x, y, z.
   glm::dvec3 value() const;
-  /// Lengths that are known.
+  /// Shows lengths that are known.
   void setValue(glm::dvec3 millimetres);
-  /// Something to begin with, where nothing is known.
+  /// Shows lengths to begin with, where nothing is known.
   void setGuess(glm::dvec3 millimetres);
-  /// The first number has the keyboard, and is replaced by what is typed.
+  /// Gives the keyboard to the first number, which is replaced by what is typed.
   void startTyping();
-  /// The next form begins with this one's answer.
+  /// Keeps this form's answer, with which the next form begins.
   void remember() const;
-  /// The answer before; nothing where there was none.
+  /// The answer of the form before; nothing where there was none. Millimetres along x, y, z.
   static std::optional<glm::dvec3> lastAnswer();
-  /// What a form begins with where nothing is known: the last answer; 1 mm, or 1 um for what microscopes write, where
-  /// there is none of that kind.
+  /// What a form begins with where nothing is known: the last answer, or, where there is no last answer of this kind, 1
+  /// mm, and 1 um for files of microscopes. In millimetres.
   static glm::dvec3 firstGuess(bool isMicroscope);
 
  signals:
@@ -45,8 +45,8 @@ class VoxelSizeForm : public QWidget {
   NumberField* mEdges[3];
   QComboBox *mUnit, *mUsual;
   QCheckBox* mSame;
-  int mShownUnit = 0;     ///< Its place in the list.
-  bool mIsKnown = false;  ///< The numbers are lengths that somebody knows
+  int mShownUnit = 0;     ///< The place of the shown unit in the list.
+  bool mIsKnown = false;  ///< The numbers are known lengths: neither guessed nor typed.
 };
 
 }  // namespace velum::gui

@@ -16,13 +16,14 @@
 
 namespace velum::gui {
 
-/// Where things are in the window: menus, tool bar, the bars over the views, the side panel. It builds them, empty.
+/// The frame of the window: menus, tool bar, the bars over the views, the side panel. The constructor builds them,
+/// empty.
 struct WindowFrame {
   WindowFrame(QMainWindow& window, session::Document& document);
 
-  /// Puts the views in the middle, where there is the empty state while nothing is open.
+  /// Puts the views in the middle of the window, where the empty state is shown while nothing is open.
   void setViews(QWidget* views) { pages->addWidget(views); }
-  /// The views and the side panel, or the empty state.
+  /// Shows the views and the side panel; false: the empty state.
   void showViews(bool open);
 
   RecoveryBar* recovery;
@@ -32,7 +33,7 @@ struct WindowFrame {
   EmptyState* empty;
   TimeBar* time;
   ProgressStrip* progress;
-  QDockWidget* dock;  ///< Holds the side panel; away while nothing is open.
+  QDockWidget* dock;  ///< Holds the side panel; hidden while nothing is open.
   QWidget* side;
   SideTabs* tabs;
   ToolStrip* bar;

@@ -3,9 +3,9 @@
 
 namespace velum::io {
 
-/// True when the attributes of an OpenEXR file lie within it and are as large as their types. The library allocates
-/// what one claims before it reads, so that four bytes ask for two gigabytes, and reads some by their type, so that a
-/// wrong size makes other attributes of what follows.
+/// True when the attributes of an OpenEXR file lie within the file and have the sizes that their types require. The
+/// library allocates the size that an attribute claims before it reads, so that four bytes could ask for two gigabytes.
+/// It reads some attributes by their type, so that after a wrong size it would take other bytes for attributes.
 bool isSoundExr(const FileBytes& file);
 
 }  // namespace velum::io

@@ -12,19 +12,20 @@ struct ImageAttribute {
   std::string name, value;
 };
 
-/// The format of a picture that is to be written, before there is one. @throw InputError when the extension is unknown
+/// Checks, before the picture is made, that its path has an extension that can be written. @throw InputError when the
+/// extension is unknown
 void expectImageFormat(const std::filesystem::path& path);
 
-/// Writes a picture: .png (sRGB as given; channels R, G, B[, A] only, or one as grey), .tif (as PNG; all
-/// channels in float as soon as there are others than colour), .exr (all channels, float).
-/// `description` (a scene as JSON) rides along: PNG tEXt "velum:scene", EXR attribute "velum:scene", TIFF
-/// ImageDescription behind the line "velum:scene". The same picture and description give the same bytes.
-/// Written to a temporary, then renamed. A path of "-" writes PNG to stdout.
+/// Writes a picture: .png (sRGB as given; channels R, G, B[, A] only, or one as grey), .tif (as PNG; all channels in
+/// float as soon as there are others than colour), .exr (all channels, float). `description` (a scene as JSON) rides
+/// along: PNG tEXt "velum:scene", EXR attribute "velum:scene", TIFF ImageDescription behind the line "velum:scene". The
+/// same picture and description give the same bytes. Written to a temporary, then renamed. A path of "-" writes PNG to
+/// stdout.
 /// @param image  channels R, G, B, A are display-referred sRGB in 0..1 with straight (not premultiplied) alpha; EXR
 ///               stores them linear and premultiplied
-/// @param dpi  pixels an inch when it is printed, for programs that lay pages out; 0: says nothing
-/// @param attributes  more of the metadata, in .exr only
-/// @param bits  8 or 16, of a sample in .png, and in .tif where there is only colour
+/// @param dpi  pixels per inch for printing, noted in the file for programs that lay out pages; 0: not noted
+/// @param attributes  more metadata, written in .exr only
+/// @param bits  bits of a sample, 8 or 16, in .png, and in .tif where there is only colour
 /// @throw InputError when the extension is unknown or the disk refuses
 void writeImage(const Image& image, const std::filesystem::path& path, const std::string& description = {},
                 double dpi = 0.0, const std::vector<ImageAttribute>& attributes = {}, int bits = 8);

@@ -3,8 +3,8 @@
 
 namespace velum::io {
 
-/// True when the chunks of a PNG file lie within it, up to the last. The library allocates what one claims before it
-/// reads, so that four bytes ask for two gigabytes.
+/// True when all chunks of a PNG file, up to the last, lie within the file. The library allocates the size that a chunk
+/// claims before it reads, so that four bytes could ask for two gigabytes.
 bool isSoundPng(const FileBytes& file);
 
 }  // namespace velum::io

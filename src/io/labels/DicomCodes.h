@@ -3,7 +3,7 @@
 
 namespace velum::io {
 
-/// A term of SNOMED CT, as DICOM codes what a segment is.
+/// A term of SNOMED CT, by which DICOM says what a segment shows.
 struct DicomCode {
   std::string_view value, meaning;
 };
@@ -11,7 +11,7 @@ struct SegmentCodes {
   DicomCode category, type;
 };
 
-/// What a structure of this name is, as far as words of its name say; an anatomical structure else.
+/// The codes for a structure, chosen by words of its name; those of "anatomical structure" where no word is known.
 SegmentCodes segmentCodesOf(std::string_view name);
 
 }  // namespace velum::io

@@ -5,7 +5,7 @@
 
 namespace velum::io {
 
-/// DICOM's CIELab: D50, each from its least to its largest value in 16 bits.
+/// A colour in DICOM's CIELab (white D50): 16 bits each, from the least to the largest value of L, a and b.
 using DicomLab = std::array<std::uint16_t, 3>;
 
 glm::vec3 srgbFromDicomLab(const DicomLab& lab);

@@ -9,7 +9,7 @@
 #include <initializer_list>
 #include <string>
 
-/// Elements put into a GDCM data set. Only the DICOM writers include this.
+/// Functions that put elements into a GDCM data set. Only the DICOM writers include this header.
 namespace velum::io {
 
 inline void put(gdcm::DataSet& set, gdcm::Tag tag, gdcm::VR vr, const void* bytes, std::size_t count) {
@@ -24,7 +24,7 @@ inline void putText(gdcm::DataSet& set, gdcm::Tag tag, gdcm::VR vr, std::string 
   put(set, tag, vr, text.data(), text.size());
 }
 
-/// Binary values, of the machine's order: the writer is little-endian, and so are the machines that we run on.
+/// Puts binary values in the machine's byte order: the writer is little-endian, and so are the machines that we run on.
 template <class T>
 inline void putNumbers(gdcm::DataSet& set, gdcm::Tag tag, gdcm::VR vr, std::initializer_list<T> values) {
   put(set, tag, vr, values.begin(), values.size() * sizeof(T));
@@ -34,7 +34,7 @@ inline void putWord(gdcm::DataSet& set, gdcm::Tag tag, int value) {
   putNumbers(set, tag, gdcm::VR::US, {std::uint16_t(value)});
 }
 
-/// Decimal strings have 16 characters at most.
+/// A number as a DICOM decimal string, which has 16 characters at most.
 inline std::string decimal(double value) {
   for (int digits = 15; digits > 1; --digits)
     if (std::string text = fmt::format("{:.{}g}", value, digits); text.size() <= 16) return text;

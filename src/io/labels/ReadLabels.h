@@ -11,7 +11,7 @@
 
 namespace velum::io {
 
-/// The grid of the scan that labels are of.
+/// The grid of the scan that the labels belong to.
 struct LabelGrid {
   glm::ivec3 dims{0};
   glm::dmat4 worldFromVoxel{1.0};
@@ -19,11 +19,12 @@ struct LabelGrid {
 };
 
 /// Reads a label volume: any integer volume format, 3D Slicer .seg.nrrd, DICOM SEG; of a folder that holds DICOM
-/// segmentations and no images the largest. Names and colours come from the file (Slicer segments, TotalSegmentator's
-/// NIfTI extension, DICOM segments) or from a table beside it with the same stem (.txt, .ctbl, .label, .lut), else are
-/// made up.
-/// @param scan  whose place labels of its dimensions take where their file says none (TIFF, raw samples, NIfTI without
-/// forms): no spacing, or that of a default or of the scan, and neither axes nor origin; others lie where it says
+/// segmentations and no images, the largest segmentation. Names and colours come from the file (Slicer segments,
+/// TotalSegmentator's NIfTI extension, DICOM segments) or from a table beside it with the same stem (.txt, .ctbl,
+/// .label, .lut), else are made up.
+/// @param scan  labels of the same dimensions are placed on this grid where their own file gives no place (TIFF, raw
+/// samples, NIfTI without forms): neither axes nor origin, and no spacing, a default one, or that of the scan. Other
+/// labels lie where their file says
 /// @throw InputError as readVolume; also when values are not whole numbers in 0..65535
 LabelVolume readLabels(const scene::Source& source, Progress& progress,
                        const std::optional<LabelGrid>& scan = std::nullopt);
@@ -32,14 +33,15 @@ LabelVolume readLabels(const scene::Source& source, Progress& progress,
 /// @throw InputError when no line can be used
 std::vector<LabelInfo> readLabelTable(const std::filesystem::path& path);
 
-/// True when the file may be meant as labels: .seg.nrrd, DICOM SEG, a folder of these without images, NIfTI with a
-/// label intent or label extension, or a name that says so ("labels", "seg", "mask"). Looks at headers only: of the
-/// last two readVoxels() knows better.
+/// True when the file may be meant as labels: .seg.nrrd, DICOM SEG, a folder of DICOM SEG files without images, NIfTI
+/// with a label intent or label extension, or a name that says so ("labels", "seg", "mask"). Looks at headers only;
+/// readVoxels(), which looks at the values, may find that a NIfTI file or a file with such a name holds no labels.
 bool looksLikeLabels(const std::filesystem::path& path);
 
-/// Reads what the file holds. DICOM SEG and .seg.nrrd are labels. What only a name or an intent calls labels is so if
-/// its values are, too: whole numbers in 0..65535, and most neighbours of one structure have the same. Without any such
-/// hint a few whole numbers in areas are labels.
+/// Reads a file as a volume or as labels, whichever it holds. DICOM SEG and .seg.nrrd are labels. A file that only its
+/// name or an intent calls labels is taken as labels if its values fit: whole numbers in 0..65535, most of them equal
+/// to their neighbour's (holdsAreasOfIds()). A file without any such hint is labels if it has few whole numbers, in
+/// areas (holdsNothingButIds()).
 /// @throw InputError as readVolume and readLabels; Cancelled
 std::variant<Volume, LabelVolume> readVoxels(const scene::Source& source, Progress& progress);
 

@@ -18,9 +18,10 @@ struct LabelFormat {
 /// For file dialogs, `--help` and the docs.
 std::span<const LabelFormat> labelFormats();
 
-/// Whether an extension is that of a format of labels.
+/// Whether the extension of a path is that of a format of labels.
 bool isLabelFormat(const std::filesystem::path& path);
-/// The format of labels that are to be written, before there are any. @throw InputError when the extension is unknown
+/// Checks, before the labels are made, that their path has an extension that can be written. @throw InputError when the
+/// extension is unknown
 void expectLabelFormat(const std::filesystem::path& path);
 
 /// Writes labels with names, colours and opacities, by extension: .seg.nrrd or .nrrd (3D Slicer's segments), .nii.gz or

@@ -1,14 +1,14 @@
 #pragma once
 #include "io/looks/TransferFile.h"
 
-/// The volume properties of 3D Slicer, text and JSON, as our transfer functions.
+/// Conversion between the volume properties of 3D Slicer, in text and JSON, and our transfer functions.
 namespace velum::io {
 
-/// The old form: nine lines (interpolation, shade, diffuse, ambient, specular, power; then, each led by how many
+/// Reads the old form: nine lines (interpolation, shade, diffuse, ambient, specular, power; then, each led by how many
 /// numbers follow, pairs of opacity, pairs of gradient opacity, quadruples of colour).
 TransferFile parseSlicerText(std::string_view text);
 
-/// The new form, schema volume-property-schema-v1.0.0: the first component of the first property. Bent segments
+/// Reads the new form, schema volume-property-schema-v1.0.0: the first component of the first property. Bent segments
 /// (midpoint, sharpness) become short straight ones.
 TransferFile parseSlicerJson(std::string_view text);
 

@@ -13,32 +13,36 @@
 /// What the readers of surfaces share.
 namespace velum::io {
 
-/// The point as it is held. @throw InputError when it is no number, or too large for one
+/// A point of a file as a mesh holds it, in floats. @throw InputError when a coordinate is not a number, or too large
+/// for a float
 glm::vec3 pointOf(const Path& path, const glm::dvec3& p, std::size_t index);
 
 /// Faces as a file has them, until all points are known.
 class Faces {
  public:
-  /// Corners in turn around the face; fewer than three are none.
+  /// Adds a face by its corners, in turn around it; fewer than three corners are ignored.
   void add(std::span<const std::uint32_t> corners);
-  /// Triangles of which each shares two corners with the one before; all turn the way the first does.
+  /// Adds a strip of triangles, of which each shares two corners with the one before; all face the same way as the
+  /// first.
   void addStrip(std::span<const std::uint32_t> corners);
-  /// Puts their triangles behind those of the mesh. A face of more than three corners, convex or not, is divided
+  /// Appends the triangles of all faces to the mesh. A face of more than three corners, convex or not, is divided
   /// within its own plane.
   /// @throw InputError when a corner names a point that is not there
   void moveInto(Mesh& mesh, const Path& path);
 
  private:
   std::vector<std::uint32_t> mTriangles;
-  std::vector<std::uint32_t> mCorners;  ///< Of larger faces: their number, then they.
+  std::vector<std::uint32_t>
+      mCorners;  ///< For each face of more than three corners: how many there are, then the corners.
 };
 
-/// Tells whether what was coloured has one colour.
+/// Tells whether all coloured parts of a mesh have the same colour.
 class ColorTally {
  public:
   /// @param color  sRGB, 0..1
   void add(const glm::vec3& color);
-  /// The colour of all, or a warning that they differ; nothing where none was added.
+  /// Gives the mesh the colour that all have, or a warning that the colours differ; does nothing where no colour was
+  /// added.
   void putInto(Mesh& mesh) const;
 
  private:
@@ -46,8 +50,8 @@ class ColorTally {
   bool mDiffer = false;
 };
 
-/// Normals of unit length for each vertex: the mesh's own where they are usable, else the mean of the triangles around,
-/// by their angles.
+/// Gives each vertex a normal of unit length: the mesh's own where it is usable, else the mean of the normals of the
+/// triangles around the vertex, weighted by their angles there.
 void completeNormals(Mesh& mesh);
 
 /// The whole file, as text or bytes. @throw InputError

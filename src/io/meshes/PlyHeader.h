@@ -15,7 +15,7 @@ std::size_t sizeOf(PlyType type);
 struct PlyProperty {
   std::string name;
   PlyType type = PlyType::Float32;
-  std::optional<PlyType> countType;  ///< Lists: of the number before the items.
+  std::optional<PlyType> countType;  ///< For lists: type of the number of items, which stands before the items.
 };
 
 struct PlyElement {
@@ -27,7 +27,7 @@ struct PlyElement {
 struct PlyHeader {
   bool isText = false, isBigEndian = false;
   std::vector<PlyElement> elements;
-  std::size_t bodyAt = 0;  ///< Byte behind the header.
+  std::size_t bodyAt = 0;  ///< Offset of the first byte behind the header.
 };
 
 /// Reads a header with lines that end in any of the usual ways; blank ones are passed over.

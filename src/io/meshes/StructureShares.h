@@ -5,17 +5,21 @@
 
 namespace velum::io {
 
-/// What part of the voxels of a box is a structure's: at least half of its own, and what is left of others around it.
-/// As pictures have it where they show nothing else. Any thread.
+/// The share of each voxel of a box that belongs to one structure: at least half of the structure's own voxels, and of
+/// other structures' voxels around it what these leave. These are the shares of a picture that shows only this
+/// structure. Any thread.
 class StructureShares {
  public:
-  /// For ways that begin in a box. @param low, high  both included; a way may begin one voxel before the grid
+  /// Makes the shares for ways that begin in a box. @param low, high  both included; a way may begin one voxel before
+  /// the grid
   StructureShares(const StructureField& field, std::uint16_t structure, glm::ivec3 low, glm::ivec3 high);
-  /// True where in a cell that the way bounds there is a third structure, or what has no label beside two.
+  /// True where a cell (cube of eight voxel middles) that the way bounds holds a third structure, or two structures and
+  /// unlabelled voxels.
   bool hasThird(const BorderWay& way) const;
-  /// The same as io::partOf(), from what is at hand.
+  /// As io::partOf(), but computed from the shares kept here.
   double partOf(const BorderWay& way) const;
-  /// Outwards, a unit of voxel space: against the gradient of the shares. Zero where they have none.
+  /// The outward normal at a part of the way, of unit length in voxel space: opposite to the gradient of the shares.
+  /// Zero where the gradient is zero.
   glm::dvec3 normalAt(const BorderWay& way, double part) const;
 
  private:
@@ -36,7 +40,7 @@ class StructureShares {
   std::uint16_t idIn(glm::ivec3 voxel) const { return mIds.values[mIds.at(voxel)]; }
   float shareOf(glm::ivec3 voxel) const { return mShares.values[mShares.at(voxel)]; }
 
-  const StructureField& mField;  ///< is kept by whoever asks
+  const StructureField& mField;  ///< owned by the caller, who keeps it alive
   std::uint16_t mStructure;
   Box<std::uint16_t> mIds;  ///< 0 beyond the grid
   Box<float> mShares;       ///< 0 beyond the grid

@@ -13,9 +13,10 @@ struct BeadMolecule {
   std::uint32_t type, molecule;
 };
 
-/// Adds what lies beside a model of beads: masses and functions of a table of proteins (.csv with columns name,
-/// molecular_weight and function), and atoms of structures of the same names, moved into the frame of the beads.
-/// Does nothing where nothing lies there. @throw InputError for a file that is there and damaged
+/// Adds details from files that lie beside a model of beads: masses and functions from a table of proteins (.csv with
+/// columns name, molecular_weight and function), and atoms from structure files named like the molecules, moved into
+/// the frame of the beads. Does nothing where there are no such files. @throw InputError for such a file that is
+/// damaged
 void addBeadDetails(ModelBuilder& builder, const std::vector<BeadMolecule>& molecules, const Path& path,
                     Progress& progress);
 

@@ -7,8 +7,8 @@
 
 namespace velum::io {
 
-/// BinaryCIF: MessagePack with columns that went through a chain of encodings (S. Bittrich et al., 2020).
-/// @param bytes  inflated  @return blocks with what isWanted()  @throw InputError
+/// Reads BinaryCIF: MessagePack whose columns are stored by a chain of encodings (S. Bittrich et al., 2020).
+/// @param bytes  of the file, inflated @return the blocks, with the columns that isWanted() names @throw InputError
 std::vector<CifBlock> parseBinaryCif(const std::string& bytes, const Path& path);
 
 }  // namespace velum::io

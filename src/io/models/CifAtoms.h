@@ -10,15 +10,15 @@ namespace velum::io {
 
 /// The rows of _atom_site.
 struct CifAtoms {
-  std::vector<Atom> atoms;                         ///< Their chains are 0.
+  std::vector<Atom> atoms;                         ///< Atom::chain is 0 in all of them.
   CifColumn::Codes asym, authAsym, entity, comp;   ///< Where a column is missing, one code with an empty name.
-  std::vector<std::int32_t> model;                 ///< As numbered in the file; 1 where it does not say.
-  std::vector<bool> isHetero;                      ///< HETATM
-  bool areBeads = false;                           ///< All are "CA" of the element CA: balls without a size.
-  std::vector<std::vector<std::uint32_t>> ofAsym;  ///< Rows of each code.
+  std::vector<std::int32_t> model;                 ///< As numbered in the file; 1 where the file gives no number.
+  std::vector<bool> isHetero;                      ///< The row is a HETATM record.
+  bool areBeads = false;                           ///< All atoms are "CA" of the element CA: balls of unknown size.
+  std::vector<std::vector<std::uint32_t>> ofAsym;  ///< For each code of `asym`, its rows.
 };
 
-/// @throw InputError where there are none, or without places
+/// @throw InputError where the block has no atoms, or atoms without places
 CifAtoms readCifAtoms(const CifBlock& block, const Path& path);
 
 MoleculeKind kindOf(const CifAtoms& atoms, const std::vector<std::uint32_t>& rows);

@@ -10,12 +10,12 @@
 
 namespace velum::io {
 
-/// Undoes the encodings of a column of BinaryCIF, last to first.
+/// Decodes columns of BinaryCIF: undoes a column's encodings from the last to the first.
 class CifDecoder {
  public:
   const Path& path;
   const std::string& column;  ///< For messages.
-  std::size_t rows;           ///< No step gives more values than these, or than it was given.
+  std::size_t rows;  ///< Rows of the column; no decoding step may give more values than this, or than it was given.
 
   /// @param data  {data, encoding}  @throw InputError
   CifColumn decodeColumn(const Json& data) const;

@@ -6,7 +6,7 @@
 #include "io/models/ModelParts.h"
 #include "io/models/ReadModel.h"
 
-/// Models out of CIF, whether text or binary: which flavour a block has is told by its categories.
+/// Makes models from the blocks of a CIF, whether text or binary. modelOf() tells a block's flavour by its categories.
 namespace velum::io {
 
 /// @throw InputError

@@ -7,7 +7,7 @@
 
 namespace velum::io {
 
-/// Text CIF, read by gemmi. @return blocks with what isWanted()  @throw InputError
+/// Reads text CIF by gemmi's parser. @return the blocks, with the columns that isWanted() names @throw InputError
 std::vector<CifBlock> parseCifText(const std::string& text, const Path& path);
 
 }  // namespace velum::io

@@ -5,23 +5,23 @@
 
 #include "io/models/ModelParts.h"
 
-/// Values out of JSON by strangers.
+/// Reads values from JSON that strangers wrote, in which anything may be of the wrong type.
 namespace velum::io {
 
 using Json = nlohmann::json;
 
-/// @throw InputError with where the text is no JSON
+/// @throw InputError that says where the text is not JSON
 Json parseJson(const std::string& text, const Path& path);
-/// The member, or null where there is none or where it is of no object.
+/// The member of that name; a JSON null where there is none or where @p object is not an object.
 const Json& memberOf(const Json& object, std::string_view name);
-/// Empty where it is no text.
+/// The value as text; empty where it is not a text.
 std::string wordOf(const Json& value);
 bool isTrue(const Json& value);
-/// A number, also one that stands as text. @throw InputError @param what  for the message
+/// The value as a number, also where the number is written as text. @throw InputError @param what  for the message
 double numberOf(const Json& value, const Path& path, std::string_view what);
-/// Three numbers. @throw InputError
+/// The value as three numbers. @throw InputError
 glm::dvec3 vectorOf(const Json& value, const Path& path, std::string_view what);
-/// Three numbers each: [[x, y, z], ...], or all in a row. @throw InputError
+/// The value as points of three numbers each: [[x, y, z], ...], or all numbers in one list. @throw InputError
 std::vector<glm::vec3> pointsOf(const Json& value, const Path& path, std::string_view what);
 /// @throw InputError
 std::vector<double> numbersOf(const Json& value, const Path& path, std::string_view what);

@@ -6,11 +6,12 @@
 #include "core/Task.h"
 #include "io/models/WriteModel.h"
 
-/// The writers behind writeModel(), which gives them a model with instances, colours of all types, and commits.
+/// The writers behind writeModel(), which hands them a model that has instances and a colour for each type, and commits
+/// the file.
 namespace velum::io {
 
 void writeCif(const Model& model, const ModelWriting& how, ReplaceFile& file, Progress& progress);
-/// @throw InputError when it does not fit into 4 GB
+/// @throw InputError when the model does not fit into 4 GB
 void writeModelGltf(const Model& model, const ModelWriting& how, ReplaceFile& file, Progress& progress);
 void writeModelCsv(const Model& model, const ModelWriting& how, ReplaceFile& file, Progress& progress);
 void writeModelPly(const Model& model, const ModelWriting& how, ReplaceFile& file, Progress& progress);

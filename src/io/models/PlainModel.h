@@ -9,8 +9,8 @@ namespace velum::io {
 
 /// Atoms that move together: a chain, or one ligand.
 struct StructurePart {
-  std::string type;   ///< Parts of one name are of one type.
-  std::string chain;  ///< What copies name.
+  std::string type;   ///< Name of the part's type; parts with the same name have the same type.
+  std::string chain;  ///< Name of its chain, by which PlainStructure::copies refer to it.
   MoleculeKind kind = MoleculeKind::Protein;
   int model = 0;  ///< Counted from 0.
   std::vector<Atom> atoms;
@@ -20,11 +20,12 @@ struct StructurePart {
 struct PlainStructure {
   std::string title;
   std::vector<StructurePart> parts;
-  std::vector<PdbCopies> copies;  ///< Of the first biological assembly; empty: the atoms as they are.
+  std::vector<PdbCopies> copies;  ///< Those of the first biological assembly; empty: the atoms stay as they are, once.
 };
 
-/// Its chains and ligands as types, in the copies of its biological assembly. Several models that lie in one place are
-/// different views of the same thing, of which the first is taken; else they are parts of one.
+/// Makes a model of a structure: its chains and ligands become types, with instances in the copies of its biological
+/// assembly. Where several models of the file lie in the same place they are alternatives, of which the first is taken;
+/// else they are parts of one whole.
 /// @throw InputError
 Model buildPlainModel(PlainStructure structure, const Path& path);
 

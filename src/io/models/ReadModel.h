@@ -14,7 +14,7 @@ struct ModelFormat {
   std::string_view name;        ///< "BinaryCIF"
   std::string_view extensions;  ///< ".bcif .bcif.gz"
 };
-/// In the order in which they are tried. For file dialogs and `info --formats`.
+/// All formats of models, in the order in which they are tried. For file dialogs and `info --formats`.
 std::span<const ModelFormat> modelFormats();
 
 /// True when a reader of models takes the file, by its content or by its ending and what lies beside it.
@@ -22,15 +22,16 @@ std::span<const ModelFormat> modelFormats();
 bool looksLikeModel(const std::filesystem::path& path);
 
 struct ModelReading {
-  /// Make what the files say is there and do not hold: lipids of an envelope, the strand in a capsid.
+  /// Add the parts that the files mention but do not hold: lipids of an envelope, the strand in a capsid.
   bool completes = true;
 };
 
 /// Reads a model of any of modelFormats().
 ///
-/// Right-handed, in angstrom. Structures that the file names are looked for in its folder, the folders in that, and
-/// folders of structures beside it, and nowhere else.
-/// @throw InputError for a file that is missing, damaged or of no such format, naming it and the reason; Cancelled
+/// The model is right-handed, in angstrom. Structures that the file names are searched for in its folder, in the
+/// folders inside that, and in folders of structures beside it, and nowhere else.
+/// @throw InputError for a file that is missing, damaged or of no such format, naming the file and the reason;
+/// Cancelled
 /// @note Any thread.
 Model readModel(const std::filesystem::path& path, Progress& progress, const ModelReading& reading = {});
 

@@ -6,7 +6,8 @@
 
 namespace velum::io {
 
-/// Spheres, and the question whether others touch them. Cells are hashed: any place will do.
+/// A set of spheres that can be asked whether another sphere touches any of them. The cells of the grid are hashed, so
+/// that spheres may lie anywhere.
 class SphereGrid {
  public:
   /// @param cell  edge of a cell, of the order of the spheres' diameter

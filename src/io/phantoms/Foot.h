@@ -6,7 +6,8 @@
 #include "io/phantoms/Limb.h"
 
 /// The right foot of an adult who stands: world LPS in mm, so that the great toe's side is +x, the toes point to -y,
-/// the sole is at the bottom. Its own frame: to the great toe's side, forward from the ankle, up from the ground.
+/// the sole is at the bottom. The axes of the foot's own frame: to the great toe's side, forward from the ankle, up
+/// from the ground.
 namespace velum::io::foot {
 
 using namespace limb;
@@ -30,12 +31,12 @@ enum Part : std::uint16_t {
   kMedialCuneiform,
   kIntermediateCuneiform,
   kLateralCuneiform,
-  kMetatarsal1,                  ///< Of the great toe; the others follow.
+  kMetatarsal1,                  ///< Metatarsal of the great toe; those of the other toes follow.
   kPhalanx1 = kMetatarsal1 + 5,  ///< Proximal and distal of the great toe, then three of each other toe.
   kEnd = kPhalanx1 + 14
 };
 
-/// From the foot's own frame.
+/// World positions and directions from those in the foot's own frame.
 inline Vec at(float inward, float forward, float up) { return {inward + 4.0f, 62.0f - forward, up - 62.0f}; }
 inline Vec towards(float inward, float forward, float up) { return {inward, -forward, up}; }
 inline glm::vec4 at(float inward, float forward, float up, float radius) { return {at(inward, forward, up), radius}; }
@@ -43,11 +44,11 @@ inline glm::vec4 at(float inward, float forward, float up, float radius) { retur
 /// A toe: the bases of its bones from the metatarsal on, and the tip.
 struct Toe {
   std::vector<Joint> joints;
-  float size = 1.0f;  ///< Of the second toe: 1.
+  float size = 1.0f;  ///< Size relative to the second toe's.
 };
 std::array<Toe, 5> toes();
 
-/// The first phalanx of a toe, 0: the great one.
+/// Label of the first phalanx of a toe; toe 0 is the great one.
 constexpr std::uint16_t phalanx(int toe) { return std::uint16_t(toe == 0 ? kPhalanx1 : kPhalanx1 + 2 + 3 * (toe - 1)); }
 
 void addBones(Skeleton& skeleton, const std::array<Toe, 5>& toes);

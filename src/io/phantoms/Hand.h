@@ -6,7 +6,8 @@
 #include "io/phantoms/Limb.h"
 
 /// The right hand of an adult that hangs down, palm forward: world LPS in mm, so that the thumb points to -x, the palm
-/// to -y, the fingers to -z. Its own frame: to the thumb, to the back, to the tips, from where the radius ends.
+/// to -y, the fingers to -z. The axes of the hand's own frame: to the thumb, to the back of the hand, to the finger
+/// tips; its origin is where the radius ends.
 namespace velum::io::hand {
 
 using namespace limb;
@@ -30,12 +31,12 @@ enum Part : std::uint16_t {
   kTrapezoid,
   kCapitate,
   kHamate,
-  kMetacarpal1,                  ///< Of the thumb; the others follow.
+  kMetacarpal1,                  ///< Metacarpal of the thumb; those of the fingers follow.
   kPhalanx1 = kMetacarpal1 + 5,  ///< Proximal and distal of the thumb, then three of each finger.
   kEnd = kPhalanx1 + 14
 };
 
-/// From the hand's own frame.
+/// World positions and directions from those in the hand's own frame.
 inline Vec at(float thumb, float back, float tip) { return {8.0f - thumb, back + 16.0f, 62.0f - tip}; }
 inline Vec towards(float thumb, float back, float tip) { return {-thumb, back, -tip}; }
 inline glm::vec4 at(float thumb, float back, float tip, float radius) { return {at(thumb, back, tip), radius}; }
@@ -43,11 +44,11 @@ inline glm::vec4 at(float thumb, float back, float tip, float radius) { return {
 /// A finger, or the thumb: the bases of its bones, and the tip.
 struct Finger {
   std::vector<Joint> joints;
-  float size = 1.0f;  ///< Of the middle finger: 1.
+  float size = 1.0f;  ///< Size relative to the middle finger's.
 };
 std::array<Finger, 5> fingers();
 
-/// The first phalanx of a finger, 0: the thumb.
+/// Label of the first phalanx of a finger; finger 0 is the thumb.
 constexpr std::uint16_t phalanx(int finger) {
   return std::uint16_t(finger == 0 ? kPhalanx1 : kPhalanx1 + 2 + 3 * (finger - 1));
 }

@@ -3,8 +3,8 @@
 
 #include "io/phantoms/Phantom.h"
 
-/// A heart that beats: world LPS in mm, origin in the middle of the scan. Shapes are given for the end of the filling
-/// and come to where the beat has moved them.
+/// A heart that beats: world LPS in mm, origin in the middle of the scan. Shapes are defined at rest, which is the end
+/// of the filling, and moved to where the beat takes them.
 namespace velum::io::heart {
 
 using namespace phantom;
@@ -15,8 +15,8 @@ class Beat {
   /// @param phase  0..1, 0 the end of the filling; any other number is the same as its fraction
   explicit Beat(float phase);
 
-  float squeeze = 0;   ///< Of the ventricles, 0..1: 1 at the end of the ejection.
-  float filling = 0;   ///< Of the atria, -0.5..1: they fill while the ventricles eject, and contract before them.
+  float squeeze = 0;   ///< How far the ventricles are contracted, 0..1: 1 at the end of the ejection.
+  float filling = 0;   ///< How full the atria are, -0.5..1: they fill while the ventricles eject, contract before.
   float valve = 0;     ///< How far the mitral valve is open, 0..1.
   float ejection = 0;  ///< Widens aorta and pulmonary trunk, 0..1.
 
@@ -33,7 +33,7 @@ float leftAtrium(Vec p, const Beat& beat, float growMm);
 float rightAtrium(Vec p, const Beat& beat, float growMm);
 float outerSurface(Vec p, const Beat& beat);
 float mitralValve(Vec p, const Beat& beat);
-/// Twigs of the coronary arteries on the outer surface, as it is now.
+/// Twigs of the coronary arteries on the outer surface at this time of the beat.
 std::vector<Segment> coronaries(const Beat& beat);
 
 }  // namespace velum::io::heart

@@ -48,7 +48,7 @@ class Random {
   std::uint64_t mSeed, mCount = 0;
 };
 
-/// Smooth value noise, about -1..1, one bump per unit of length.
+/// Smooth value noise, about -1..1, with one bump per unit of length.
 float noise(Vec p, std::uint64_t seed);
 /// Two octaves of noise, about -1..1.
 inline float roughNoise(Vec p, std::uint64_t seed) {
@@ -108,8 +108,8 @@ struct Layer {
   float value = 0.0f;
   std::vector<Solid> solids = {};
   std::vector<Segment> tubes = {};
-  std::vector<std::uint16_t> onto = {};    ///< Paints on voxels of these labels only; empty paints everywhere.
-  Vec squash{1.0f};                        ///< Tubes are evaluated in world * squash: oval sections.
+  std::vector<std::uint16_t> onto = {};    ///< Paints on voxels of these labels only; empty: everywhere.
+  Vec squash{1.0f};                        ///< Tubes are evaluated at world * squash, which makes their sections oval.
   std::function<float(Vec)> texture = {};  ///< Added to `value`.
   float edge = 1.3f;                       ///< Width of a ramp as steep as the soft edge is in its middle, voxels.
 };
@@ -118,7 +118,7 @@ struct Layer {
 struct Grid {
   glm::ivec3 dims;
   Vec spacing;
-  double unitMm = 1.0;  ///< Length of a unit: phantoms far from a hand's size count in micrometres or metres.
+  double unitMm = 1.0;  ///< Length of the grid's unit, mm: phantoms far from a hand's size use um or metres.
   Vec at(int x, int y, int z) const { return (Vec(x, y, z) - 0.5f * Vec(dims - 1)) * spacing; }
   std::uint64_t index(int x, int y, int z) const {
     return (std::uint64_t(z) * std::uint64_t(dims.y) + std::uint64_t(y)) * std::uint64_t(dims.x) + std::uint64_t(x);
@@ -137,7 +137,7 @@ struct Slice {
 /// Paints the layers, in order, onto a slice.
 void paint(const Slice& slice, std::span<const Layer> layers);
 
-/// What a phantom says about itself.
+/// Name, type and labels of a phantom.
 struct Description {
   std::string name;
   SampleType type;

@@ -58,15 +58,16 @@ enum Part : std::uint16_t {
 /// Names, colours and CT numbers of the parts.
 std::vector<LabelInfo> partTable();
 
-// The frame that the parts hang in.
+// The surfaces and curves by which the parts are placed.
 float spineY(float z);                  ///< Middle of the vertebral bodies.
-float skinDistance(Vec p);              ///< To the body's surface.
+float skinDistance(Vec p);              ///< Distance to the body's surface.
 glm::vec3 cageEllipse(float z);         ///< Inner trunk wall: half width, half depth, y of the middle.
-float cavityDistance(Vec p);            ///< To the inner wall of chest and belly.
+float cavityDistance(Vec p);            ///< Distance to the inner wall of chest and belly.
 float diaphragmZ(float x, float y);     ///< Height of the diaphragm.
-float bellyDistance(Vec p);             ///< To the part of the cavity below the diaphragm.
-float lungDistance(Vec p, float side);  ///< side: +1 left, -1 right.
-/// (x, y) on the inner trunk wall, `outMm` outside it. angle: 0 at the back, pi at the front, rad.
+float bellyDistance(Vec p);             ///< Distance to the part of the cavity below the diaphragm.
+float lungDistance(Vec p, float side);  ///< Distance to a lung; side: +1 left, -1 right.
+/// The point (x, y) at height z that lies `outMm` outside the inner trunk wall. angle: 0 at the back, pi at the front,
+/// rad.
 glm::vec2 onCage(float z, float angle, float outMm);
 
 const Box kEverywhere{Vec(-210.0f, -150.0f, -240.0f), Vec(210.0f, 150.0f, 240.0f)};

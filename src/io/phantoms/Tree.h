@@ -13,15 +13,15 @@ using Tree = std::vector<TreeNode>;
 
 struct TreeOptions {
   Vec root{0.0f};
-  Vec direction{0.0f, 0.0f, 1.0f};  ///< Of the trunk at the root, unit.
+  Vec direction{0.0f, 0.0f, 1.0f};  ///< Direction of the trunk at the root, unit.
   float rootRadiusMm = 5.0f;
-  float leastRadiusMm = 0.5f;  ///< Thinner branches are held at this radius.
+  float leastRadiusMm = 0.5f;  ///< Branches that would be thinner get this radius.
   float reach = 0.42f;         ///< How far a branch runs towards the centre of the region that it feeds.
   float wobble = 0.06f;        ///< Sideways sway, as a part of the branch's length.
   std::uint64_t seed = 1;
 };
 
-/// Points inside a region, one jittered point per cell of a lattice.
+/// Points inside a region: one jittered point for each cell of a lattice.
 /// @param pitchMm  width of a lattice cell
 std::vector<Vec> scatter(const Box& box, float pitchMm, const Distance& region, float marginMm, std::uint64_t seed);
 
@@ -29,7 +29,8 @@ std::vector<Vec> scatter(const Box& box, float pitchMm, const Distance& region, 
 /// each half, as a lung's airways do. Radii follow Murray's law: r^3 is shared in proportion to the targets fed.
 Tree growTree(std::vector<Vec> targets, const TreeOptions& options);
 
-/// Moves the nodes of `tree`, its root excepted, until its tubes clear those of `fixed` by `gapMm`, where they can.
+/// Moves the nodes of `tree`, except its root, until its tubes are `gapMm` away from those of `fixed`, where that is
+/// possible.
 void pushApart(Tree& tree, const Tree& fixed, float gapMm);
 
 std::vector<Segment> segments(const Tree& tree);

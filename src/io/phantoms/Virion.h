@@ -5,7 +5,7 @@
 namespace velum::io {
 
 /// A virus in blood plasma: envelope of lipids with spikes, matrix, capsid, a strand of RNA, and proteins inside and
-/// around it. Proteins are made up of lobes filled with atoms; no two of them overlap. Deterministic.
+/// around it. Proteins consist of lobes filled with atoms; no two of them overlap. Deterministic.
 /// @throw Cancelled
 Model makeVirion(Progress& progress);
 

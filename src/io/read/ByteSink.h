@@ -8,16 +8,16 @@
 
 namespace velum::io {
 
-/// Writes to a file that replaces another, from some point on as a gzip stream.
+/// Writes to a ReplaceFile: plain bytes first, and after startGzip() a gzip stream.
 class ByteSink {
  public:
-  /// The file is borrowed; the caller commits it.
+  /// The file is borrowed and must outlive the sink; the caller commits the file.
   explicit ByteSink(ReplaceFile& file);
   ~ByteSink();
   ByteSink(const ByteSink&) = delete;
   ByteSink& operator=(const ByteSink&) = delete;
 
-  /// All that is written from here on is deflated.
+  /// From now on all bytes written are deflated.
   void startGzip();
   void write(std::span<const std::byte> bytes);
   void write(std::string_view text);

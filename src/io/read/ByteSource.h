@@ -8,7 +8,8 @@
 
 namespace velum::io {
 
-/// Deflate makes at most 258 bytes of two bits; 8 of them are for the stream's own frame.
+/// The largest ratio of inflated to deflated bytes: deflate makes at most 258 bytes of two bits, which is 1032; 8 more
+/// allow for the stream's own frame.
 constexpr std::uint64_t kDeflateRatio = 1040;
 
 /// True when the file starts with the two bytes of gzip.
@@ -20,7 +21,7 @@ std::string readHead(const Path& file, std::size_t count);
 /// Reads a file from front to back, inflating it when it is deflated.
 class ByteSource {
  public:
-  /// From the file's first byte; inflated when it is gzip. @throw InputError
+  /// Reads from the file's first byte; inflates when the file is gzip. @throw InputError
   explicit ByteSource(const Path& file);
   /// @param offset    where to start, in bytes of the file
   /// @param deflated  a gzip or zlib stream starts there
@@ -30,15 +31,16 @@ class ByteSource {
   ByteSource(const ByteSource&) = delete;
   ByteSource& operator=(const ByteSource&) = delete;
 
-  /// Bytes read: fewer than asked for only at the end. @throw InputError for a damaged stream
+  /// @return how many bytes were read: fewer than asked for only at the end. @throw InputError for a damaged stream
   std::size_t readSome(std::span<std::byte> to);
   /// Fills all of `to`. @throw InputError when the end came first
   void read(std::span<std::byte> to);
-  /// Drops bytes. @return how many: fewer than asked for only at the end
+  /// Drops bytes. @return how many were dropped: fewer than asked for only at the end
   std::uint64_t skip(std::uint64_t count);
-  /// Reads on to the end of a deflated stream, where its checksum stands. @throw InputError when it is cut or wrong
+  /// Reads on to the end of a deflated stream, where its checksum stands. @throw InputError when the stream is cut off
+  /// or the checksum is wrong
   void verifyEnd();
-  /// More bytes than this cannot come out.
+  /// An upper bound of the bytes that the source can give.
   std::uint64_t mostBytes() const;
 
  private:

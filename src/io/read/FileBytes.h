@@ -10,10 +10,11 @@ namespace velum::io {
 /// Size of a regular file. @throw InputError when it is missing or not a regular file
 std::uint64_t sizeOfFile(const Path& file);
 
-/// A file read at places, never mapped, so that a file that shrinks meanwhile is an error and not a crash.
+/// A file from which bytes are read at any offset. The file is never mapped into memory, so that a file that shrinks
+/// meanwhile leads to an error and not to a crash.
 class FileBytes {
  public:
-  /// @throw InputError when it is missing, not a regular file or cannot be opened
+  /// @throw InputError when the file is missing, not a regular file or cannot be opened
   explicit FileBytes(const Path& path);
   ~FileBytes();
   FileBytes(const FileBytes&) = delete;
@@ -23,9 +24,10 @@ class FileBytes {
   std::uint64_t size() const { return mSize; }
   /// Fills all of `to` from byte `at`. @throw InputError when the file ends before
   void read(std::uint64_t at, std::span<std::byte> to) const;
-  /// Fewer bytes than asked for at the end only. @throw InputError when the disk refuses
+  /// @return how many bytes were read: fewer than asked for only at the file's end. @throw InputError when the disk
+  /// refuses
   std::size_t readSome(std::uint64_t at, std::span<std::byte> to) const;
-  /// At most `most` bytes from the start.
+  /// The file's first bytes, at most `most`.
   std::string head(std::size_t most) const;
 
  private:

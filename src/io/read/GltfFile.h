@@ -8,7 +8,7 @@
 
 #include "core/ReplaceFile.h"
 
-/// What writers of glTF 2.0, binary, share.
+/// Parts shared by the writers of binary glTF 2.0.
 namespace velum::io::gltf {
 
 using GltfJson = nlohmann::ordered_json;
@@ -16,14 +16,14 @@ using GltfJson = nlohmann::ordered_json;
 constexpr int kFloat = 5126, kUInt16 = 5123, kUInt32 = 5125;       ///< components
 constexpr int kNoTarget = 0, kVertices = 34962, kIndices = 34963;  ///< what a view is for
 
-/// Views of the binary chunk and accessors on them, in the order of the bytes.
+/// Adds buffer views of the binary chunk, and accessors on these views, in the order of the bytes.
 class Buffers {
  public:
   explicit Buffers(GltfJson& gltf) : mGltf(gltf) {}
-  /// @param bytes  whole groups of four
+  /// @param bytes  a multiple of four
   /// @return number of the accessor
   std::size_t add(std::size_t bytes, std::size_t count, const char* type, int component, int target);
-  /// The same of positions, whose box the accessor has.
+  /// Adds positions; their accessor also holds the box around them.
   std::size_t addPositions(const std::vector<glm::vec3>& points);
   std::uint64_t size() const { return mSize; }
 
@@ -32,12 +32,12 @@ class Buffers {
   std::uint64_t mSize = 0;
 };
 
-/// One that is no metal. @param color  sRGB
+/// A material that is not metal. @param color  sRGB
 GltfJson materialOf(const std::string& name, const glm::vec3& color, double roughness);
 
-/// Writes all that is before the bytes of the views.
-/// @param tooMuch  what to say when a file of 4 GB is too small
-/// @throw InputError when it is
+/// Writes everything that stands before the bytes of the views: header and JSON.
+/// @param tooMuch  text of the error when the contents do not fit into 4 GB
+/// @throw InputError when they do not fit
 void writeHead(GltfJson& gltf, const Buffers& buffers, ReplaceFile& file, const std::string& tooMuch);
 
 template <class T>

@@ -13,9 +13,9 @@ namespace velum::io {
 /// Numbers out of a binary header of either byte order.
 struct HeaderFields {
   std::string_view bytes;
-  bool swap = false;  ///< They are in the other order than the machine's.
+  bool swap = false;  ///< The numbers are in the other byte order than the machine's.
 
-  /// @param offset  where the number begins; all of it lies in the header
+  /// @param offset  where the number begins; the whole number must lie in the header
   template <class T>
   T at(std::size_t offset) const {
     VELUM_ASSERT(offset + sizeof(T) <= bytes.size(), "a header has the fields that are asked for");

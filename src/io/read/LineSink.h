@@ -10,7 +10,8 @@
 
 namespace velum::io {
 
-/// Text that is written in pieces of some length, not a line at a time.
+/// Collects text and writes it to a file in pieces of kPiece characters, not a line at a time. finish() must be called
+/// at the end.
 class LineSink {
  public:
   explicit LineSink(ReplaceFile& file) : mFile(file) {}

@@ -7,10 +7,10 @@
 
 namespace velum::io {
 
-/// What a writer could not keep, one line each, for people.
+/// The list of what a writer could not keep, one line each, for people.
 class Losses {
  public:
-  /// Adds a line where something is lost.
+  /// Adds a line, but only when `isLost` is true.
   template <class... Values>
   void say(bool isLost, fmt::format_string<Values...> text, Values&&... values) {
     if (isLost) mLines.push_back(fmt::format(text, std::forward<Values>(values)...));

@@ -7,20 +7,22 @@
 #include "core/Volume.h"
 #include "io/read/Refuse.h"
 
-/// What the readers of headers with samples behind them share: voxels out of the bytes of plain or deflated files.
-/// Samples go straight into the volume, piece by piece, so that a load can be cancelled, a cut or damaged stream is
-/// noticed, and nothing is held twice.
+/// Shared by the readers of formats with a header and samples: makes voxels from the bytes of plain or deflated files.
+/// Samples go straight into the volume, piece by piece, so that loading can be cancelled, a cut or damaged stream is
+/// noticed, and no sample is held in memory twice.
 ///
-/// ITK could read these files, but not so: its NIfTI reader turns scaled samples into floats, NaN into 0, holds all
-/// twice and knows no NIfTI-2; its NRRD reader puts time before space; sheared matrices are refused; none can be
-/// cancelled. The headers had to be checked before ITK in any case, and behind a header there is only zlib.
+/// ITK could read these files, but not in this way: its NIfTI reader turns scaled samples into floats and NaN into 0,
+/// holds all samples twice and does not know NIfTI-2; its NRRD reader puts time before space; sheared matrices are
+/// refused; no ITK reader can be cancelled. The headers had to be checked before ITK in any case, and behind a header
+/// there is only zlib.
 namespace velum::io {
 
-/// Types that files have; the 64-bit integers become Int32 where they fit, else Float64.
+/// Types of samples in files; in volumes the 64-bit integers become Int32 where all values fit, else Float64.
 enum class StoredType { UInt8, Int8, UInt16, Int16, UInt32, Int32, Float32, Float64, Int64, UInt64 };
 std::size_t storedSize(StoredType type);
 
-/// Puts a number where a sample of the type belongs, as near as the type has one; 64-bit integers become doubles.
+/// Writes a number to the place of a sample, as the nearest value that the sample's type has; the 64-bit integer types
+/// are written as doubles.
 void storeNumber(double value, StoredType type, std::byte* to);
 
 enum class Packing { Raw, Deflate, Text };
@@ -28,8 +30,8 @@ enum class Packing { Raw, Deflate, Text };
 /// A stretch of samples in a file.
 struct Payload {
   Path file;
-  std::uint64_t offset = 0;  ///< Bytes of the file before them, or before the deflated stream.
-  std::uint64_t skip = 0;    ///< Bytes to drop after inflating.
+  std::uint64_t offset = 0;  ///< Bytes of the file before the samples, or before the deflated stream.
+  std::uint64_t skip = 0;    ///< Inflated bytes to drop before the samples.
   Packing packing = Packing::Raw;
 };
 
@@ -43,7 +45,8 @@ struct Layout {
   bool planarChannels = false;  ///< Channels are the slowest axis of the file; they are interleaved here.
 };
 
-/// Bytes of the samples in the file. @throw InputError, naming @p header, for numbers that no volume can have
+/// How many bytes the samples take in the file. @throw InputError, naming @p header, for numbers that no volume can
+/// have
 std::uint64_t layoutBytes(const Layout& layout, const Path& header);
 /// A volume with the samples of @p layout, read from equally long @p parts in turn. Geometry is left to the caller.
 /// @throw InputError for sizes that the files cannot justify, and for missing or damaged data; Cancelled

@@ -7,10 +7,10 @@ namespace velum::io {
 
 using Path = std::filesystem::path;
 
-/// "path: reason", as every reader and writer says no. @throw InputError always
+/// Throws the error "path: reason", with which every reader and writer refuses a file. @throw InputError always
 [[noreturn]] void refuse(const Path& path, std::string_view reason);
 
-/// Text of a file, made fit for a one-line message: short and without control characters.
+/// A text that was read from a file, made fit for a one-line message: short and without control characters.
 std::string inQuotes(std::string_view text);
 
 }  // namespace velum::io

@@ -6,11 +6,11 @@
 
 namespace velum::io {
 
-/// A file that replaces another, as a stream for libraries that write to one. They may seek. A refused write makes the
-/// stream bad, and the file's commit() throws whether the library looks or not.
+/// A ReplaceFile as a stream, for libraries that write to streams. They may seek. A refused write makes the stream bad,
+/// and the file's commit() throws whether the library checks the stream or not.
 class SinkStream : public std::ostream {
  public:
-  /// The file is borrowed and must live longer; the caller commits it.
+  /// The file is borrowed and must outlive the stream; the caller commits the file.
   explicit SinkStream(ReplaceFile& file);
   ~SinkStream() override;
 

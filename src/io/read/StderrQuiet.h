@@ -2,9 +2,9 @@
 
 namespace velum::io {
 
-/// While one of these lives, what is written to the standard error is thrown away, whoever writes it: the codecs behind
-/// GDCM and OpenImageIO (OpenJPEG, CharLS, libjpeg, libpng) print what they dislike about a damaged stream, and offer
-/// no way to say no. Any thread; cheap enough for each picture of a series.
+/// While an object of this class lives, everything that any code writes to the standard error is thrown away: the
+/// codecs behind GDCM and OpenImageIO (OpenJPEG, CharLS, libjpeg, libpng) print what they dislike about a damaged
+/// stream, and offer no way to turn that off. Any thread; cheap enough for each picture of a series.
 class StderrQuiet {
  public:
   StderrQuiet();

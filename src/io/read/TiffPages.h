@@ -6,7 +6,7 @@
 
 namespace velum::io {
 
-/// What one page (image file directory) of a TIFF says about itself.
+/// The properties of one page (image file directory) of a TIFF, as the file gives them.
 struct TiffPage {
   std::uint64_t width = 0, height = 0;
   std::uint64_t bits = 1;                   ///< Per sample.
@@ -21,7 +21,7 @@ struct TiffPage {
   std::uint64_t resolutionUnit = 2;         ///< 1 none, 2 inch, 3 cm.
 };
 
-/// The pages of a TIFF, as its directories tell; no pixel is read.
+/// The pages of a TIFF as its directories describe them; no pixel is read.
 struct TiffPages {
   bool isBigEndian = false;
   bool isTruncated = false;  ///< The chain of pages, or a page, leads out of the file.
@@ -29,12 +29,12 @@ struct TiffPages {
   std::string description;  ///< ImageDescription of the first page, at most 64 MiB.
 };
 
-/// Walks the directories of a classic or big TIFF. OpenImageIO cannot tell the end of a file from a damaged one, has
-/// no count of pages and cuts descriptions at 64 KiB; so this looks first, and nothing is allocated on the header's
-/// word.
+/// Walks the directories of a classic or big TIFF. OpenImageIO cannot tell the end of a file from a damaged one, has no
+/// count of pages and cuts descriptions at 64 KiB; so this function reads the directories first, and no memory is
+/// allocated by sizes that only a header claims.
 /// @param file  positioned anywhere, seekable
 /// @param name  for the message
-/// @throw InputError when it is no TIFF, or no page can be read
+/// @throw InputError when the file is not a TIFF, or no page of it can be read
 TiffPages scanTiff(std::istream& file, const std::string& name);
 
 }  // namespace velum::io

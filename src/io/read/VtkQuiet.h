@@ -8,14 +8,15 @@ class vtkObject;
 
 namespace velum::io {
 
-/// Keeps VTK from printing, and keeps the first error that an algorithm reports.
+/// Stops VTK from printing, and stores the first error that an algorithm reports.
 class VtkQuiet {
  public:
   VtkQuiet();
 
-  /// From now on errors of `algorithm` are kept and `progress` is told; a cancel makes VTK stop.
+  /// From now on the first error of `algorithm` is stored and `progress` is reported to (unless it is null); cancelling
+  /// `progress` makes VTK stop.
   void listen(vtkAlgorithm& algorithm, Progress* progress);
-  /// Empty, or the first error in one line.
+  /// The first error, in one line; empty where there was none.
   const std::string& error() const { return mError; }
 
  private:

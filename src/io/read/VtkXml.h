@@ -10,26 +10,28 @@
 #include "io/read/FileBytes.h"
 #include "io/read/XmlTree.h"
 
-/// VTK's files in XML, read by us: VTK's readers allocate on a header's word, ask arrays that they could not make for
-/// their numbers, and cannot be stopped within a block.
+/// VTK's files in XML, which we read ourselves: VTK's readers allocate whatever a header claims, use arrays that they
+/// failed to allocate, and cannot be stopped within a block.
 namespace velum::io {
 
 enum class VtkPacking { None, Deflate, Lz4, Lzma };
 
-/// Unpacks a block of LZ4 or LZMA. @return how many bytes it gave; others than there is room for: it is damaged
+/// Unpacks a block of LZ4 or LZMA. @return how many bytes the block gave; the block is damaged where that is not the
+/// size of `to`
 std::size_t unpackByVtk(VtkPacking packing, std::span<const std::byte> from, std::span<std::byte> to);
 
 /// A file's elements, and how its arrays are stored.
 class VtkXml {
  public:
-  /// @param kind  what the file must hold: "ImageData", "PolyData". @throw InputError when it is something else
+  /// @param kind  what the file must hold: "ImageData", "PolyData". @throw InputError when the file holds something
+  /// else
   VtkXml(const FileBytes& file, std::string_view kind);
 
   const FileBytes& file() const { return mFile; }
   /// The element <ImageData> or <PolyData>.
   const XmlElement& data() const { return *mData; }
   bool isBigEndian() const { return mIsBigEndian; }
-  std::size_t wordBytes() const { return mWordBytes; }  ///< Of the sizes that stand before the values.
+  std::size_t wordBytes() const { return mWordBytes; }  ///< Bytes of each of the sizes that stand before the values.
   VtkPacking packing() const { return mPacking; }
   const XmlElement* appended() const { return mAppended; }
 
@@ -49,14 +51,14 @@ class VtkArray {
   VtkArray(const VtkXml& xml, const XmlElement& element);
 
   std::string_view name() const { return mElement.attribute("Name"); }
-  /// Empty where it has none.
+  /// Name of a component; empty where it has no name.
   std::string_view componentName(int index) const {
     return mElement.attribute("ComponentName" + std::to_string(index));
   }
   SampleType type() const { return mType; }
-  bool isWide() const { return mIsWide; }  ///< It holds 64-bit integers.
+  bool isWide() const { return mIsWide; }  ///< The file holds 64-bit integers.
   int components() const { return mComponents; }
-  /// Compares a number of values with what the file can hold, and with what it says; allocates nothing.
+  /// Checks that the file can hold so many values, and that they are as many as it states; allocates nothing.
   /// @throw InputError
   void check(std::uint64_t values) const;
   /// Fills all of `to`, after a check(). @throw InputError for damaged data; Cancelled
@@ -72,7 +74,7 @@ class VtkArray {
   SampleType mType = SampleType::UInt8;
   bool mIsWide = false, mIsUnsigned = false, mIsText = false, mIsBase64 = false;
   int mComponents = 1;
-  std::uint64_t mFrom = 0, mTo = 0;  ///< Bytes of the file that hold it; those of an appended one may end before.
+  std::uint64_t mFrom = 0, mTo = 0;  ///< Bytes of the file that hold the array; an appended array may end before mTo.
 };
 
 }  // namespace velum::io

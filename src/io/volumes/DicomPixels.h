@@ -7,12 +7,12 @@
 
 namespace velum::io {
 
-/// What one sample of a DICOM file is after decoding.
+/// Type and layout of a DICOM file's samples after decoding.
 struct DicomPixelType {
   SampleType type = SampleType::UInt8;
   int channels = 1;
   int columns = 0, rows = 0, frames = 0;
-  bool isInverted = false;  ///< MONOCHROME1: the samples were turned round.
+  bool isInverted = false;  ///< MONOCHROME1: the samples were inverted.
   bool operator==(const DicomPixelType&) const = default;
 };
 
@@ -27,8 +27,8 @@ class DicomPixels {
 
   const DicomPixelType& type() const;
   std::size_t byteCount() const;
-  /// Decodes into @p to, which has byteCount() bytes, and releases the compressed data. Bits outside the stored ones
-  /// are cleared and signs extended, whatever the codec left there.
+  /// Decodes into @p to, which has byteCount() bytes, and releases the compressed data. In each sample the bits outside
+  /// the stored ones are cleared and the sign is extended, whatever the codec left in them.
   void decode(std::span<std::byte> to);
 
  private:

@@ -10,10 +10,10 @@
 
 #include "core/Text.h"
 
-/// Values out of a GDCM data set. Only the DICOM readers include this.
+/// Functions that read values from a GDCM data set. Only the DICOM readers include this header.
 namespace velum::io {
 
-/// Text without its padding; empty when the element is missing or empty.
+/// The text of an element without its padding; empty when the element is missing or empty.
 inline std::string textOf(const gdcm::DataSet& set, gdcm::Tag tag) {
   if (!set.FindDataElement(tag)) return {};
   const gdcm::ByteValue* bytes = set.GetDataElement(tag).GetByteValue();
@@ -24,7 +24,8 @@ inline std::string textOf(const gdcm::DataSet& set, gdcm::Tag tag) {
   return text;
 }
 
-/// Decimal or integer strings, separated by backslashes. What is no number ends the list.
+/// The numbers of an element of decimal or integer strings, separated by backslashes. The list ends before the first
+/// string that is not a number.
 inline std::vector<double> numbersOf(const gdcm::DataSet& set, gdcm::Tag tag) {
   std::vector<double> numbers;
   std::string text = textOf(set, tag);
@@ -66,7 +67,7 @@ inline gdcm::SmartPointer<gdcm::SequenceOfItems> sequenceOf(const gdcm::DataSet&
   return set.GetDataElement(tag).GetValueAsSQ();
 }
 
-/// The data set of a sequence's first item. A copy, for it may have been parsed for us alone.
+/// The data set of a sequence's first item. A copy, as the sequence may have been parsed for this call only.
 inline std::optional<gdcm::DataSet> firstItem(const gdcm::DataSet& set, gdcm::Tag tag) {
   auto sequence = sequenceOf(set, tag);
   if (!sequence || sequence->GetNumberOfItems() == 0) return std::nullopt;

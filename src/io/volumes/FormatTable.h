@@ -9,27 +9,28 @@
 
 namespace velum::io {
 
-/// What a file shows before it is opened as anything.
+/// What is known of a file before its format is chosen.
 struct FileHead {
   Path path;
   std::string extension;  ///< Lower case, ".nii.gz" in one.
   std::string bytes;      ///< The first 4 KiB, inflated when the file is gzip.
 };
 
-/// A row of the table of formats with what it takes to read and write it.
+/// A row of the table of formats, with the functions that recognise, read and write the format.
 struct FormatRow {
   Format format;
-  bool (*matches)(const FileHead&);  ///< The content says so. Null: only the extension can tell.
+  bool (*matches)(const FileHead&);  ///< Whether a file's content is of this format. Null: only the extension can tell.
   Volume (*read)(const scene::Source&, Progress&);
-  /// Null when we do not write it. The caller commits. Returns what was lost.
+  /// Writes the format; null when we do not write it. The caller commits the file. Returns what was lost, one line
+  /// each.
   std::vector<std::string> (*write)(const Volume&, ReplaceFile&, Progress&);
 };
 
 std::span<const FormatRow> formatTable();
 FileHead readFileHead(const Path& path);
-/// The row that reads the file: by content, else by extension; null when none does.
+/// The row whose format the file has, by content, else by extension; null when no row reads it.
 const FormatRow* chooseReader(const FileHead& head);
-/// The row that writes files of this extension; null when none does.
+/// The row that writes files with the path's extension; null when no row does.
 const FormatRow* chooseWriter(const Path& path);
 
 }  // namespace velum::io

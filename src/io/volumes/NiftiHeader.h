@@ -10,16 +10,16 @@
 
 namespace velum::io {
 
-/// What our writer puts into the description of a volume that has axes but no patient, or no spacing of its own; both
-/// may stand there.
+/// Texts that our writer puts into the header's description of a volume whose orientation, or spacing, is unknown; both
+/// may be there.
 inline constexpr std::string_view kOrientationUnknown = "velum: orientation unknown";
 inline constexpr std::string_view kSpacingUnknown = "velum: spacing unknown";
 
 /// The fields of a NIfTI-1, NIfTI-2 or Analyze 7.5 header that matter to us, in machine byte order, as the file has
 /// them.
 struct NiftiHeader {
-  std::filesystem::path file;   ///< Where the header stands.
-  std::filesystem::path image;  ///< Where the voxels stand: the same file, or the .img of a pair.
+  std::filesystem::path file;   ///< The file that holds the header.
+  std::filesystem::path image;  ///< The file that holds the voxels: the same, or the .img of a pair.
   bool bigEndian = false;
   bool saysUnknown = false;    ///< Its description has kOrientationUnknown.
   bool saysNoSpacing = false;  ///< Its description has kSpacingUnknown.
@@ -37,10 +37,10 @@ struct NiftiHeader {
   std::array<glm::dvec3, 4> sform{};  ///< Columns.
 };
 
-/// @param file  .nii, .nii.gz, or either half of a pair. @throw InputError when it is none, or the other half is
-/// missing
+/// @param file  .nii, .nii.gz, or either half of a pair. @throw InputError when the file is none of these, or the other
+/// half of a pair is missing
 NiftiHeader readNiftiHeader(const std::filesystem::path& file);
-/// The texts of the extensions between header and voxels, as far as they are whole.
+/// The texts of the extensions between header and voxels, up to the first that is not whole.
 std::vector<std::string> readNiftiExtensions(const NiftiHeader& header);
 
 }  // namespace velum::io

@@ -13,11 +13,11 @@ struct NrrdHeader {
   std::map<std::string, std::string> keyValues;  ///< "key:=value", as written.
   std::string dataFileList;                      ///< Lines after "data file: LIST".
   std::uint64_t headerBytes = 0;                 ///< Where attached data starts.
-  /// Value of the first of two spellings that is there, else empty.
+  /// Value of a field that may be spelled in two ways; empty where the header has neither.
   std::string field(const char* name, const char* otherName = "") const;
 };
 
-/// @throw InputError when the file is no NRRD, or has no end of header within 4 MiB
+/// @throw InputError when the file is not a NRRD, or its header does not end within 4 MiB
 NrrdHeader readNrrdHeader(const std::filesystem::path& file);
 
 }  // namespace velum::io

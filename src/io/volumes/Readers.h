@@ -10,11 +10,11 @@
 #include "core/Volume.h"
 #include "scene/Source.h"
 
-/// The readers and writers, each in the file of its name. The table in Formats.cpp names them and chooses.
-/// Each reader checks the header against the file's size before it allocates, throws InputError with the file's name
-/// and the reason, reports progress, and leaves `range`, a name that the file does not have, and the user's spacing to
-/// readVolume(). A writer fills the file that it is given, which the caller commits, and
-/// returns what it could not keep, one line each.
+/// The readers and writers, each in the file of its name. The table in Formats.cpp lists them and chooses one by the
+/// file. Each reader checks the header against the file's size before it allocates, throws InputError with the file's
+/// name and the reason, reports progress, and leaves it to readVolume() to fill `range`, to make up a name that the
+/// file does not give, and to apply the user's spacing. A writer fills the file that it is given, which the caller
+/// commits, and returns what it could not keep, one line each.
 namespace velum::io {
 
 // Headers of our own
@@ -26,8 +26,8 @@ std::vector<std::string> writeNifti(const Volume& volume, ReplaceFile& file, Pro
 std::vector<std::string> writeNrrd(const Volume& volume, ReplaceFile& file, Progress& progress);
 // GDCM
 Volume readDicom(const scene::Source& source, Progress& progress);
-/// Contours of a radiotherapy structure set, filled on a grid of their own: half a millimetre along their planes, where
-/// they are of a patient's size.
+/// Contours of a radiotherapy structure set, filled on a grid made for them: its step along the contours' planes is
+/// half a millimetre where they have a patient's size.
 LabelVolume readRtStruct(const scene::Source& source, Progress& progress);
 LabelVolume readDicomSeg(const scene::Source& source, Progress& progress);
 // VTK

@@ -13,7 +13,7 @@ namespace velum::io {
 
 constexpr std::uint64_t kSegyTraceHeader = 240;
 
-/// A header, with byte numbers as in the SEG's standard (from 1, counted in the binary header from 3201).
+/// The fields of a header, named by byte numbers as in the SEG's standard (from 1; in the binary header from 3201).
 class SegyFields {
  public:
   SegyFields(std::span<const std::byte> bytes, std::size_t firstNumber, bool isLittle)
@@ -36,7 +36,7 @@ class SegyFields {
   bool mIsLittle;
 };
 
-/// What the file says of all its traces.
+/// The layout common to all traces of a file.
 struct SegyLayout {
   bool isLittle = false;
   bool isIbm = false;  ///< Samples are IBM's floats.
@@ -44,14 +44,14 @@ struct SegyLayout {
   double interval = 0;  ///< Microseconds, or millimetres of depth.
   int sorting = 0;      ///< Trace sorting code: 4 stacked, 5 and 6 gathers of a source or a receiver.
   bool isFeet = false;
-  bool isOneLength = false;  ///< The file promises so.
+  bool isOneLength = false;  ///< The file promises that all traces have the same length.
   SampleType type = SampleType::Float32;
   std::uint64_t firstTrace = 0, headerBytes = kSegyTraceHeader, traceBytes = 0, traces = 0;
-  bool hasRest = false;  ///< Bytes behind the last whole trace.
+  bool hasRest = false;  ///< There are bytes behind the last whole trace.
   std::vector<std::string> warnings;
 };
 
-/// @throw InputError when the headers are none of SEG-Y's, or of a kind that is not read
+/// @throw InputError when the headers are not those of SEG-Y, or of a kind that we do not read
 SegyLayout findSegyLayout(const FileBytes& file, const std::filesystem::path& path);
 
 }  // namespace velum::io

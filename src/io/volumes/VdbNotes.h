@@ -1,6 +1,6 @@
 #pragma once
 
-/// Our own metadata of a grid in a .vdb.
+/// Names of our own metadata of a grid in a .vdb.
 namespace velum::io::vdb {
 
 constexpr const char* kDims = "velum:dims";

@@ -7,7 +7,7 @@
 
 namespace velum::io {
 
-/// A value beside a grid, as its bytes stand in the file.
+/// A metadata value of a grid, as its bytes stand in the file.
 struct VdbNote {
   std::string type;  ///< "string", "vec3i", "bool", ...
   std::string bytes;
@@ -21,12 +21,12 @@ struct VdbGrid {
   bool isDouble = false;
   int gridsInFile = 1;
   std::map<std::string, VdbNote> notes;
-  std::uint64_t transformAt = 0;  ///< Byte of the file where the transform stands, the tree behind it.
+  std::uint64_t transformAt = 0;  ///< Offset in the file of the transform, which the tree follows.
 };
 
-/// Walks from the file's first byte to the end of the first grid of floats or doubles, without allocating on its word.
-/// OpenVDB allocates by lengths and counts that it has only read, and hands blocks to their codec whatever they say of
-/// themselves; so all of them are compared with the file before.
+/// Walks from the file's first byte to the end of the first grid of floats or doubles, and checks all lengths, counts
+/// and blocks against the file, without allocating by them. OpenVDB itself allocates by lengths and counts that it has
+/// just read, and hands blocks to their codec unchecked; so this check comes before.
 /// @throw InputError when something does not fit, or the file has no such grid
 VdbGrid walkVdb(const FileBytes& file);
 

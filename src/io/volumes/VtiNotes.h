@@ -1,7 +1,7 @@
 #pragma once
 
-/// Our own notes in the FieldData of a .vti: a number each, or a text as bytes, for texts of VTK are stored its own
-/// way.
+/// Names of our own notes in the FieldData of a .vti. Each note is a number, or a text stored as bytes, as VTK stores
+/// texts in a way of its own.
 namespace velum::io::vti {
 
 constexpr const char* kScale = "velum.scale";
@@ -12,6 +12,6 @@ constexpr const char* kColor = "velum.color";
 constexpr const char* kName = "velum.name";
 constexpr const char* kUnit = "velum.unit";
 constexpr const char* kModality = "velum.modality";
-constexpr const char* kLengthUnit = "velum.lengthUnit";  ///< To be shown in; the file's lengths are millimetres.
+constexpr const char* kLengthUnit = "velum.lengthUnit";  ///< Unit to show lengths in; the file's are millimetres.
 
 }  // namespace velum::io::vti

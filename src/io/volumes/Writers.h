@@ -8,11 +8,11 @@
 
 namespace velum::io {
 
-/// What the label writer adds to what writeNrrd and writeNifti do.
+/// What the label writer adds to the files of writeNrrd and writeNifti.
 struct LabelExtras {
   std::vector<std::pair<std::string, std::string>> nrrdKeyValues;
   std::string niftiExtension;  ///< XML, empty for none; its presence also marks the file as labels.
-  int changedNames = 0;        ///< Of structures, to fit the format.
+  int changedNames = 0;        ///< How many names of structures were changed to fit the format.
 };
 std::vector<std::string> writeNrrdWith(const Volume& volume, ReplaceFile& file, const LabelExtras& extras,
                                        Progress& progress);
@@ -21,7 +21,8 @@ std::vector<std::string> writeNiftiWith(const Volume& volume, ReplaceFile& file,
 
 /// @throw InputError when the volume lacks samples
 void checkWhole(const Volume& volume, const Path& path);
-/// Of the name: a file is called by its own where it holds none.
+/// True when writing to the path loses the volume's name: a file that holds no name is known by its file name, which
+/// differs.
 bool isNameLost(const Volume& volume, const Path& path);
 
 }  // namespace velum::io

@@ -14,25 +14,26 @@
 
 namespace velum::membrane {
 
-/// What draws a sheet to it, over the columns of a lattice, as a cost of sheets: each column in which a sheet lies off
-/// what attracts costs the strongest attraction that there is, in which it lies on it that less its own; each step from
-/// column to column costs by its area, as does each layer from the rest plane a little. So a sheet goes to what
-/// attracts where that is worth its walls.
+/// The attraction of material on a sheet, expressed as a cost of sheets over the columns of a lattice. A column in
+/// which the sheet does not lie on attracting material costs the strongest attraction anywhere; a column in which it
+/// does costs that less the attraction of the material there. Each step from column to column costs by its area, and
+/// each layer away from the rest plane costs a little. So a sheet goes to attracting material where that is worth the
+/// area of the walls which lead there.
 ///
 /// Differs: not in [IMC], whose attracting kernels pull at particles nearby (eq. 3 with c < 0); by the sided rule the
 /// sheet is pulled back too strongly for that, and a horizon is followed as a surface: an optimal one, by a minimum
 /// cut.
 class Attraction {
  public:
-  /// @param strengths  of the voxels of the box, [z][y][x]: those below 0 attract
+  /// @param strengths  of the voxels of the box, [z][y][x]: strengths below 0 attract
   Attraction(const CutLattice& lattice, std::span<const float> strengths, const ProtectedVoxels& grid,
              const scene::Cut& cut);
 
   bool isAnywhere() const { return mMost > 0; }
-  /// The costs of all sheets, as those of a lattice (unit 1) of the same columns and layers.
+  /// The costs of all sheets, as the pairs of a lattice (unit 1) with the same columns and layers.
   CutLattice costs() const;
-  /// The height in layers at which a sheet lies on what attracts; nothing where it does not.
-  /// @param below  as LeastCut::below of the column
+  /// The height, in layers, at which a sheet lies on attracting material in a column; nothing where it does not.
+  /// @param below  the sheet's LeastCut::below in that column
   std::optional<double> layerAt(std::size_t column, int below) const;
 
  private:
@@ -44,15 +45,16 @@ class Attraction {
   glm::ivec3 mDims;
   glm::dvec3 mStep;
   double mRestLayer;
-  std::vector<std::uint16_t> mDraw;  ///< [y][x][z]: attraction, as strengths are
+  std::vector<std::uint16_t> mDraw;  ///< [y][x][z]: attraction, on the scale of strengths
   int mMost = 0;
 };
 
-/// The sheet of least cost by attraction among those that leave on their sides what another one does, which is nearest
-/// to the rest plane where several cost the same. @throw Cancelled
+/// The sheet of least cost by attraction among all sheets that leave everything on the same sides as the sheet `least`;
+/// where several cost the same, the one nearest to the rest plane. @throw Cancelled
 LeastCut drawnCut(const CutLattice& lattice, const LeastCut& least, const Attraction& attraction, Progress& progress);
 
-/// Leads a corridor to where its sheet lies on what attracts. @param drawn  the sheet that the corridor is around
+/// Narrows a corridor to the heights at which its sheet lies on attracting material. @param drawn  the sheet around
+/// which the corridor runs
 void leadTo(Corridor& corridor, const CutLattice& lattice, const LeastCut& drawn, const Attraction& attraction);
 
 }  // namespace velum::membrane

@@ -6,28 +6,29 @@
 
 namespace velum::membrane {
 
-/// A lattice with two nodes along each axis made one, but for the first and the last, whose sheets are those of the
-/// fine one that have whole nodes on either side: each separates in both the same, up to 127 pairs between two nodes.
-/// The rest plane stays between two layers. Four nodes along an axis may stay as many.
+/// A lattice in which each two nodes along an axis are joined to one, except the first and the last node. Its sheets
+/// are those sheets of the fine lattice that leave joined nodes whole; each such sheet separates the same pairs in both
+/// lattices, up to 127 pairs between two nodes. The rest plane stays between two layers. An axis with four nodes may
+/// keep all four.
 CutLattice coarsened(const CutLattice& lattice);
 
-/// Heights of the sheets of a lattice as those of coarsened(lattice), as many as one of the columns of each has.
+/// Ranges of heights over a lattice, turned into ranges over coarsened(lattice): of joined columns the union.
 std::vector<SheetRange> coarsenedRanges(const CutLattice& lattice, std::span<const SheetRange> ranges);
 
-/// A sheet of coarsened(lattice) as one of the lattice, see LeastCut::below.
+/// A sheet of coarsened(lattice) as a sheet of `lattice`, see LeastCut::below.
 std::vector<int> refined(const CutLattice& lattice, const LeastCut& coarse);
 
-/// The heights near a sheet: near what it has over a column and over those around it, so that a wall between two
-/// columns may move to either side.
+/// The ranges of heights near a sheet: near the sheet's height in the column itself and in the columns around it, so
+/// that a wall between two columns may move to either side.
 std::vector<SheetRange> bandAround(glm::ivec2 columns, std::span<const int> below);
 
-/// Columns near those in which a sheet lies at the edge of its range though the lattice goes on, so that it may be
-/// better further on. @return empty where there are none
+/// Marks the columns near those in which a sheet lies at the edge of its range although the whole range goes on, so
+/// that a better sheet may lie beyond the edge. @return empty where there are no such columns
 std::vector<std::uint8_t> aroundEdges(glm::ivec2 columns, std::span<const int> below,
                                       std::span<const SheetRange> ranges, std::span<const SheetRange> whole);
 
-/// What of a lattice the sheets of given heights can meet, and the nodes that tie it at its ends. Dimensions and
-/// columns stay; origin and step are left out.
+/// The part of a lattice that sheets with heights in the given ranges can meet, with the nodes at its ends that tie it
+/// to the two sides. Dimensions and columns stay as they are; origin and step are not filled in.
 CutLattice within(const CutLattice& lattice, std::span<const SheetRange> ranges);
 
 }  // namespace velum::membrane

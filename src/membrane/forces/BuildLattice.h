@@ -13,9 +13,10 @@
 
 namespace velum::membrane {
 
-/// What fits between two nodes: halves of 127 pairs where all are as strong; else as much as flows have room for.
+/// Most units between two nodes: halves of 127 pairs where all pairs are equally strong; else as much as flows have
+/// room for.
 constexpr int kMostHalves = 255, kMostUnits = 3276;
-/// Up a column there is more room.
+/// Most units between two nodes in a column, where there is more room.
 constexpr int kMostUp = 65535;
 
 inline std::size_t columnOf(glm::ivec3 dims, glm::ivec3 node) {
@@ -42,7 +43,7 @@ class NodeBits {
     if ((word.load(std::memory_order_relaxed) & bit) == 0) word.fetch_or(bit, std::memory_order_relaxed);
   }
 
-  /// Numbers the nodes column by column, upwards.
+  /// Numbers the nodes that are set, column by column, upwards, and fills CutLattice::first and CutLattice::layer.
   void number(CutLattice& lattice) {
     std::size_t columns = mBits.size() / mWords;
     std::uint32_t count = 0;
@@ -73,11 +74,11 @@ class NodeBits {
   glm::ivec3 mDims;
   std::size_t mWords;
   std::vector<std::uint64_t> mBits;
-  std::vector<std::uint32_t> mBefore;  ///< nodes before those of a word
+  std::vector<std::uint32_t> mBefore;  ///< by word: how many nodes are in the words before it
 };
 
-/// makeLattice() for those with much to hand out.
-/// @param unit   see CutLattice::unit
+/// makeLattice() for callers with many pairs to hand out.
+/// @param unit  see CutLattice::unit
 /// @param pairs  called twice with add(lower node, axis, pairs in units), which any threads may call at the same time
 template <class Pairs>
 CutLattice buildLattice(glm::ivec3 dims, double restLayer, int unit, const Pairs& pairs) {

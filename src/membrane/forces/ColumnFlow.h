@@ -10,33 +10,35 @@
 
 namespace velum::membrane {
 
-/// Maximum flow through the nodes of a lattice that hold something, by the pairs between them; edges down a column are
-/// infinite, over whatever lies between. Neighbours across are kept by number, those in a column follow each other.
+/// Maximum flow through the nodes of a lattice that hold something, by the pairs between them; edges down a column have
+/// infinite capacity, also across nodes that hold nothing. Neighbours in other columns are kept by number; those in the
+/// same column follow each other.
 ///
 /// Incremental breadth-first search [IBFS]: trees of shortest paths grow from both terminals by turns, a path is filled
-/// where they meet, and nodes that lose their way home are adopted at the smallest distance possible. What there is
-/// none of costs nothing: memory and time go with the nodes, not with the lattice.
+/// where they meet, and nodes that lose their way home are adopted at the smallest distance possible. Nodes that hold
+/// nothing cost nothing: memory and time grow with the number of nodes that hold something, not with the lattice.
 class ColumnFlow {
  public:
   enum Side : std::uint8_t {
-    kOpen = 0,   ///< both are least cuts: above it, and below it
+    kOpen = 0,   ///< undecided: there are least cuts with the node above the sheet, and others with it below
     kBelow = 1,  ///< below the sheet in every least cut
-    kAbove = 2   ///< above it in every one
+    kAbove = 2   ///< above the sheet in every least cut
   };
 
-  /// Nodes and capacities of a lattice. @param tieOf  which side a node is tied to, or kOpen: of column and layer
-  /// @param metric  what is filled: pairs alone, or by them and what lies across two axes
+  /// Nodes and capacities of a lattice. @param tieOf  which side the node in a column and layer is tied to, or kOpen
+  /// @param metric  which capacities count: pairs alone, or also the diagonals across two axes
   ColumnFlow(const CutLattice& lattice, CutMetric metric,
              const std::function<Side(std::size_t column, int layer)>& tieOf);
 
-  /// Fills the lattice: first strips of it, on all cores, then what lies across them [MERGING].
+  /// Computes the maximum flow: first within strips of the lattice, on all cores, then across them [MERGING].
   /// @param onPhase  called now and then, by one thread at a time; may throw, which leaves the flow useless
   void run(const std::function<void()>& onPhase);
 
   std::size_t count() const { return mNodes.size(); }
   Side side(std::size_t node) const { return Side(mNodes[node].tree); }
-  /// The neighbours of a node. @param visit  gets their number, whether they must lie below wherever `node` does, lest
-  /// the sheet cuts more than it must, and the same the other way round
+  /// The neighbours of a node. @param visit  gets the number of the neighbour, whether the neighbour must lie below the
+  /// sheet wherever `node` does (or the sheet would cut more than it must), and whether `node` must wherever the
+  /// neighbour does
   template <class Visit>
   void forEachNeighbour(std::size_t node, Visit visit) const {
     auto v = std::uint32_t(node);
@@ -53,8 +55,8 @@ class ColumnFlow {
   /// `direction ^ 1`.
   struct Node {
     std::uint32_t across[4] = {kNone, kNone, kNone, kNone};
-    std::int16_t room[4] = {};  ///< residual capacity to them
-    std::int32_t up = 0;        ///< and to the next node up the column
+    std::int16_t room[4] = {};  ///< residual capacity to the neighbours in `across`
+    std::int32_t up = 0;        ///< residual capacity to the next node up the column
     std::int32_t distance = 0;
     std::uint8_t tree = kOpen, parent = 0;
     bool hasBelow = false, hasAbove = false;

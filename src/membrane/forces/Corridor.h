@@ -3,7 +3,7 @@
 
 namespace velum::membrane {
 
-/// The room that a sheet of a lattice has without cutting more than it does.
+/// The room in which a sheet of a lattice may move without cutting more than it does.
 Corridor corridorAround(const CutLattice& lattice, const LeastCut& cut);
 
 }  // namespace velum::membrane

@@ -20,11 +20,11 @@ namespace velum::membrane {
 /// A place that the sheet must pass on one side. Frame-local.
 struct Stake {
   glm::vec3 place{0.0f};
-  bool isBelow = false;  ///< it belongs below the sheet
+  bool isBelow = false;  ///< the place must lie below the sheet, not above
 };
 
-/// Where the sheet may hang so that it cuts nothing more than it must, column by column over the rest plane: between
-/// what belongs below it and what belongs above it. Frame-local.
+/// The room in which the sheet cuts no more than it must, column by column over the rest plane: between the protected
+/// material that belongs below the sheet and that which belongs above. Frame-local.
 struct Corridor {
   glm::ivec2 dims{0};      ///< columns; {0, 0}: the sheet may hang anywhere
   glm::dvec2 origin{0.0};  ///< middle of column (0, 0)
@@ -32,30 +32,30 @@ struct Corridor {
   std::vector<glm::vec2> room;  ///< [y][x]: lowest, highest z
   std::vector<float> height;    ///< [y][x]: z of the least cut itself
   std::vector<Stake> stakes;    ///< between the middles of columns
-  bool isDrawn = false;         ///< `height` is where the sheet is drawn to, not only where it may pass
-  double leastShare = 0.0;      ///< pairs that its sheet cuts, by those that the rest plane does
+  bool isDrawn = false;  ///< `height` is where attracting material draws the sheet, not only where the sheet may pass
+  double leastShare = 0.0;  ///< pairs that the least cut separates, divided by the pairs that the rest plane separates
 };
 
 /// Everything that acts on the sheet of one membrane in one place.
 struct Forces {
   PushField field;
   Corridor corridor;
-  bool isPreview = false;   ///< of ForceMaker::preview()
+  bool isPreview = false;   ///< made by ForceMaker::preview()
   std::size_t kernels = 0;  ///< of the whole volume
-  double kernelsMs = 0;     ///< time from the data to the kernels; 0: they were there
-  double leastCutMs = 0;    ///< time to the corridor; 0: it was there
+  double kernelsMs = 0;     ///< time to make the kernels from the data; 0: they were kept from before
+  double leastCutMs = 0;    ///< time to make the corridor; 0: it was kept from before
 };
 
-/// z of a sheet over a place of its rest plane.
+/// Gives the height z of a sheet over a place (x, y) of its rest plane, frame-local.
 using HeightOver = std::function<double(glm::dvec2 local)>;
 
-/// A sheet that is there already (active repositioning), in the frame that is wanted.
+/// The present sheet (active repositioning), given in the frame for which forces are wanted.
 struct CurrentSheet {
   HeightOver height;  ///< empty: there is none
-  int timeStep = -1;  ///< of the volume, in which it came to rest; -1: the one that is wanted
+  int timeStep = -1;  ///< time step at which the sheet came to rest; -1: the one for which forces are wanted
 };
 
-/// Makes forces from a scene's data; keeps what can be kept between edits and between places of the rest plane. One
+/// Makes forces from a scene's data; keeps intermediate results between edits and between places of the rest plane. One
 /// thread at a time.
 class ForceMaker {
  public:
@@ -66,26 +66,27 @@ class ForceMaker {
 
   /// By the paper's rule: kernels that push away from their centres ([IMC] eq. 2, 3). By the sided rule (Differs: not
   /// in the paper): the least cut over the rest plane says which protected material belongs below the sheet and which
-  /// above; kernels push along the normal to the other side, and the corridor is what lies between. Where something has
-  /// to be cut it is what is weaker. Within the corridor the sheet is drawn to what attracts (see Attraction).
-  /// @param current  active repositioning: material stays on the side of this sheet instead. Has it come to rest in
-  /// another time step, the material has moved since: then it is the least cut of those near the sheet. Differs: the
-  /// paper knows no time
+  /// above; kernels push the sheet along the normal away from that side, and the corridor is the room between the two.
+  /// Where some material has to be cut, weaker material is cut rather than stronger. Within the corridor the sheet is
+  /// drawn to attracting material (see Attraction).
+  /// @param current  active repositioning: material stays on the side of this sheet on which it is. If the sheet came
+  /// to rest at another time step, the material has moved since: then the least cut among the sheets near this one is
+  /// used. Differs: the paper knows no time
   /// @throw Cancelled
   Forces compute(const scene::Cut& cut, const CurrentSheet& current, Progress& progress);
 
-  /// For a hand that drags, before exact forces are there: as compute() without a current sheet, but in large data
-  /// (kLargeVoxels) by a coarse look at what is protected, and each kernel that repels is passed on the side of the
-  /// data's own least cut rather than by another one. A few milliseconds where that, or the look, is known. @throw
-  /// Cancelled
+  /// Forces for a hand that drags, until the exact ones are ready. As compute() without a current sheet, except that
+  /// large data (kLargeVoxels) are looked at coarsely, and each repelling kernel put in by hand is passed on the side
+  /// given by the least cut of the data alone, without another least cut. Takes a few milliseconds where that least
+  /// cut, or the coarse look, is kept from before. @throw Cancelled
   Forces preview(const scene::Cut& cut, Progress& progress);
-  /// In data of more voxels forces take long enough to be worth a preview.
+  /// With more voxels than this forces take long enough to be worth a preview.
   static constexpr double kLargeVoxels = 4e6;
   bool isLarge() const;
 
  private:
-  // What takes `ms` writes to it how long it took, where it was not there.
-  /// A corridor, and what it is of: see sidesPart().
+  // Functions that take `ms` write to it how long they took, unless the result was kept from before.
+  /// A corridor, and the parts of the cut that it was made for: see sidesPart().
   struct Sides {
     std::optional<scene::Cut> cut;
     Corridor corridor;
@@ -101,22 +102,23 @@ class ForceMaker {
 
   Potential mPotential;
   int mTimeStep = 0, mTimeSteps = 1;
-  std::optional<scene::ForceField> mField;  ///< that mKernels are of
+  std::optional<scene::ForceField> mField;  ///< the field that mKernels were made from
   std::vector<KernelGrid> mKernels;         ///< from the field's level to that of previews
   std::optional<scene::Cut> mVoxelsCut;
   ProtectedVoxels mVoxels;  ///< of the data alone
   std::optional<scene::ForceField> mCoarseField;
   CoarseVoxels mCoarse;      ///< of the data alone, for previews
-  Sides mDataSides, mSides;  ///< of the data alone; with the last kernels that were put in
+  Sides mDataSides, mSides;  ///< mDataSides: of the data alone; mSides: with the kernels put in by hand last
 };
 
-/// The heights of a corridor's own sheet.
+/// The heights of the sheet around which a corridor runs: Corridor::height.
 HeightOver heightOf(const Corridor& corridor);
 
-/// Room for each particle of a sheet: of the columns that are nearer to it than to others. Where no height suits them
-/// all, that of its nearest column. Empty without a corridor.
+/// The room (lowest and highest z) of each particle of a sheet: heights within the room of all columns that are nearer
+/// to this particle than to others. Where no height suits all of these, the room of its nearest column. Empty without a
+/// corridor.
 /// @param places  the particles of a sheet, frame-local
-/// @param pitch  between particles
+/// @param pitch  distance from particle to particle
 std::vector<glm::vec2> roomOf(const Corridor& corridor, std::span<const glm::vec3> places, glm::dvec2 pitch);
 
 }  // namespace velum::membrane

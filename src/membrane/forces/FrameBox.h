@@ -6,14 +6,14 @@
 
 namespace velum::membrane {
 
-/// Lengths so short, in voxels, that they decide nothing: a voxel on the rest plane, or on the rest plane's edge, must
-/// not change sides with its last digits.
+/// A tolerance, in voxels: a voxel on the rest plane, or on the edge of the rest plane, must not change sides by the
+/// last digits of its position.
 constexpr double kHair = 1e-4;
 
-/// The box of a membrane's rest plane and reach, for voxels of a grid.
+/// The box of a membrane's rest plane and reach, for testing the voxels of a grid.
 struct FrameBox {
   glm::dmat4 localFromVoxel{1.0};
-  glm::dvec3 half{0.0};  ///<, a hair more than the frame's, so that voxels on its edge are inside
+  glm::dvec3 half{0.0};  ///< half the cut's size and a hair more, so that voxels on the box's edge are inside
   double hair = 0.0;
 
   FrameBox(const scene::Cut& cut, const glm::dmat4& worldFromVoxel)
@@ -25,7 +25,7 @@ struct FrameBox {
   bool holds(glm::dvec3 local) const { return glm::all(glm::lessThanEqual(glm::abs(local), half)); }
 };
 
-/// Each voxel of its box is said to be protected or not.
+/// True when the mask has an entry for each voxel of the box.
 inline bool holdsItsBox(const ProtectedVoxels& voxels) {
   glm::ivec3 size = voxels.box.end - voxels.box.min;
   return voxels.mask.size() == std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z);

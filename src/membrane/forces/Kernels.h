@@ -17,35 +17,36 @@ namespace velum::membrane {
 /// The kernels of one level of the octree ([IMC] 3.2): the mean strength of each super-voxel of 2^level voxels per
 /// axis.
 struct KernelGrid {
-  glm::ivec3 dims{0};               ///< super-voxels along x (fastest), y, z; those at the end may hold fewer voxels
-  int level = 0;                    ///< 0..6
-  std::vector<float> strengths;     ///< [z][y][x]; 0 where there is no kernel, i.e. below the field's threshold
-  glm::dmat4 worldFromKernel{1.0};  ///<; kernels, the middles of whole super-voxels, are at integers
-  std::size_t count = 0;            ///< how many have a strength
+  glm::ivec3 dims{0};            ///< super-voxels along x (fastest), y, z; the last along an axis may hold fewer voxels
+  int level = 0;                 ///< 0..6
+  std::vector<float> strengths;  ///< [z][y][x]; 0 where there is no kernel, i.e. below the field's threshold
+  glm::dmat4 worldFromKernel{1.0};  ///< kernels, the middles of whole super-voxels, are at integers
+  std::size_t count = 0;            ///< how many super-voxels have a kernel
 };
 
-/// A box of voxels, without those at `end`.
+/// A box of voxels from `min` to before `end`.
 struct VoxelBox {
   glm::ivec3 min{0}, end{0};
   bool operator==(const VoxelBox&) const = default;
 };
 
-/// Which voxels of a box the sheet is to leave whole: those with a strength above 0.
+/// Which voxels of a box are protected, so that the sheet should leave them whole: those with a strength above 0.
 struct ProtectedVoxels {
   VoxelBox box;
   std::vector<std::uint8_t> mask;  ///< [z][y][x] of the box: 0, kOfData or kPlaced
   static constexpr std::uint8_t kOfData = 1, kPlaced = 2;
-  glm::dmat4 worldFromVoxel{1.0};    ///< of the whole grid: voxel (0, 0, 0) need not lie in the box
-  std::vector<std::uint8_t> weight;  ///< [z][y][x]: how strong each is, 1 to kStrongest; empty: all alike
+  glm::dmat4 worldFromVoxel{1.0};  ///< of the whole grid: voxel (0, 0, 0) need not lie in the box
+  std::vector<std::uint8_t>
+      weight;  ///< [z][y][x]: how strong each voxel is, 1 to kStrongest; empty: all are equally strong
   static constexpr int kStrongest = 64;
 };
 
-/// What of the voxels protected by value does not count, as it is in pieces that are too small
-/// (ForceField::leastPiece). Of the whole grid.
+/// The voxels protected by value that do not count, as they are in pieces that are too small (ForceField::leastPiece).
+/// For the whole grid.
 struct LeftOut {
-  int leastPiece = 1;                  ///< voxels that a piece must have to count; 1: all do
-  std::size_t pieces = 0, voxels = 0;  ///< that are left out
-  std::size_t protectedVoxels = 0;     ///< by value, with those left out; not counted where all pieces count
+  int leastPiece = 1;                  ///< voxels that a piece must have to count; 1: all pieces count
+  std::size_t pieces = 0, voxels = 0;  ///< how many pieces are left out, and how many voxels they have
+  std::size_t protectedVoxels = 0;     ///< by value, including those left out; not counted where all pieces count
   bool operator==(const LeftOut&) const = default;
 };
 
@@ -53,59 +54,61 @@ struct LeftOut {
 /// holds there. @param curve  ascending
 double strengthAt(std::span<const scene::StrengthPoint> curve, double value);
 
-/// The strongest force of a field that repels; 0: none does.
+/// The largest strength above 0 (repelling) in a field; 0 when nothing repels.
 double strongestOf(const scene::ForceField& field);
-/// All that repels does so with one strength.
+/// True when everything in the field that repels has the same strength.
 bool isAlike(const scene::ForceField& field);
-/// Some of the data attracts the sheet.
+/// True when something in the field attracts the sheet.
 bool attracts(const scene::ForceField& field);
 
-/// The weight of a strength among others, see ProtectedVoxels.
+/// The weight, see ProtectedVoxels::weight, of a strength in a field whose largest strength is `strongest`.
 std::uint8_t weightOf(double strength, double strongest);
 
 /// The potential field transfer function (PFTF) over a scene's data: strengths by value, by gradient magnitude and by
-/// structure, which add up ([IMC] 3.2). Its grid is the volume's; of the labels where there is no volume. Of a model
-/// alone the structures are its types, numbered from 1, in the voxels that their instances fill: a kernel is then as
-/// strong as they are dense. The grid is made with the potential (a second for the largest models).
+/// structure, which add up ([IMC] 3.2). Its grid is the volume's, or that of the labels where there is no volume. In a
+/// scene with only a model the structures are the model's types, numbered from 1, in the voxels that their instances
+/// fill, so that a kernel is as strong as the instances are dense; this grid is made by the constructor (a second for
+/// the largest models).
 ///
-/// It keeps the data, and gradient magnitudes once they have been asked for (16 bit a voxel), so that an edited curve
-/// is evaluated anew in a few tens of milliseconds. Samples of 8 and 16 bits go through a table over the raw values;
+/// The potential keeps the data and, once asked for, gradient magnitudes (16 bits a voxel), so that an edited curve is
+/// evaluated anew in a few tens of milliseconds. Samples of 8 and 16 bits go through a table over the raw values;
 /// others are interpolated one by one, in double. Values that are not numbers have no strength. Any thread.
 ///
-/// Pieces of what is protected by value that are too small to count have no strength by value, here and in all that is
-/// computed from here. Which they are is found once for a curve, over the whole grid (a second for 512^3 voxels).
+/// Pieces protected by value that are too small to count have no strength by value, in all results of this class. Which
+/// pieces these are is found once for each curve, over the whole grid (a second for 512^3 voxels).
 class Potential {
  public:
-  /// Of the volume's current time step and channel, and of the labels, which may lie on another grid.
+  /// Takes the volume's current time step and channel, and the labels, which may lie on another grid.
   explicit Potential(const scene::Scene& scene);
   ~Potential();
   Potential(Potential&&) noexcept;
   Potential& operator=(Potential&&) noexcept;
 
-  /// True when it was made from the same data, time step and channel.
+  /// True when this potential was made from the same data, time step and channel.
   bool matches(const scene::Scene& scene) const;
-  glm::ivec3 dims() const;                    ///< 0 when the scene has no data
-  const Shared<LabelVolume>& labels() const;  ///< the scene's, or a model's types; none where it has neither
+  glm::ivec3 dims() const;  ///< 0 when the scene has no data
+  const Shared<LabelVolume>& labels()
+      const;  ///< the scene's labels, or a grid of the model's types; empty where the scene has neither
   const glm::dmat4& worldFromVoxel() const;
 
   /// The kernels of the field's level, all cores. The mean is taken over strengths, never the strength of a mean.
   /// @throw Cancelled
   KernelGrid computeKernels(const scene::ForceField& field, Progress& progress) const;
-  /// Kernels of several levels: the finest from the voxels in one pass, coarser ones from it, weighted by the voxels
-  /// held.
+  /// Kernels of several levels: the finest is made from the voxels in one pass, coarser ones from the finest, weighted
+  /// by the number of voxels that super-voxels hold.
   /// @param finest, coarsest  0..6
   std::vector<KernelGrid> computeLevels(const scene::ForceField& field, int finest, int coarsest,
                                         Progress& progress) const;
 
   /// Strength of each voxel of a box, [z][y][x]. @throw ArgumentError when the box leaves the grid
   std::vector<float> computeStrengths(const scene::ForceField& field, VoxelBox box, Progress& progress) const;
-  /// How strong the protected voxels of a box are, as ProtectedVoxels::weight. @param strongest  whose weight is
-  /// kStrongest  @throw ArgumentError when the box leaves the grid
+  /// How strong the protected voxels of a box are, as ProtectedVoxels::weight. @param strongest  the strength whose
+  /// weight is kStrongest @throw ArgumentError when the box leaves the grid
   std::vector<std::uint8_t> computeWeights(const scene::ForceField& field, VoxelBox box, double strongest,
                                            Progress& progress) const;
   /// Which voxels of a box are protected. @throw ArgumentError when the box leaves the grid
   ProtectedVoxels computeProtected(const scene::ForceField& field, VoxelBox box, Progress& progress) const;
-  /// What is too small to be protected by value. @throw Cancelled
+  /// The pieces that are too small to be protected by value. @throw Cancelled
   LeftOut computeLeftOut(const scene::ForceField& field, Progress& progress) const;
 
  private:

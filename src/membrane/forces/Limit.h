@@ -8,17 +8,17 @@
 namespace velum::membrane {
 
 /// A lattice over a membrane's rest plane and reach with a ring of columns outside the rest plane, and a layer outside
-/// the reach at both ends. Where the rest plane's axes are the volume's, nodes are the voxels; else they are as far
-/// apart along each axis as voxels are along it. Each protected pair with a voxel in the rest plane's box is counted
-/// between the nodes that they are nearest to; pairs that step along several axes at once are shared out to the paths
-/// between their nodes.
-/// @param coarsening  nodes are so many voxels apart along each axis, >= 1
+/// the reach at both ends. Where the rest plane's axes are those of the volume, nodes are the voxels; else nodes are as
+/// far apart along each axis of the frame as voxels are in that direction. Each protected pair with a voxel in the rest
+/// plane's box is counted between the two nodes nearest to its voxels; a pair whose nodes differ along several axes is
+/// divided among the paths between them.
+/// @param coarsening  distance of nodes along each axis in voxels, >= 1
 CutLattice gatherLattice(const ProtectedVoxels& voxels, const scene::Cut& cut, double coarsening = 1.0);
 
-/// The sheet of a least cut as an answer to measureKeptWhole: stairs between the lattice's columns, and the plane
-/// beyond it. The lattice and the cut are copied.
+/// The sheet of a least cut as a SideOfPoints for measureKeptWhole(): a staircase from column to column of the lattice,
+/// and the rest plane beyond the lattice. The lattice and the cut are copied.
 SideOfPoints sideOfLeastCut(const CutLattice& lattice, const LeastCut& cut);
-/// Its mean distance from the rest plane over the rest plane.
+/// Mean distance of a least cut's sheet from the rest plane, over the area of the rest plane.
 double meanDistance(const CutLattice& lattice, const LeastCut& least, const scene::Cut& cut);
 
 /// The least cut area that any single-valued sheet in the frame and reach can have: the limit of the quality figure.

@@ -6,11 +6,10 @@
 
 namespace velum::membrane {
 
-/// Decides what a full flow leaves open: each choice that never has a node below the sheet without those that must
-/// follow it is a least cut.
-/// @param side  of parts of which nothing is decided; those that must be cut are cut as near to the rest plane as can
-/// be
-/// @return of each node, 1 below the sheet, 0 above
+/// Decides on which side the nodes lie that a maximum flow leaves undecided. Any choice is a least cut as long as no
+/// node is below the sheet without the nodes that must then be below, too.
+/// @param side  which side undecided parts go to; parts that must be cut are cut as near to the rest plane as possible
+/// @return for each node: 1 below the sheet, 0 above
 std::vector<std::uint8_t> decideOpenParts(const CutLattice& lattice, const ColumnFlow& flow, scene::MembraneSide side,
                                           Progress& progress);
 

@@ -10,19 +10,20 @@
 
 namespace velum::membrane {
 
-/// Voxels that follow each other along x, without that at `end`.
+/// Voxels that follow each other along x, from `x` to before `end`.
 struct VoxelRun {
   std::uint32_t x = 0, end = 0;
   bool operator==(const VoxelRun&) const = default;
 };
 
-/// The pieces of what is protected that are too small to count. A piece is what hangs together by voxels' faces.
+/// The pieces of protected voxels that are too small to count. A piece consists of voxels joined by faces.
 struct SmallPieces {
-  int least = 1;                     ///< voxels that a piece must have to count; 1: all do
-  std::vector<std::uint32_t> first;  ///< of the runs of each row (y fastest, then z), and an end; empty: there are none
+  int least = 1;  ///< voxels that a piece must have to count; 1: all pieces count
+  std::vector<std::uint32_t>
+      first;  ///< first run of each row (rows by y, then z), one more at the end; empty: there are no runs
   std::vector<VoxelRun> runs;
-  std::size_t pieces = 0, voxels = 0;  ///< in `runs`
-  std::size_t protectedVoxels = 0;     ///< those among them
+  std::size_t pieces = 0, voxels = 0;  ///< how many small pieces there are, and the voxels in `runs`
+  std::size_t protectedVoxels = 0;     ///< all protected voxels, those of small pieces included
 
   std::span<const VoxelRun> runsOf(std::size_t row) const {
     return first.empty() ? std::span<const VoxelRun>()
@@ -30,12 +31,12 @@ struct SmallPieces {
   }
 };
 
-/// The size from which on noise does not explain pieces. How many there are of one, two, three and so on voxels falls
-/// by about the same factor from size to size where they are noise: the size is where that comes to less than one. 1,
-/// so that all count, where pieces of one voxel are few, a small share of all voxels, or not far more than those of
-/// two: structures, not noise.
-/// @param counts  how many pieces there are of 1, 2, 3.. voxels; those of the first three are looked at
-/// @param largest  voxels of the largest piece: the size is a tenth of it at most
+/// The least size, in voxels, of pieces that noise does not explain. Where pieces are noise, their number falls by
+/// about the same factor from each size to the next; the result is the size of which less than one piece would be
+/// expected. The result is 1, so that all pieces count, where pieces of one voxel are few, have a small share of all
+/// voxels, or are not far more frequent than pieces of two: then they are structures, not noise.
+/// @param counts  how many pieces there are of 1, 2, 3.. voxels; the first three counts are looked at
+/// @param largest  voxels of the largest piece; the result is at most a tenth of that
 /// @param all  voxels of all pieces
 int leastPieceByNoise(std::span<const std::size_t> counts, std::size_t largest, std::size_t all);
 

@@ -7,9 +7,10 @@
 
 namespace velum::membrane {
 
-/// Which particles the pins of a membrane hold, and where. By the sided rule particles move along the normal only: the
-/// corners of the mesh over which a pin stands are held at its height, so that the sheet passes through it exactly
-/// whatever its resolution. By the paper's rule the particle that a pin names is held in its place.
+/// Which particles the pins of a membrane hold, and in which places. By the sided rule particles move along the normal
+/// only: the corners of the mesh cell over which a pin stands are held at the pin's height, so that the sheet passes
+/// through the pin exactly, whatever the sheet's resolution. By the paper's rule the particle that a pin names is held
+/// in its place.
 /// @param places  where the particles of the sheet are now, frame-local
 std::vector<HeldParticle> heldByPins(const scene::Cut& cut, glm::ivec2 particles, std::span<const glm::vec3> places);
 

@@ -5,17 +5,17 @@
 
 namespace velum::membrane {
 
-/// A kernel put in by hand, in the frame.
+/// A kernel put in by hand, in the local frame of the cut.
 struct PlacedKernel {
   glm::dvec3 centre{0.0};
   double halfWidth = 1.0;
-  double push = 0.0;  ///< along the normal; sign: to which side
-  double pull = 0.0;  ///< > 0 away from the centre, < 0 to it
+  double push = 0.0;  ///< strength along the normal; its sign says to which side
+  double pull = 0.0;  ///< > 0 pushes away from the centre, < 0 pulls to it
   double lift =
       0.0;  ///< raises the rest plane to which the sheet is pulled back, around the centre; along the normal only
 };
 
-/// What acts on the sheet: kernels on a regular lattice, by the rule they were prepared for.
+/// The forces on the sheet: kernels on a regular lattice, prepared for one of the two rules (scene::KernelRule).
 struct PushField {
   glm::ivec3 dims{0};                ///< kernels along the lattice's axes, x fastest
   std::vector<glm::vec2> strengths;  ///< push along the normal (signed by side), pull (> 0 away from the kernel)
@@ -30,7 +30,7 @@ struct HeldParticle {
   glm::vec3 place{0.0f};  ///< frame-local
 };
 
-/// Mean edge of a frame: the unit of forces is 1/128 of it.
+/// Mean edge of a frame with these half sizes; the unit of forces is 1/128 of the mean edge.
 inline double meanEdge(glm::dvec3 half) { return 2.0 * std::sqrt(half.x * half.y); }
 
 }  // namespace velum::membrane

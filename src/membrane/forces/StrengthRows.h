@@ -14,13 +14,13 @@
 
 namespace velum::membrane {
 
-/// What a potential is made of: the data on one grid, and labels that may have another.
+/// The data that a potential is made from: a volume, and labels that may lie on another grid.
 struct PotentialSource {
   Shared<Volume> volume;
   int timeStep = 0, channel = 0;
   Shared<LabelVolume> labels;
-  Shared<Model> model;  ///< where it is all that there is: labels are its types
-  int copies = 1;       ///< of it
+  Shared<Model> model;  ///< only where there is nothing else; then `labels` are its types
+  int copies = 1;       ///< copies of the model
   LengthUnit unit = LengthUnit::Millimetre;
   glm::ivec3 dims{0};
   glm::dmat4 worldFromVoxel{1.0};
@@ -29,15 +29,15 @@ struct PotentialSource {
 /// Strengths of rows of voxels for one field: tables made once, then read by all threads.
 class StrengthRows {
  public:
-  /// @param gradients  needed where the field has a curve over them, else null
-  /// @param small  of what is protected by value: pieces that have no strength by it; null: all have
+  /// @param gradients  needed where the field has a curve over gradients, else null
+  /// @param small  pieces protected by value that are too small and get no strength by value; null: there are none
   StrengthRows(const PotentialSource& source, const Gradients* gradients, const scene::ForceField& field,
                std::shared_ptr<const SmallPieces> small = nullptr);
   /// Writes strengths of voxels (min x .. end x, y, z).
   void fill(int x, int end, int y, int z, float* out) const;
 
  private:
-  /// One piece of a curve: where from <= value < end, at + slope * value.
+  /// One piece of a curve: for from <= value < end the strength is at + slope * value.
   struct Piece {
     double from, end, at, slope;
   };

@@ -9,11 +9,12 @@
 
 namespace velum::membrane {
 
-/// Draws the sheet of the sided rule tight in the room that its corridor leaves: the surface of least area over rows
-/// and columns of particles, pulled back to a rest surface, each height between a lowest and a highest (an obstacle
-/// problem). Projected over-relaxation over the red and the black particles by turns, on both sides of a lagged weight
-/// that makes squared slopes into areas [BRANDT]; from coarse rows and columns to all of them, so that what is far
-/// apart knows of each other. Its surface has no preferred direction, which the lattice of the least cut has.
+/// Pulls the sheet of the sided rule tight within the room that its corridor leaves: the surface of least area over
+/// rows and columns of particles, pulled back to a rest surface, each height between a lowest and a highest (an
+/// obstacle problem). Projected over-relaxation over the red and the black particles by turns, on both sides of a
+/// lagged weight that makes squared slopes into areas [BRANDT]; first with few rows and columns, at last with all, so
+/// that distant particles influence each other. The result has no preferred direction, as the lattice of the least cut
+/// has.
 ///
 /// Differs: not in the paper, whose sheet is never refined. The same input gives the same heights, bit for bit, on any
 /// machine. O(particles) a sweep; all cores.
@@ -21,16 +22,16 @@ class Fairing {
  public:
   struct Input {
     std::vector<float> xs, ys;  ///< places of columns and rows, frame-local, ascending; the outermost are the frame
-    HeightOver start;           ///< where it begins
-    HeightOver rest;            ///< where it is pulled to; empty: the rest plane
+    HeightOver start;           ///< surface from which the fairing begins
+    HeightOver rest;            ///< surface to which the sheet is pulled back; empty: the rest plane
     Corridor corridor;
-    double reach = 0.0;       ///< |z| at most
-    double pullLength = 0.0;  ///< how far beside an obstacle the sheet has fallen back to a third
+    double reach = 0.0;       ///< largest |z| of the sheet
+    double pullLength = 0.0;  ///< distance beside an obstacle at which the sheet has fallen to a third
     std::function<std::vector<HeldParticle>(glm::ivec2, const std::vector<glm::vec3>&)> holds;  ///< pins
   };
   explicit Fairing(Input input);
 
-  /// One sweep over all particles of the present level. @return false when it was the last one
+  /// Does one sweep over all particles of the present level. @return false when that was the last sweep
   bool sweep();
   scene::SheetShape shape() const;
 
@@ -41,11 +42,11 @@ class Fairing {
     glm::ivec2 dims() const { return {int(xs.size()), int(ys.size())}; }
     std::size_t at(int x, int y) const { return std::size_t(y) * xs.size() + std::size_t(x); }
   };
-  /// A stake and the three particles around it: of cell (x, y), with their shares.
+  /// A stake and the three particles of the triangle around it, with their shares in its height.
   struct Tie {
     std::uint32_t particle[3];
     float share[3];
-    float height;  ///< that the sheet must have there at least, or at most
+    float height;  ///< least height of the sheet there if isBelow, else its largest
     bool isBelow;
   };
   void begin(int stride);
@@ -56,7 +57,7 @@ class Fairing {
 
   Input mInput;
   Level mLevel;
-  std::vector<std::vector<Tie>> mTies;  ///< of the finest level, by row of cells
+  std::vector<std::vector<Tie>> mTies;  ///< ties of the finest level, by row of cells
   int mStride = 1, mSweep = 0;
 };
 

@@ -9,24 +9,25 @@
 
 namespace velum::membrane {
 
-/// A sheet on the GPU with what makes queries cheap, as shaders/shared/sheet.h lays it out. Its particles' places are
-/// the first rows of rows(): a solver writes them there, calls gpu::barrier() and index(), and nothing is read back to
-/// draw. GL thread, its destructor too.
+/// A sheet on the GPU with an index that makes queries cheap, laid out as in shaders/shared/sheet.h. Its particles'
+/// places are the first rows of rows(): a solver writes the places there, then calls gpu::barrier() and index();
+/// nothing has to be read back for drawing. GL thread, also for the destructor.
 class Sheet {
  public:
-  /// Indexed, ready to be drawn. Parameters as of fitShape().
+  /// Makes a sheet that is indexed and ready to be drawn. Parameters as in fitShape().
   Sheet(const scene::SheetShape& shape, glm::ivec2 flat, glm::dvec3 size);
   ~Sheet();
   Sheet(Sheet&&) noexcept;
   Sheet& operator=(Sheet&&) noexcept;
 
-  /// Another shape, number of particles, or size of the rest plane; indexed.
+  /// Gives the sheet another shape, number of particles or size of the rest plane, and indexes it.
   void setShape(const scene::SheetShape& shape, glm::ivec2 flat, glm::dvec3 size);
-  /// Makes normals and cells anew from the places, on the GPU. Without it what shaders see is no sheet. The lists of
-  /// the cells have room for four times as many entries as a sheet needs that hangs flat: see grow().
+  /// Makes normals and cells anew from the places, on the GPU; must be called after the places have changed, or shaders
+  /// see no valid sheet. The lists of the cells have room for four times as many entries as a flat sheet needs: see
+  /// grow().
   void index();
-  /// Makes room for a sheet that is stretched or folded beyond measure, and indexes it again. Waits for the GPU: for
-  /// when a sheet has come to rest. @return false when there was room enough
+  /// Makes more room in the lists where the sheet is stretched or folded so much that it needs more, and indexes it
+  /// again. Waits for the GPU: to be called when a sheet has come to rest. @return false when there was room enough
   bool grow();
 
   glm::ivec2 particles() const { return mParticles; }

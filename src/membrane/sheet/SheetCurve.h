@@ -6,10 +6,10 @@
 
 namespace velum::membrane {
 
-/// Where a plane meets a sheet.
+/// A line along which a plane crosses a sheet.
 struct SheetCurve {
   std::vector<glm::vec3> places;  ///< corners of a line, in the frame of the sheet
-  bool isClosed = false;          ///< back to the first; open ones end on the rim
+  bool isClosed = false;          ///< the last corner is joined to the first; open lines end on the sheet's rim
 };
 
 /// The lines in which the plane dot(normal, p) = distance crosses a sheet, in any order. A sheet that lies in the plane

@@ -10,33 +10,33 @@ namespace velum::membrane {
 
 class Fairing;
 
-/// A sheet on its way to rest: first at the resolution that was asked for, which moves like cloth and is shown while
-/// it does; then, by the sided rule, drawn tight with a particle for each column of the corridor, so that what the
-/// least cut keeps whole the sheet keeps whole: by sweeps over heights (Fairing), a step each. GL thread of the current
-/// context.
+/// A sheet on its way to rest. First it moves like cloth at the resolution that was asked for, and is shown meanwhile.
+/// Then, by the sided rule, it is pulled tight with a particle for each column of the corridor, so that the sheet keeps
+/// whole whatever the least cut keeps whole; this is done by sweeps over heights (Fairing), one a step. GL thread of
+/// the current context.
 class Simulation {
  public:
   Simulation();
   ~Simulation();
 
   /// Hangs the sheet of a cut into forces made for it.
-  /// @param start  where it starts, in the frame of `cut`; empty: flat
+  /// @param start  shape from which it starts, in the frame of `cut`; empty: flat
   void begin(const scene::Cut& cut, Forces forces, const scene::SheetShape& start);
-  /// The same sheet under other forces: goes on from where it is.
+  /// Puts the same sheet under other forces: it goes on from its present shape.
   void change(const scene::Cut& cut, Forces forces);
-  /// At most so many steps. Where the sheet comes to rest does not depend on how they are shared out to calls.
-  /// @return false when it has come to rest: then nothing happened
+  /// Does at most so many steps. The shape at rest does not depend on how the steps are divided among calls.
+  /// @return false when the sheet was at rest already: then nothing was done
   bool advance(int steps);
   bool isAtRest() const { return mPhase == Phase::Rest; }
-  /// True once it has the resolution that it will rest at.
+  /// True once the sheet has the resolution at which it will rest.
   bool isFinest() const { return mPhase != Phase::Coarse; }
 
   glm::ivec2 particles() const;
-  /// vec4 a particle: its place, frame-local.
+  /// The particles' places on the GPU: a vec4 each, frame-local.
   const gpu::Buffer& places() const { return mFine.places.empty() ? mSolver->places() : mFinePlaces; }
   const Forces& forces() const { return mForces; }
   int steps() const { return mSteps; }
-  /// Largest speed when it was last looked at (every eighth step), length/s.
+  /// Largest speed of a particle, length/s, as measured every eighth step.
   double speed() const { return mSpeed; }
   /// Where the particles are. Waits for the GPU.
   scene::SheetShape shape() const;
@@ -51,8 +51,8 @@ class Simulation {
   bool isRaised() const;
 
   std::optional<Solver> mSolver;
-  std::unique_ptr<Fairing> mFairing;  ///< while it is refined
-  scene::SheetShape mFine;            ///< once it is
+  std::unique_ptr<Fairing> mFairing;  ///< while the sheet is refined
+  scene::SheetShape mFine;            ///< the refined sheet, once it is ready
   gpu::Buffer mFinePlaces;
   scene::Cut mCut;
   Forces mForces;
@@ -63,15 +63,17 @@ class Simulation {
 
 /// A sheet that hangs flat in the frame of a cut.
 scene::SheetShape flatShape(const scene::Cut& cut, glm::ivec2 particles);
-/// z over places of the rest plane, for a sheet whose particles stand in rows and columns (as they do by the sided
-/// rule).
+/// The heights of a shape over places of the rest plane, for a sheet whose particles stand in rows and columns (as they
+/// do by the sided rule).
 HeightOver heightOf(const scene::SheetShape& shape);
-/// The same sheet in another frame, its particles where they were in the world; what left the new rest plane's box is
-/// put back to its faces, and the border to its rim (active repositioning).
+/// A shape of the frame of `from` as a shape of the frame of `to`, with its particles in the same places of the world.
+/// Particles outside the new rest plane's box are put back onto its faces, and the border onto its rim (active
+/// repositioning).
 scene::SheetShape carryOver(const scene::SheetShape& shape, const scene::Cut& from, const scene::Cut& to);
-/// The same for a shape that says in which frame it came to rest; one that does not is in the frame of `to`.
+/// The same for a shape that holds the frame in which it came to rest; a shape that holds none is taken to be in the
+/// frame of `to`.
 scene::SheetShape carryOver(const scene::SheetShape& shape, const scene::Cut& to);
-/// Notes in a shape that it has come to rest in the frame of a cut, under the forces of a time step.
+/// Stores in a shape the frame (that of a cut) and the time step in which it has come to rest.
 void anchor(scene::SheetShape& shape, const scene::Cut& cut, int timeStep);
 
 }  // namespace velum::membrane

@@ -10,11 +10,11 @@
 
 namespace velum::render {
 
-/// What is asked of the instances of a scene, as the programs that draw them are told.
+/// The instances of a scene, with the same parameters that the programs which draw them get.
 struct Instances {
   const scene::Scene& scene;
   const Model& model;
-  double scale = 1.0;  ///< Of an angstrom, in the scene's unit.
+  double scale = 1.0;  ///< Length of an angstrom in the scene's unit.
   glm::dvec3 origin{0.0};
   double radius = 0.0;
   scene::CopyGrid copies;

@@ -8,28 +8,28 @@
 
 namespace velum::render {
 
-/// Width by height of a picture that nobody has said the size of.
+/// Width by height of a picture whose size is not known.
 constexpr double kUsualAspect = 16.0 / 9.0;
 
-/// What cuts do with an instance.
+/// What the cuts do with an instance.
 enum class InstanceState : std::uint8_t {
   Kept,
-  Removed,  ///< by where it stands
-  Cleared   ///< as it hides what a cut keeps in view (scene::Focus)
+  Removed,  ///< because of its place
+  Cleared   ///< because it hides something that a cut keeps in view (scene::Focus)
 };
 
-/// What the cuts do with each instance of a scene's model, copy by copy; types that are hidden count like others, but
-/// for that they are in nobody's view and hide nothing. By the functions that draw them. All cores, no GL. Any thread.
+/// What the cuts do with each instance of a scene's model, copy by copy; hidden types are treated like others, except
+/// that they hide nothing. Decided by the same functions as in drawing. All cores, no GL. Any thread.
 /// @param aspect  width by height of the picture; only views onto a focus depend on it
 std::vector<InstanceState> instanceStates(const scene::Scene& scene, const SheetIndices& sheets = {},
                                           double aspect = kUsualAspect);
 
-/// Which instances the cuts leave, 1 or 0: instanceStates().
+/// For each instance 1 where the cuts leave it, else 0, by instanceStates().
 std::vector<std::uint8_t> keptInstances(const scene::Scene& scene, const SheetIndices& sheets = {},
                                         double aspect = kUsualAspect);
 
-/// A copy of a scene's model with the instances that show alone: those that the cuts leave, of types that are not
-/// hidden; of the first copy. What has no instance left is gone from it. @param kept  keptInstances()
+/// A copy of a scene's model with only the instances that show: those of the first copy that the cuts leave and whose
+/// types are not hidden. Types and molecules without instances are left out. @param kept  keptInstances()
 Model shownModel(const scene::Scene& scene, const std::vector<std::uint8_t>& kept);
 
 }  // namespace velum::render

@@ -12,13 +12,13 @@
 
 namespace velum::render {
 
-/// What the cuts of a scene remove of a section, row by row. Any thread.
+/// Tells, row by row, which pixels of a section the cuts of a scene remove. Any thread.
 class RowCuts {
  public:
   RowCuts(const scene::Scene& scene, const scene::SectionPlane& plane, const SheetIndices& sheets);
   bool isEmpty() const { return mCuts.empty(); }
-  /// 1 for each pixel of a row that the cuts remove, else 0. What lies within half a voxel of a sheet is not removed:
-  /// on a section that lies in the sheet's own plane, or nearly, it would be removed in bands that mean nothing.
+  /// 1 for each pixel of a row that the cuts remove, else 0. Pixels within half a voxel of a sheet are not removed: on
+  /// a section that lies in the sheet's own plane, or nearly, they would be removed in meaningless bands.
   /// @param ids  structure of each pixel; empty: no labels are shown
   std::vector<char> removedOf(int y, int width, std::span<const std::uint16_t> ids) const;
 
@@ -28,10 +28,11 @@ class RowCuts {
     int width = 0;
     double lengthPerPixel = 1.0;
   };
-  /// @param ease  so near a sheet nothing is removed; world length
+  /// @param ease  distance from a sheet within which nothing is removed; world length
   std::vector<char> removedOf(const Row& row, std::span<const std::uint16_t> ids, double ease = 0.0) const;
 
-  /// What one cut removes of a row: a convex one, or any but a membrane.
+  /// Marks the pixels of a row that one cut removes: markConvex() for a convex cut, markWalked() for any cut except a
+  /// membrane.
   static void markConvex(const shared::CutData& cut, const Row& row, std::vector<char>& removed);
   static void markWalked(const shared::CutData& cut, const Row& row, std::vector<char>& removed);
 

@@ -7,19 +7,20 @@
 
 namespace velum::render {
 
-// What stayingShares() says of an instance that no share decides about.
+// Results of stayingShares() for instances that stay, or go, whatever the share.
 constexpr float kStaysAlways = -1.0f;
 constexpr float kStaysNever = 2.0f;
 
-/// Of each of some types, for each instance of it, copy by copy, the share of some cuts at which it begins to stay, 0
-/// to before 1: at larger ones all cuts together leave it; or kStaysAlways, or kStaysNever. [VE] 3 the other way round:
-/// what the formulas of shaders/shared/instance.h say of a distance, solved for the share, and put together as
-/// shaders/shared/cuts.h puts answers together. To the rounding of floats: where two lie close to each other,
-/// keptInstances() has the last word. What cuts clear for a view is not asked. All cores, no GL. Any thread.
-/// @param scene  with a row for the path of each of the types, of share 1, in those cuts; a cut whose mass or number
-///   leaves a type out spares nothing of it whatever the share
-/// @param cuts  their ids; all have one share, others have theirs
-/// @param types  by their places in the model
+/// For each instance of some types, copy by copy: the share of some cuts at which the instance begins to stay, 0 to
+/// before 1. At larger shares all cuts together leave the instance. The value is kStaysAlways or kStaysNever where the
+/// share does not matter. This is [VE] 3 inverted: the formulas of shaders/shared/instance.h are solved for the share,
+/// and the results of several cuts are joined as in shaders/shared/cuts.h. Values are exact up to the rounding of
+/// floats: between values that are nearly equal, keptInstances() decides. Clearing for a view is ignored. All cores, no
+/// GL. Any thread.
+/// @param scene  each of `cuts` must have a TypeSpare with share 1 for the path of each type; a cut whose ranges of
+/// mass or number leave a type out spares none of its instances, whatever the share
+/// @param cuts  ids of the cuts that have the common share; other cuts keep their own shares
+/// @param types  their indices in Model::types
 std::vector<std::vector<float>> stayingShares(const scene::Scene& scene, const std::vector<int>& cuts,
                                               const std::vector<std::uint32_t>& types, const SheetIndices& sheets = {});
 

@@ -5,11 +5,11 @@
 
 namespace velum::render {
 
-/// As shared::CutFold, not of answers but of numbers from which on each cut leaves a thing: of cuts that all must leave
-/// it, the largest; where one is enough, the least.
+/// As shared::CutFold, but joins thresholds instead of answers. A threshold is the number from which on a cut leaves a
+/// thing. Where all cuts must leave it the largest threshold counts; where one cut is enough, the least.
 class ThresholdFold {
  public:
-  /// @param always, never  what is below, and above, all other numbers
+  /// @param always, never  numbers below, and above, all thresholds
   ThresholdFold(float always, float never) : mAlways(always), mBefore(always), mLast(always), mInlay(never) {}
 
   /// @param part  shared::cutPart()

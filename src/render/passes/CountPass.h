@@ -13,17 +13,17 @@
 
 namespace velum::render {
 
-/// What became of the instances of a frame, on its way to the processor ([VE] 3). Limited by a look at each pixel and
-/// by three bits an instance that are read back; whoever counts does so there. GL thread.
+/// Finds what became of the instances of a frame and reads the result back to the processor ([VE] 3), where callers
+/// count. Cost: a look at each pixel, and three bits read back for each instance. GL thread.
 class CountPass : public Pass {
  public:
   CountPass(const Gbuffer& gbuffer, ModelPass& model, StatePass& states)
       : Pass("Counts"), mGbuffer(gbuffer), mModel(model), mStates(states) {}
   void prepare(FrameData&) override {}
-  /// After the pixels of the first sample are known.
+  /// Must come after the steps that draw the pixels of the first sample.
   void addSteps(const FrameData& data, int sample, WorkQueue& queue) override;
 
-  /// The newest that have arrived. @param waits  for those that are on their way
+  /// The newest bits that have arrived. @param waits  waits for bits that are on their way
   std::optional<InstanceBits> take(bool waits);
 
  private:
@@ -31,8 +31,9 @@ class CountPass : public Pass {
   ModelPass& mModel;
   StatePass& mStates;
   gpu::Readback<std::uint32_t> mReadback{"states of instances"};
-  std::uint64_t mCount = 0;               ///< Instances that the last bits are of.
-  std::vector<glm::ivec2> mPictureSizes;  ///< Of the pictures that bits were last asked of, the newest last.
+  std::uint64_t mCount = 0;  ///< Number of instances in the bits asked for last.
+  std::vector<glm::ivec2>
+      mPictureSizes;  ///< Sizes of the pictures whose bits were asked for last, the newest at the end.
 };
 
 }  // namespace velum::render

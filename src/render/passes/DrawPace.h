@@ -5,16 +5,16 @@
 
 namespace velum::render {
 
-/// How many groups of each list of draws a software driver is handed at a time: as many as take about as long as is
-/// wanted.
+/// Chooses how many groups of each list of draws a software driver gets at a time: as many as take about the wanted
+/// time.
 class DrawPace {
  public:
-  /// Forgets what is with the driver, not how fast it was.
+  /// Forgets the pieces that are with the driver, but not how fast the driver was.
   void restart() { mHandedOver.clear(); }
   std::uint32_t groupsOf(int list) const { return mLists[std::size_t(list)].next; }
-  /// Each step in its order. @param groups  0: it counts for nothing
+  /// To be called for each step, in the order of the steps. @param groups  0: the time of the step is not used
   void handOver(int list, std::uint32_t groups) { mHandedOver.push_back({list, groups}); }
-  /// How long the first of what is with the driver took.
+  /// Tells how long the first of the pieces that are with the driver took.
   void took(double ms);
 
  private:

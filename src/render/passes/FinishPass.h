@@ -15,38 +15,38 @@
 
 namespace velum::render {
 
-/// What an illustrator adds ([ACS] 4.4), as far as it is worked out from the samples of a frame: sums of the lit
-/// spheres' colours and of edges, strokes along the form, and the paper. ResolvePass puts it into the picture. Costs
-/// nothing where the finish is off.
+/// The parts of a finish ([ACS] 4.4) that are computed from the samples of a frame: sums of the lit spheres' colours
+/// and of edges, strokes along the form, and the paper. ResolvePass puts them into the picture. Costs nothing where the
+/// finish is off.
 class FinishPass : public Pass {
  public:
   explicit FinishPass(const Gbuffer& gbuffer);
   void prepare(FrameData& data) override;
   void addSteps(const FrameData& data, int sample, WorkQueue& queue) override;
-  /// Nothing of the next picture is there yet.
+  /// Begins the next picture: nothing of it is there yet.
   void restart() {
     mSamples = mRowsDone = 0;
     mIsAhead = false;
   }
 
-  /// Samples that the sums are of.
+  /// How many samples are in the sums.
   int samples() const { return mSamples; }
-  /// Rows from the top that have one more.
+  /// How many rows, from the top, have one sample more.
   int rowsDone() const { return mRowsDone; }
-  /// Where no sample is complete, takes what there is of the first.
+  /// Where no sample is complete, adds the part of the first sample that is there.
   void catchUp(const FrameData& data);
-  /// For the program that draws the picture.
+  /// Binds the results for the program that draws the picture.
   void bindResults() const;
 
  private:
-  /// The lit spheres of a frame: those that are named, and which one each structure has.
+  /// The lit spheres of a frame: all that are named, and the one that each structure has.
   struct Spheres {
     std::vector<std::string> names;
     std::vector<scene::LitSphere> own;
-    std::vector<std::uint32_t> rowOf;  ///< By structure; 0: none.
+    std::vector<std::uint32_t> rowOf;  ///< By structure: row of its lit sphere; 0: none.
     bool operator==(const Spheres&) const = default;
   };
-  /// Of the paper.
+  /// Key of the paper.
   struct PaperKey {
     scene::Paper paper;
     glm::vec3 color;
@@ -70,18 +70,19 @@ class FinishPass : public Pass {
   const Gbuffer& mGbuffer;
   gpu::UniformBuffer<shared::FinishParams> mParams{"finish"};
   shared::FinishParams mValues{};
-  gpu::Program mAdd, mTurns, mField, mAlign;  ///< Made when first asked for.
+  gpu::Program mAdd, mTurns, mField, mAlign;  ///< Made when first needed.
   ProgramCache<scene::Paper> mPaperPrograms;
   Spheres mSpheres;
   gpu::Texture mSphereTexture, mRowOfTexture;
   gpu::Buffer mRowOf;
   gpu::Texture mSums;  ///< Lit spheres' colours, premultiplied; edges.
   gpu::Texture mPaper, mOwnPaper;
-  glm::ivec2 mPaperTurns{0};  ///< Of the user's own: 1 across, down, where every other one is turned over.
+  glm::ivec2 mPaperTurns{
+      0};  ///< For the user's own paper: 1, across and down, where every other copy of the picture is mirrored.
   std::optional<PaperKey> mPaperKey;
-  gpu::Texture mCells[2];  ///< Of strokes; the first holds what comes out.
+  gpu::Texture mCells[2];  ///< Cells of strokes; the first texture holds the result.
   int mSamples = 0, mRowsDone = 0;
-  bool mIsAhead = false;  ///< The sums are of a sample that is not complete.
+  bool mIsAhead = false;  ///< The sums hold a part of a sample that is not complete.
 };
 
 }  // namespace velum::render

@@ -10,21 +10,21 @@
 
 namespace velum::render {
 
-/// Ghosts of the instances that cuts have removed ([VE] 8.3): drawn like others, into a target of their own, looked
-/// through where the picture is nearer, summed over the samples. ResolvePass lays them over the picture. Costs nothing
-/// where there are none. GL thread.
+/// Ghosts of the instances that cuts have removed ([VE] 8.3): drawn like other instances into a target of their own,
+/// left out where the picture is nearer, and summed over the samples. ResolvePass lays them over the picture. Costs
+/// nothing where there are none. GL thread.
 class GhostPass : public Pass {
  public:
-  /// @param draw  in whose pass's steps they are found, as others are
+  /// @param draw  draws instances into targets; the ghosts are found in steps of its pass
   GhostPass(const Gbuffer& gbuffer, InstanceDraw& draw) : Pass("Ghosts"), mGbuffer(gbuffer), mDraw(draw) {}
   void prepare(FrameData& data) override;
   void addSteps(const FrameData& data, int sample, WorkQueue& queue) override;
-  /// Nothing of the next picture is there yet.
+  /// Begins the next picture: nothing of it is there yet.
   void restart() { mSamples = 0; }
 
-  /// That the sums are of; 0: there are no ghosts.
+  /// How many samples are in the sums; 0: there are no ghosts.
   int samples() const { return mSamples; }
-  /// kGhostUnit.
+  /// Binds the sums: kGhostUnit.
   void bindResults() const { mSums.bindSampler(shared::kGhostUnit); }
   /// Appends "ghosts.R/G/B/A" to an image of the window, straight alpha. Waits for the GPU.
   void appendLayer(Image& image) const;

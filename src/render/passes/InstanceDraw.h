@@ -11,23 +11,24 @@
 
 namespace velum::render {
 
-/// Draws instances into targets, in steps of a pass: culls them, some at a time, and draws the lists that come of it,
-/// of which software drivers are handed piece by piece. GL thread.
+/// Draws instances into targets, in steps of a pass: culls instances, some at a time, and draws the resulting lists,
+/// which software drivers get piece by piece. GL thread.
 class InstanceDraw {
  public:
   using Phase = model::CullPhase;
-  /// @param pass  whose steps they are: it hands on what they took
+  /// @param pass  the pass that the steps belong to: it must forward its took() to this object
   InstanceDraw(Pass& pass, ModelPass& model, const model::InstanceStates& states)
       : mPass(pass), mModel(model), mStates(states) {}
-  /// Before any step of a frame is added.
+  /// To be called before any step of a frame is added.
   void restart() { mPace.restart(); }
   void took(double ms) { mPace.took(ms); }
 
-  /// Work of the pass that is no draw.
+  /// Adds work of the pass that draws nothing.
   void add(WorkQueue& queue, WorkQueue::Run run);
-  /// Which instances are drawn in a phase, and how finely.
+  /// Adds steps that find which instances are drawn in a phase, and at which level of detail.
   void addCull(model::InstanceTarget& target, model::CullBy by, Phase phase, WorkQueue& queue);
-  /// Depths of what is drawn in a phase; or who is in each pixel, when all depths are known.
+  /// Adds steps that draw the depths of a phase's instances or, when all depths are known, which instance is in each
+  /// pixel.
   void addDraws(model::InstanceTarget& target, Phase phase, bool owners, WorkQueue& queue);
   void addPyramid(model::InstanceTarget& target, WorkQueue& queue);
 
@@ -38,7 +39,7 @@ class InstanceDraw {
   ModelPass& mModel;
   const model::InstanceStates& mStates;
   DrawPace mPace;
-  /// Where drawing in pieces is.
+  /// How far drawing in pieces has come.
   struct Place {
     std::array<std::uint32_t, 4> groups{};
     int list = 0;

@@ -12,9 +12,10 @@
 
 namespace velum::render {
 
-/// The instances of a model, for rays to stop at: who is nearest in each pixel (model::InstanceTarget), then its
-/// colour, light and ids, drawn into the surfaces' target. Every instance is asked of the cuts in every sample of every
-/// frame; what is kept is which instances were seen last, which changes no picture.
+/// Draws the instances of a model, at which rays stop: finds the nearest instance in each pixel
+/// (model::InstanceTarget), then draws its colour, light and ids into the surfaces' target. Every instance is tested
+/// against the cuts in every sample of every frame. Only the set of instances seen last is kept, and it changes no
+/// picture.
 class InstancePass : public Pass {
  public:
   InstancePass(ModelPass& model, const StatePass& states, const SurfacePass& surfaces)
@@ -25,7 +26,7 @@ class InstancePass : public Pass {
   void addSteps(const FrameData& data, int sample, WorkQueue& queue) override;
   void took(double ms) override { mDraw.took(ms); }
 
-  /// For who draws others of them: in steps of this pass.
+  /// For other passes that draw instances: their draws are steps of this pass.
   InstanceDraw& draw() { return mDraw; }
 
  private:

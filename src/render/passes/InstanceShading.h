@@ -10,21 +10,21 @@
 
 namespace velum::render {
 
-/// Colour, light and ids of the instances that a target has found, for rays to stop at. GL thread.
+/// Draws colour, light and ids of the instances that a target has found; rays stop at them. GL thread.
 class InstanceShading {
  public:
-  /// @param surfaces  into whose target they are drawn
+  /// @param surfaces  the pass into whose target the instances are drawn
   explicit InstanceShading(const SurfacePass& surfaces) : mSurfaces(surfaces) {}
   void compile();
   bool isReady() const { return mOpenness.isReady() && mShade.isReady(); }
 
-  /// Who is nearest to the eye, and how far the light comes.
+  /// The eye's view, with the nearest instances, and the light's view, with how far the light comes.
   struct Views {
     const model::InstanceTarget& eye;
-    const model::InstanceTarget* light;  ///< nullptr: nothing throws shadows
-    float lightTexel;                    ///< length of one of its pixels
+    const model::InstanceTarget* light;  ///< nullptr: there are no shadows
+    float lightTexel;                    ///< length of a pixel of the light's view
   };
-  /// @param draw  whose pass the steps are of
+  /// @param draw  draws instances; the steps belong to its pass
   void addSteps(const FrameData& data, int sample, Views views, InstanceDraw& draw, WorkQueue& queue);
 
  private:

@@ -4,10 +4,10 @@
 
 namespace velum::render {
 
-/// What a shader is told of a view of a model's instances. The size and the tiles are the target's to say.
-/// The eye's, in a sample of the picture.
+/// Parameters for shaders of a view of a model's instances. The target fills in the size and the tiles. The eye's view,
+/// in a sample of the picture.
 shared::InstanceView eyeViewOf(const FrameData& data, int sample);
-/// The key light's of what the eye sees of the model: a square about it.
+/// The key light's view: a square about the part of the model that the eye sees.
 shared::InstanceView lightViewOf(const FrameData& data, const shared::InstanceView& eye);
 
 }  // namespace velum::render

@@ -13,11 +13,12 @@
 namespace velum::render {
 
 /// The light grid: how much key light reaches each place and how open its surroundings are, computed once for a scene
-/// and a direction of the light, then looked up once a shaded sample. Cuts and hidden structures count as not there.
-/// Cost: grid cells (at most 96^3 in software, none under half a voxel), not voxels or pixels; some layers at a time.
+/// and a direction of the light, then looked up once a shaded sample. Material that is cut away or hidden does not
+/// count. Cost: the grid's cells (at most 96^3 with software drivers, none smaller than half a voxel), not voxels or
+/// pixels. Works on some layers at a time.
 ///
-/// Previews keep the light where it stood in the world when the grid was made; without a grid of their material they
-/// have none.
+/// Previews keep the light where it stood in the world when the grid was made; without a grid of the same material they
+/// have no shadows and occlusion.
 class LightPass : public Pass {
  public:
   LightPass() : Pass("Light"), mLightProgram({"render/light_grid.comp"}), mMeansProgram({"render/light_means.comp"}) {}
@@ -28,11 +29,11 @@ class LightPass : public Pass {
   void bind(const FrameData& data) const override;
 
  private:
-  /// A cut as the light meets it: its words without how it looks. What CutData gains counts unless it is taken out
-  /// here.
+  /// A cut as far as it matters to the light: the words of its CutData without its look. A new member of CutData counts
+  /// unless it is taken out here.
   using CutWords = std::array<std::uint32_t, sizeof(shared::CutData) / 4>;
   static CutWords wordsOf(shared::CutData cut);
-  /// What the light has to pass.
+  /// The material that the light has to pass through.
   struct Key {
     DataVariant variant;
     std::uint32_t flags = 0;
@@ -42,7 +43,7 @@ class LightPass : public Pass {
     glm::ivec3 cells{0};
     std::vector<CutWords> cuts;
     SheetSources sheets;
-    std::vector<float> opacities;  ///< Of structures.
+    std::vector<float> opacities;  ///< Opacity of each structure.
     SpareTable spares;
     std::vector<std::uint32_t> extinctionSums;
     float extinctionUnit = 0, tablePerTexel = 0, tableOffset = 0, isoValue = 0, unlabelledOpacity = 0;
@@ -50,7 +51,7 @@ class LightPass : public Pass {
     bool operator==(const Key&) const = default;
   };
   static Key keyOf(const FrameData& data, glm::ivec3 cells);
-  /// What it then finds.
+  /// The light, and what is computed from it.
   struct Light {
     glm::vec3 direction{0.0f};
     bool isShadowed = false, isOccluded = false;
@@ -63,13 +64,13 @@ class LightPass : public Pass {
 
   ProgramCache<DataVariant> mExtinctionPrograms;
   gpu::Program mLightProgram, mMeansProgram;
-  const gpu::Program* mExtinctionProgram = nullptr;  ///< The frame's.
+  const gpu::Program* mExtinctionProgram = nullptr;  ///< The program for the present frame.
   gpu::Texture mExtinction, mLight;
   glm::ivec3 mSize{0};
   double mCell = 1;            ///< Edge of a cell.
-  std::optional<Key> mKey;     ///< What mExtinction is of, and mLight where it is complete.
-  std::optional<Light> mLit;   ///< What mLight is of; nothing while it is made.
-  std::optional<Light> mOpen;  ///< What the openness in mLight is of.
+  std::optional<Key> mKey;     ///< Key of mExtinction, and of mLight where that is complete.
+  std::optional<Light> mLit;   ///< The light that mLight was made for; nothing while mLight is being made.
+  std::optional<Light> mOpen;  ///< The light that the openness in mLight was made for.
 };
 
 }  // namespace velum::render

@@ -14,8 +14,8 @@
 
 namespace velum::render {
 
-/// What the passes that work on a model's instances share: the model on the GPU, with the model, its levels and its
-/// place for a key; the rows of its types, of each frame; the programs. Draws nothing itself.
+/// Holds what the passes that work on a model's instances share: the model on the GPU, whose key is the model, its
+/// levels and its place; the rows of its types for each frame; the programs. Draws nothing itself.
 class ModelPass : public Pass {
  public:
   explicit ModelPass(const gpu::Limits& limits)
@@ -26,17 +26,17 @@ class ModelPass : public Pass {
   void addSteps(const FrameData&, int, WorkQueue&) override {}
   void bind(const FrameData& data) const override;
 
-  /// The frame has a model.
+  /// True when the frame has a model.
   bool isDrawn() const { return mKey.has_value(); }
-  /// What of it is in force: by what instances are culled, whether some cut is a membrane or keeps some in view.
+  /// What the frame needs: by what instances are culled, and whether some cut is a membrane or keeps instances in view.
   const model::InstancePrograms::Need& need() const { return mNeed; }
-  /// The frame asks what becomes of instances: StatePass finds out.
+  /// True when the frame needs to know what becomes of each instance, which StatePass finds out.
   bool hasStates() const { return isDrawn() && mNeed.by == model::CullBy::States; }
   model::InstancePrograms& programs() { return mPrograms; }
   /// [types][enabled cuts]
   const std::vector<shared::TypeSpareRow>& spareRows() const { return mSpareRows; }
   bool isSoftware() const { return mIsSoftware; }
-  /// Instances that a dispatch looks at, about.
+  /// About how many instances a dispatch looks at.
   std::uint32_t atATime() const;
 
  private:
@@ -50,11 +50,11 @@ class ModelPass : public Pass {
   void writeRows(const FrameData& data);
 
   const bool mIsSoftware;
-  const std::size_t mMostTexels;  ///< Of a buffer.
+  const std::size_t mMostTexels;  ///< Most texels of a buffer's texture.
   model::InstancePrograms mPrograms;
   model::InstancePrograms::Need mNeed;
   std::optional<Key> mKey;
-  Shared<LevelSet> mOwnLevels;  ///< Made here, of a model that came without.
+  Shared<LevelSet> mOwnLevels;  ///< Levels made here for a model that came without.
   std::uint64_t mOwnLevelsOf = 0;
   model::InstanceSet mSet;
   std::vector<shared::TypeSpareRow> mSpareRows;

@@ -6,8 +6,8 @@
 
 namespace velum::render {
 
-/// Line ends, in pairs, of the data's box and of each enabled cut. World frame.
-/// @param worldFromTex  the box is 0..1
+/// The outlines of the data's box and of each enabled cut, as lines: pairs of ends. World frame.
+/// @param worldFromTex  the data's box is 0..1 in its texture coordinates
 std::vector<glm::dvec3> outlines(const scene::Scene& scene, const glm::dmat4& worldFromTex);
 
 }  // namespace velum::render

@@ -9,8 +9,9 @@
 
 namespace velum::render {
 
-/// The programs of a pass by what they are compiled for, those that were asked for last. A software driver's take ten
-/// megabytes and more each, and there are hundreds of variants: a long session would gather all that it ever showed.
+/// The programs of a pass by the variant they are compiled for; only those asked for most recently are kept. With
+/// software drivers a program takes ten megabytes and more, and there are hundreds of variants: a long session would
+/// otherwise gather all that it ever used.
 template <class Variant>
 class ProgramCache {
  public:
@@ -19,7 +20,7 @@ class ProgramCache {
   bool contains(const Variant& variant) const {
     return std::any_of(mKept.begin(), mKept.end(), [&](const auto& kept) { return kept.first == variant; });
   }
-  /// @param make  compiles one that is not kept
+  /// @param make  compiles the program when it is not kept
   /// @return the program; it lives at least until the next call
   template <class Make>
   const gpu::Program& find(const Variant& variant, const Make& make) {
@@ -35,7 +36,7 @@ class ProgramCache {
   }
 
  private:
-  std::list<std::pair<Variant, gpu::Program>> mKept;  ///< The last one first.
+  std::list<std::pair<Variant, gpu::Program>> mKept;  ///< The one asked for last comes first.
 };
 
 }  // namespace velum::render

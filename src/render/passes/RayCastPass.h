@@ -10,20 +10,21 @@
 
 namespace velum::render {
 
-/// How far a picture is: each pixel is the mean of the samples that it has.
+/// How far the picture has come: each pixel is the mean of its samples so far.
 struct PictureProgress {
   int samples = 0;      ///< Complete ones.
-  int rowsDone = 0;     ///< Rows from the top that have one more.
-  glm::ivec2 strip{0};  ///< First row and one past the last of the strip in work;
-  int columnsDone = 0;  ///< of it, the columns that have one more.
+  int rowsDone = 0;     ///< Rows, from the top, that have one sample more.
+  glm::ivec2 strip{0};  ///< Strip of rows in work: first row, and one past the last.
+  int columnsDone = 0;  ///< Columns of that strip that have one sample more.
 };
 
-/// One ray a pixel through the data, piece by piece, up to what the surfaces hide. Keeps nothing from frame to frame
-/// but programs, and how fast it was: pieces are as large as keeps no window waiting. No pixel depends on their size.
+/// Casts one ray a pixel through the data, piece by piece, up to the nearest surface. Keeps only programs from frame to
+/// frame, and how fast it was, from which it chooses pieces so small that no window has to wait. No pixel depends on
+/// the size of the pieces.
 class RayCastPass : public Pass {
  public:
   RayCastPass(Gbuffer& target, bool isSoftware);
-  /// Its program has been asked for before: to compile one takes seconds with some drivers.
+  /// True when the program for the frame has been asked for before; compiling one takes seconds with some drivers.
   bool isKnown(const FrameData& data) const;
   void prepare(FrameData& data) override;
   bool isReady() override { return mProgram->isReady(); }
@@ -31,20 +32,21 @@ class RayCastPass : public Pass {
   void took(double ms) override;
 
   const PictureProgress& progress() const { return mProgress; }
-  /// Nothing of the next picture is there yet.
+  /// Begins the next picture: nothing of it is there yet.
   void restart() {
     mProgress = {};
     mNext = {0, 0};
   }
 
  private:
-  /// How many groups of pixels make a piece. Times are those that a group of the piece took.
+  /// Chooses how many groups of pixels make a piece. Times, except wantedMs, are for one group.
   struct Pace {
-    double wantedMs = 0;           ///< For a piece.
-    double last = 0, slowest = 0;  ///< In the last piece; the slowest of the last picture; 0: not known.
-    double slowestNow = 0;         ///< Of this picture.
-    int most = 0;                  ///< Groups of this picture's largest piece.
-    std::deque<int> handedOver;    ///< Groups of the pieces that are with the driver.
+    double wantedMs = 0;  ///< Wanted time of a piece.
+    double last = 0,
+           slowest = 0;     ///< Time in the last piece, and in the slowest piece of the last picture; 0: not known.
+    double slowestNow = 0;  ///< The slowest of this picture.
+    int most = 0;           ///< Groups in this picture's largest piece.
+    std::deque<int> handedOver;  ///< Groups of the pieces that are with the driver.
     void begin(double pieceMs);
     void took(double ms);
     int next(int first);
@@ -55,12 +57,12 @@ class RayCastPass : public Pass {
 
   Gbuffer& mTarget;
   ProgramCache<RayVariant> mPrograms;
-  const gpu::Program* mProgram = nullptr;  ///< The frame's.
+  const gpu::Program* mProgram = nullptr;  ///< The program for the present frame.
   PictureProgress mProgress;
   Pace mPace;
-  int mFirst;           ///< Groups of a piece while nothing is known.
-  glm::ivec2 mNext{0};  ///< Where the next piece begins in what is covered, pixels.
-  int mStripRows = 0;   ///< Rows of the strip that it is of.
+  int mFirst;           ///< Groups of a piece while no time is known.
+  glm::ivec2 mNext{0};  ///< Where, within the covered rectangle, the next piece begins, pixels.
+  int mStripRows = 0;   ///< Rows of the strip in which the next piece lies.
 };
 
 }  // namespace velum::render

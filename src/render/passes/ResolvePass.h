@@ -11,16 +11,16 @@
 
 namespace velum::render {
 
-/// From a Gbuffer to a picture: means of samples, finished, before the background or on paper. Not among a frame's
-/// steps: it is done whenever somebody looks at the picture, complete or not. GL thread.
+/// Makes a picture from a Gbuffer: means of the samples, with the finish, in front of the background or on paper. Not
+/// one of a frame's steps: it is done whenever the picture is looked at, complete or not. GL thread.
 class ResolvePass {
  public:
-  /// Needs the frame's parameters bound.
+  /// The caller must have bound the frame's parameters.
   void draw(const FrameData& data, const Gbuffer& gbuffer, const FinishPass& finish, const GhostPass& ghosts,
             const PictureProgress& progress);
-  /// Scaled into a window's framebuffer, upright.
+  /// Shows the picture in a window's framebuffer, scaled, upright.
   void present(unsigned framebuffer, glm::ivec2 size) const { gpu::present(mTarget, framebuffer, size); }
-  /// R, G, B, A; display-referred, straight alpha. Waits for the GPU.
+  /// The picture: R, G, B, A; display-referred, straight alpha. Waits for the GPU.
   Image read() const;
 
  private:

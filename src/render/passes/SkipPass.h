@@ -12,9 +12,9 @@
 namespace velum::render {
 
 /// The map of empty space: for each cell the Chebyshev distance, in cells, to the nearest cell with content (r) and to
-/// the nearest with content that some cut spares (g). Conservative: a cell without content adds nothing to any picture.
-/// Cost: cells (at most 64^3), whatever the volume's size; made by the processor, which does in words of 64 cells what
-/// a driver does cell by cell.
+/// the nearest cell with content that some cut spares (g). Conservative: a cell without content adds nothing to any
+/// picture. Cost: cells (at most 64^3), whatever the volume's size; made on the processor, which handles 64 cells as
+/// one word, where a shader would go cell by cell.
 class SkipPass : public Pass {
  public:
   SkipPass() : Pass("Skip") {}
@@ -24,23 +24,24 @@ class SkipPass : public Pass {
 
  private:
   enum class Content { Opacity, Iso, Labels };
-  /// What content is found by. Of values, what their kind of content does not ask about stays as it is here.
+  /// The values by which cells with content are found. Members that do not matter to the kind of content keep their
+  /// defaults.
   struct Key {
     Content content = Content::Opacity;
     VolumeKey volume;
-    std::uint64_t labelCells = 0;           ///< Their revision; 0: no labels.
-    std::uint64_t visible = 0, spared = 0;  ///< Sets of ids, mod 64: that show, that some cut spares,
-    std::uint64_t hidden = 0, solid = 0;    ///< that do not show, that show whatever their values.
-    // Where spares end: what says in which cells they do. Else empty.
+    std::uint64_t labelCells = 0;           ///< Revision of the labels' cells; 0: no labels.
+    std::uint64_t visible = 0, spared = 0;  ///< Sets of ids mod 64: ids that show; ids that some cut spares.
+    std::uint64_t hidden = 0, solid = 0;  ///< Ids that do not show; ids that show whatever the values of their voxels.
+    // Filled only where some spare ends at a depth: what is needed to find the cells in which spares end.
     std::vector<shared::CutData> cuts;
-    std::vector<float> deepest;  ///< [64][cuts]: how deep a cut spares the ids of a bit at most, scene frame.
+    std::vector<float> deepest;  ///< [64][cuts]: the largest depth to which a cut spares the ids of a bit, scene frame.
     glm::mat4 sceneFromTex{0.0f};
     glm::ivec3 cells{0};
     float tablePerTexel = 0, tableOffset = 0, isoValue = 0;
     std::vector<std::uint32_t> extinctionSums;
     bool operator==(const Key&) const = default;
   };
-  /// A part of the data's box that holds some ids.
+  /// A ball around a part of the data's box that holds some ids.
   struct Ball {
     glm::vec3 centre{0.0f};  ///< scene frame
     float radius = 0;
@@ -58,7 +59,7 @@ class SkipPass : public Pass {
 
   gpu::Texture mMap;
   std::optional<Key> mKey;
-  Found mFound;  ///< What the map is of: an edit seldom changes it.
+  Found mFound;  ///< The cells that the map was made from: an edit seldom changes them.
 };
 
 }  // namespace velum::render

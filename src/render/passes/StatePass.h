@@ -14,13 +14,14 @@ struct FocusRow;
 
 namespace velum::render {
 
-/// What becomes of each instance, where a frame asks (ModelPass::hasStates()): by cuts, then as it hides what one of
-/// them keeps in view. Does not depend on where in a pixel its ray goes: once a frame.
+/// Finds what becomes of each instance, where a frame needs that (ModelPass::hasStates()): first by the cuts, then
+/// whether the instance hides something that a cut keeps in view. The result is the same for all samples of a pixel, so
+/// this is done once a frame.
 class StatePass : public Pass {
  public:
   explicit StatePass(ModelPass& model) : Pass("States"), mModel(model) {}
   void prepare(FrameData& data) override;
-  /// For the first sample only. They are named by what is done, as each takes its own time.
+  /// Adds steps for the first sample only. The steps have names of their own, as their times differ.
   void addSteps(const FrameData& data, int sample, WorkQueue& queue) override;
 
   model::InstanceStates& states() { return mStates; }
@@ -28,7 +29,7 @@ class StatePass : public Pass {
 
  private:
   void addFocus(const FrameData& data, const model::FocusRow& row, WorkQueue& queue);
-  /// Looks at instances, a part a step. @param name  a literal
+  /// Adds steps that look at instances, one part a step. @param name  a string literal
   template <class Look>
   void addLooks(const char* name, const std::vector<model::InstancePart>& parts, Look look, WorkQueue& queue);
 

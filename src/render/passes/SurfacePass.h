@@ -15,9 +15,9 @@
 
 namespace velum::render {
 
-/// Opaque surfaces and outlines: colour, normal and distance along each pixel's ray, and which surface it is, for the
-/// ray caster to stop at. Rasterised for each sample anew; the vertices on the GPU have the mesh and the scene frame's
-/// origin and unit for a key.
+/// Draws opaque surfaces and outlines, at which the ray caster stops: colour, normal and distance along each pixel's
+/// ray, and which surface it is. They are rasterised anew for each sample; the key of the vertices on the GPU is the
+/// mesh with the scene frame's origin and unit.
 class SurfacePass : public Pass {
  public:
   SurfacePass() : Pass("Surfaces") {}
@@ -25,17 +25,18 @@ class SurfacePass : public Pass {
   bool isReady() override { return mProgram->isReady(); }
   void addSteps(const FrameData& data, int sample, WorkQueue& queue) override;
   void bind(const FrameData& data) const override;
-  /// For passes that draw more of what rays stop at, after this one's steps, which clear it: the outputs of
-  /// surface.frag.
+  /// The target, with the outputs of surface.frag, for passes that draw further things at which rays stop. They must
+  /// draw after this pass's steps, which clear the target.
   const gpu::Framebuffer& target() const { return mTarget; }
-  /// The same for dispatches: kSurfaceColorImage, kSurfaceAuxImage, kSurfaceIdImage. There is no depth for them.
+  /// Binds the target's textures as images for dispatches: kSurfaceColorImage, kSurfaceAuxImage, kSurfaceIdImage. The
+  /// depth is not bound.
   void bindImages() const;
 
  private:
   struct Vertex {
     glm::vec3 position, normal;
   };
-  /// A mesh, or lines, as vertex attributes: storage blocks of a vertex shader are not promised, nor long ones of any.
+  /// A mesh, or lines, as vertex attributes: OpenGL promises vertex shaders no storage blocks, and no shader long ones.
   struct Vertices {
     Vertices() = default;
     Vertices(const char* label, std::span<const Vertex> vertices, std::span<const std::uint32_t> indices);
@@ -44,18 +45,18 @@ class SurfacePass : public Pass {
     int count = 0;  ///< Indices.
   };
   void resize(glm::ivec2 size);
-  using MeshKey = std::pair<std::uint64_t, std::array<double, 4>>;  ///< Id, the scene frame's origin and unit.
+  using MeshKey = std::pair<std::uint64_t, std::array<double, 4>>;  ///< Mesh id, the scene frame's origin and unit.
   static MeshKey keyOf(const Shared<Mesh>& mesh, const FrameData& data);
   void forgetMeshes(const FrameData& data);
   const Vertices& verticesOf(const Shared<Mesh>& mesh, const FrameData& data);
   void draw(const FrameData& data);
   void drawOutlines(const FrameData& data);
 
-  std::map<bool, gpu::Program> mPrograms;  ///< By whether some cut is a membrane.
-  const gpu::Program* mProgram = nullptr;  ///< The frame's.
+  std::map<bool, gpu::Program> mPrograms;  ///< Key: whether some cut is a membrane.
+  const gpu::Program* mProgram = nullptr;  ///< The program for the present frame.
   gpu::Texture mColor, mAux, mIds, mDepth;
   gpu::Framebuffer mTarget;
-  bool mIsBlank = false;  ///< Nothing is drawn in it.
+  bool mIsBlank = false;  ///< Nothing is drawn in the target.
   std::map<MeshKey, Vertices> mMeshes;
 };
 

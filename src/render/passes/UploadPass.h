@@ -12,8 +12,8 @@
 
 namespace velum::render {
 
-/// Brings the data of a scene to the GPU: the volume slab by slab, of labels what has changed, the sheets of membranes.
-/// Its key of a volume is VolumeKey; labels and sheets know theirs.
+/// Brings the data of a scene to the GPU: the volume slab by slab, those labels that have changed, and the sheets of
+/// membranes. The key of a volume is VolumeKey; labels and sheets keep keys of their own.
 class UploadPass : public Pass {
  public:
   explicit UploadPass(const gpu::Limits& limits) : Pass("Upload"), mLimits(limits), mLabels(limits), mShares(limits) {}
@@ -23,11 +23,11 @@ class UploadPass : public Pass {
   void bind(const FrameData& data) const override;
   void took(double ms) override { mMs += ms; }
 
-  /// Says what there is to draw, when all steps are done; brings labels and sheets.
+  /// Called when all steps are done: fills in `data` what there is to draw, and brings labels and sheets.
   void complete(FrameData& data);
   /// Time of the last upload of a volume.
   double ms() const { return mMs; }
-  /// Of this frame alone.
+  /// Time of uploads for this frame alone.
   double frameMs() const { return mMs - mMsBefore; }
   std::size_t labelBytes() const { return mLabelBytes; }
 
@@ -40,7 +40,7 @@ class UploadPass : public Pass {
   void startWhole(const scene::VolumeLayer& layer, const VolumeKey& key);
 
   gpu::Limits mLimits;
-  std::optional<Uploaded> mWhole, mQuick;  ///< The quick one is for previews until the whole is there.
+  std::optional<Uploaded> mWhole, mQuick;  ///< mQuick is for previews until mWhole is there.
   std::unique_ptr<VolumeUpload> mUpload;
   VolumeKey mUploadKey;
   LabelUpload mLabels;

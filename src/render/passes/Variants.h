@@ -10,29 +10,29 @@
 
 namespace velum::render {
 
-/// What labels are to a picture. LABELS of the shaders.
+/// The part that labels play in a picture; the shaders' define LABELS.
 enum class LabelUse { None, OverVolume, Alone };
-/// What a volume's texels hold. COLOR of the shaders.
+/// What a volume's texels hold; the shaders' define COLOR.
 enum class TexelKind { Value, Color, Mixed };
 
-/// What a program that reads the data is compiled for: all that is the same for all rays of a frame. One that asks for
-/// it as it runs has the code of everything in it, thirty times what a plain picture needs: some drivers take minutes
-/// to compile that, and software ones run both sides of a branch.
+/// What a program that reads the data is compiled for: everything that is the same for all rays of a frame. A program
+/// that would test this while it runs would hold the code for everything, thirty times what a plain picture needs: some
+/// drivers take minutes to compile that, and software drivers run both sides of a branch.
 struct DataVariant {
   scene::RenderMode mode = scene::RenderMode::Volume;
   LabelUse labels = LabelUse::None;
   TexelKind texels = TexelKind::Value;
-  Packing packing = Packing::None;  ///< Of values, on software drivers.
+  Packing packing = Packing::None;  ///< How values are packed, on software drivers.
   bool hasMembranes = false;
-  std::uint32_t flags = 0;  ///< kFlag*, the frame's, without its kSwitches.
-  int planes = 0;           ///< Cuts, where all of them are planes and few; 0: any others.
+  std::uint32_t flags = 0;  ///< The frame's kFlag* bits without those of kSwitches.
+  int planes = 0;           ///< Number of cuts where all of them are planes, and few; 0: any other cuts.
   auto operator<=>(const DataVariant&) const = default;
 };
 
-/// The ray caster's.
+/// The variant of the ray caster's program.
 struct RayVariant {
   DataVariant data;
-  bool hasGradients = false;  ///< They are looked up in a texture.
+  bool hasGradients = false;  ///< Gradients are looked up in a texture.
   auto operator<=>(const RayVariant&) const = default;
 };
 
@@ -42,18 +42,19 @@ struct ResolveVariant {
   auto operator<=>(const ResolveVariant&) const = default;
 };
 
-/// Those of the flags that the light grid's shaders ask about.
+/// Those of the flags that the light grid's shaders test.
 std::uint32_t lightFlagsOf(std::uint32_t flags);
-/// False for modes that shade nothing, and where there are no values to take differences of.
+/// Whether a variant uses gradients: false for modes that shade nothing, and where there are no values to take
+/// differences of.
 bool usesGradients(const DataVariant& variant);
 
 gpu::Defines definesOf(const DataVariant& variant);
 gpu::Defines definesOf(const RayVariant& variant);
 gpu::Defines definesOf(const ResolveVariant& variant);
-/// Of the program that makes a paper.
+/// Defines of the program that makes a paper.
 gpu::Defines definesOf(scene::Paper paper);
 
-/// All that a frame can ask for, flags left open.
+/// All variants that a frame can ask for, whatever the flags.
 std::vector<DataVariant> allLightVariants();
 std::vector<RayVariant> allRayVariants();
 std::vector<ResolveVariant> allResolveVariants();

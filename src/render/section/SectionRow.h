@@ -15,7 +15,7 @@ struct GridRow {
   std::array<std::int64_t, 3> at{}, step{};
 };
 
-/// How a section's pixels run through a grid.
+/// How the pixels of a section run through a grid of voxels.
 class GridPath {
  public:
   GridPath(const scene::SectionPlane& plane, glm::ivec3 dims, const glm::dmat4& worldFromVoxel);
@@ -24,15 +24,17 @@ class GridPath {
 
  private:
   glm::ivec3 mDims;
-  glm::dvec3 mOrigin, mAcross, mDown;  ///< Voxel coordinates of the corner; steps a pixel.
+  glm::dvec3 mOrigin, mAcross, mDown;  ///< Voxel coordinates of the section's corner; steps from pixel to pixel.
 };
 
-/// Samples of one channel along a row: out[x] = raw * scale + offset for x in first..last-1. Not a number stays that.
+/// Samples of one channel along a row: out[x] = raw * scale + offset for x in first..last-1. A value that is not a
+/// number stays so.
 /// @param interpolate  trilinear, the edge voxels reaching to the box's sides; else the nearest voxel
 void sampleRow(const Volume& volume, int channel, int timeStep, const GridRow& row, bool interpolate, double scale,
                double offset, float* out);
 
-/// The place of a pixel among voxels, whose middles lie at whole numbers; on the grid.
+/// The place of a pixel in voxel coordinates (voxels' middles are at whole numbers), clamped to the grid's outermost
+/// middles.
 inline glm::dvec3 placeIn(const std::array<std::int64_t, 3>& at, glm::ivec3 dims) {
   constexpr double kOne = 4294967296.0;
   return glm::clamp(glm::dvec3(at[0], at[1], at[2]) / kOne, glm::dvec3(0.0), glm::dvec3(dims - 1));

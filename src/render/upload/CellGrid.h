@@ -4,7 +4,7 @@
 
 namespace velum::render {
 
-/// The cells by which empty space is leapt over.
+/// The grid of cells by which rays leap over empty space.
 struct CellGrid {
   int edge = 4;        ///< Voxels along a cell's edge.
   glm::ivec3 size{0};  ///< Cells.

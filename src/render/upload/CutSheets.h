@@ -19,7 +19,7 @@ std::vector<const scene::Cut*> membranesOf(const scene::Scene& scene);
 /// CutData::sheet of each enabled membrane, without its look, by the id of the cut.
 using SheetPlans = std::map<int, glm::ivec4>;
 
-/// What a frame shows of a membrane: a live sheet, or nothing, which means what the scene says.
+/// The live sheet that a frame shows for a membrane; nullptr: the sheet is made as the scene says.
 const FrameSheet* liveSheet(const Frame& frame, const scene::Cut& cut);
 
 /// What the sheet of a membrane was made from.
@@ -30,11 +30,11 @@ struct SheetSource {
   glm::dvec3 size{0.0};
   bool operator==(const SheetSource&) const = default;
 };
-/// By the id of the cut.
+/// What the sheet of each membrane was made from, by the id of the cut.
 using SheetSources = std::map<int, SheetSource>;
 
-/// The sheets of a frame's membranes, one after the other in one buffer, as they were when it was prepared: a solver
-/// may go on meanwhile. GL thread.
+/// The sheets of a frame's membranes, one after the other in one buffer, as they were when the frame was prepared: a
+/// solver may go on meanwhile. GL thread.
 class CutSheets {
  public:
   void prepare(const Frame& frame);
@@ -49,13 +49,13 @@ class CutSheets {
   gpu::Texture mTexels;  ///< the rows, as shaders fetch them
 };
 
-/// The same on the processor.
+/// The sheets of a scene's membranes in the processor's memory.
 struct CpuSheets {
   std::vector<glm::vec4> rows;
   SheetPlans plans;
   shared::SheetRows view() const { return {rows.data()}; }
 };
-/// @param sheets  those that are missing or empty are made as the scene says
+/// @param sheets  a solver's sheets; sheets that are missing or empty are made as the scene says
 CpuSheets makeCpuSheets(const scene::Scene& scene, const SheetIndices& sheets);
 
 }  // namespace velum::render

@@ -6,12 +6,12 @@
 
 namespace velum::render {
 
-/// Planes of numbers of which some are kept, while those that are asked for go upwards.
+/// Planes of numbers, made when asked for; some are kept, for callers that ask for planes in rising order.
 struct SlidingPlanes {
   int low = 0;
   std::vector<float> numbers;
 
-  /// Planes low..high: those that are not there yet are made, those below are dropped.
+  /// Gives planes askedLow..askedHigh: planes that are missing are made, planes below are dropped.
   /// @param make  make(first, last) returns planes first..last
   template <class Make>
   const float* slide(int askedLow, int askedHigh, std::size_t planeSize, const Make& make);
@@ -19,17 +19,17 @@ struct SlidingPlanes {
 
 /// The gradients of a level, plane by plane.
 ///
-/// They are differences over two voxels along an axis, of values that are smoothed across it by 1 2 1 both ways
-/// (takeDifferences()). Edges that are as sharp as voxels still show rows and slices as wood grain with these: the
-/// slope of a plane that leans by 20 degrees comes out between 17 and 20, as its distance from the voxels varies. So
-/// the direction is smoothed again, by a Gaussian of one voxel, unless it turns away by more than 10 to 20 degrees: the
-/// normals of a thin vessel are not taken from the bone beside it. Where voxels are long, the Gaussian is wider along
-/// the short axes: slices show as stairs where a gradient reaches farther across them than along them. The length stays
-/// as it was, so that what is modulated by it keeps its look.
+/// They are differences over two voxels along an axis, of values that are smoothed by 1 2 1 along both other axes
+/// (takeDifferences()). With these alone, edges as sharp as voxels still show rows and slices like wood grain: a plane
+/// that leans by 20 degrees seems to lean by 17 to 20, as its distance from the voxels varies. So the direction is
+/// smoothed again, by a Gaussian of one voxel, unless it turns away by more than 10 to 20 degrees: the normals of a
+/// thin vessel are not taken from the bone beside it. Where voxels are long, the Gaussian is wider along the short
+/// axes: slices show as stairs where a gradient reaches farther across them than along them. The gradients' lengths are
+/// not smoothed again, so that opacity modulated by them keeps its look.
 class GradientPlanes {
  public:
-  /// @param source  of values, not colours; outlives this
-  /// @param finer   texels per voxel along each axis; between voxels differences are splines, as values are
+  /// @param source  texels of values, not colours; must outlive this object
+  /// @param finer  texels per voxel along each axis; between voxels differences are splines, as values are
   ///                (smoothPlanes()). Those of the spline itself swing from slice to slice
   GradientPlanes(const VolumeTexels& source, glm::ivec3 finer) : mSource(&source), mFiner(finer) {}
 
@@ -42,7 +42,7 @@ class GradientPlanes {
 
   const VolumeTexels* mSource;
   glm::ivec3 mFiner;
-  SlidingPlanes mNarrow, mAcross, mWide;  ///< As they are, smoothed along x and y, and along z.
+  SlidingPlanes mNarrow, mAcross, mWide;  ///< Gradients as they are; smoothed along x and y; and along z, too.
 };
 
 }  // namespace velum::render

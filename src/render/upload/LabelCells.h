@@ -9,7 +9,7 @@
 
 namespace velum::render {
 
-/// The cells for which sets of labels are wanted: the volume's, or the labels' own.
+/// The grid of cells for which sets of labels are wanted: that of the volume, or that of the labels themselves.
 struct LabelSpace {
   CellGrid cells;
   glm::ivec3 dims{1};            ///< Voxels of the cells' grid.
@@ -17,20 +17,20 @@ struct LabelSpace {
   bool operator==(const LabelSpace&) const = default;
 };
 
-/// Which labels each cell holds, as sets of ids mod 64 (bit 0: also where there are no labels). A set may hold more
-/// than the cell does, never less: it is put together from blocks of 8^3 label voxels.
+/// Which labels each cell holds, as sets of ids mod 64 (bit 0: also where there are no labels). A set may hold ids that
+/// the cell does not have, but never lacks one: it is the union of the sets of blocks of 8^3 label voxels.
 class LabelCells {
  public:
   LabelCells(const LabelVolume& labels, const LabelSpace& over);
-  /// Takes bricks of labels that have the same grid and place. Looks at those bricks and at the cells that touch them
-  /// only. @return true when the set of some cell is another now
+  /// Takes over changed bricks of labels that have the same grid and place. Looks only at these bricks and at the cells
+  /// that touch them. @return true when the set of some cell has changed
   bool update(const LabelVolume& labels, std::span<const glm::ivec3> bricks);
   /// [cells.z][cells.y][cells.x]
   const std::vector<std::uint64_t>& sets() const { return mSets; }
 
  private:
   struct Box {
-    glm::ivec3 low{0}, high{0};  ///< high is past the last
+    glm::ivec3 low{0}, high{0};  ///< high: one past the last
   };
   Box collectBlocks(const LabelVolume& labels, glm::ivec3 brick);
   Box cellsTouching(const Box& blocks) const;

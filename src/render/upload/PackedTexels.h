@@ -4,11 +4,12 @@
 
 namespace velum::render {
 
-/// What the texels of a buffer hold of a volume. PACKED of the shaders, whose shaders/common/packed.glsl reads them.
+/// How the values of a volume are packed into the texels of a buffer; the shaders' define PACKED. Read by
+/// shaders/common/packed.glsl.
 enum class Packing {
-  None,   ///< There is none: one value a texel of a texture.
-  Bytes,  ///< Four of 8 bits.
-  Shorts  ///< Four of 16 bits.
+  None,   ///< Not packed: a texture with one value a texel.
+  Bytes,  ///< Four values of 8 bits in a texel.
+  Shorts  ///< Four values of 16 bits in a texel.
 };
 
 /// Planes z0..z1 of texels that hold 2 x 2 neighbours: the values at (y, z), (y + 1, z), (y, z + 1), (y + 1, z + 1);

@@ -11,32 +11,33 @@
 
 namespace velum::render {
 
-/// How far inside their structures places among labels lie, on the GPU, to be interpolated: covers of voxels
-/// (LabelCover), and shares of voxels in sets of structures (StructureSets), with their means over 2 x 2 x 2 voxels.
-/// One byte a voxel for the covers, and for the shares two or four, an eighth more with their means. Follows edits
-/// brick by brick. GL thread; works on all cores.
+/// Textures, to be interpolated by shaders, that tell how far inside their structures places among labels lie: the
+/// covers of voxels (LabelCover), the shares of voxels in sets of structures (StructureSets), and the means of the
+/// shares over 2 x 2 x 2 voxels. Covers take one byte a voxel, shares two or four, and their means an eighth more.
+/// Follows edits brick by brick. GL thread; works on all cores.
 class ShareUpload {
  public:
   explicit ShareUpload(const gpu::Limits& limits) : mLimits(limits) {}
   /// @throw gpu::GpuError when labels are larger than the driver's 3D textures or memory
   void begin(const scene::Scene& scene, bool isAlone);
-  /// Makes and sends some bricks. @return true when the texture is as the scene is
+  /// Makes and sends some bricks. @return true when the textures agree with the scene
   bool step();
 
-  /// In the labels' own grid. Of shares shaders get r, g: that cuts spare, by class (g: or of veils), b: of solid
-  /// structures, a: that is shown; the texture holds no more than one component for sets that are the same.
+  /// The textures, in the labels' own grid. Shares reach shaders as r, g: share that cuts spare, by class (or g: share
+  /// of veils), b: share of solid structures, a: share that is shown. Sets that are equal share one component of the
+  /// texture.
   const gpu::Texture& covers() const { return mCovers; }
   const gpu::Texture& shares() const { return mShares; }
-  /// Their means: half as many along each axis, one more where the last voxel is alone.
+  /// Means of the shares: half as many texels along each axis, rounded up.
   const gpu::Texture& coarseShares() const { return mCoarseShares; }
-  /// Of the frame that has begun.
+  /// Sets of the scene for which begin() was called last.
   const StructureSets& sets() const { return mSets; }
 
  private:
   /// What the texture of shares holds.
   struct Layout {
     std::vector<std::uint8_t> sets;            ///< a component for each: bits of StructureSets
-    std::array<gpu::Component, 4> components;  ///< where shaders find those that they know
+    std::array<gpu::Component, 4> components;  ///< which component of the texture shaders get as r, g, b and a
     bool operator==(const Layout&) const = default;
   };
   static Layout layoutOf(const StructureSets& sets);
@@ -48,11 +49,11 @@ class ShareUpload {
   Texels texelsOf(glm::ivec3 index) const;
 
   gpu::Limits mLimits;
-  std::shared_ptr<const StructureField> mField;  ///< of the textures, once nothing is stale
+  std::shared_ptr<const StructureField> mField;  ///< the field that the textures show, once no brick is stale
   StructureSets mSets;
   Layout mLayout;
-  std::vector<bool> mIsStale;  ///< bricks, x fastest
-  std::size_t mNext = 0;       ///< no brick before it is stale
+  std::vector<bool> mIsStale;  ///< by brick, x fastest
+  std::size_t mNext = 0;       ///< no brick before this one is stale
   gpu::Texture mCovers, mShares, mCoarseShares;
 };
 

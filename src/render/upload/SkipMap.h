@@ -5,7 +5,7 @@
 
 namespace velum::render {
 
-/// Some of the cells of a grid, which has at most 64 along each axis (cellGridFor): a word is a row of them.
+/// A set of cells of a grid that has at most 64 cells along each axis (cellGridFor()): a word holds a row of cells.
 struct CellSet {
   CellSet() = default;
   explicit CellSet(glm::ivec3 cells) : size(cells), rows(std::size_t(cells.y) * std::size_t(cells.z), 0) {}
@@ -14,15 +14,16 @@ struct CellSet {
   bool operator==(const CellSet&) const = default;
 };
 
-/// How far a leap goes at most, in cells.
+/// The farthest leap, in cells.
 constexpr std::uint8_t kFarthestLeap = 12;
 
-/// A map's texels: an octant's cells stand behind the other octants' along z. Of an octant's number bit 0 is set where
-/// x grows, bit 1 where y does, bit 2 where z does.
+/// Size of a map in texels: the cells of the eight octants of directions follow each other along z. In an octant's
+/// number bit 0 is set where x grows, bit 1 where y grows, bit 2 where z grows.
 inline glm::ivec3 skipMapSize(glm::ivec3 cells) { return {cells.x, cells.y, 8 * cells.z}; }
 
-/// For each octant of directions and each cell, x fastest, how far it is to the nearest of two sets that lies that way:
-/// Chebyshev distances in cells, at most kFarthestLeap. Under 3 ms for 64^3 cells on two cores: sets grow by words.
+/// For each octant of directions and each cell, x fastest, the distances to the nearest cell of `first`, and of
+/// `second`, in these directions: Chebyshev distances in cells, at most kFarthestLeap. Under 3 ms for 64^3 cells on two
+/// cores: sets grow by words.
 std::vector<glm::u8vec2> makeSkipMap(const CellSet& first, const CellSet& second);
 
 }  // namespace velum::render

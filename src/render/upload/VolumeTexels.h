@@ -24,9 +24,9 @@ TexelPlan planFor(const Volume& volume, bool isMixed);
 struct VolumeTexels {
   Shared<Volume> volume;
   int channel = 0, timeStep = 0;
-  MixTable mix;          ///< Channels that are mixed; else empty.
-  glm::ivec3 dims{0};    ///< Of the level.
-  int factor = 1;        ///< Voxels of the volume along the edge of one of the level.
+  MixTable mix;          ///< How channels are mixed; empty where they are not.
+  glm::ivec3 dims{0};    ///< Size of the level, texels.
+  int factor = 1;        ///< How many voxels of the volume lie along the edge of a texel of the level.
   bool isQuick = false;  ///< Texels are single voxels, not means.
   bool isMixed = false;
 

@@ -11,23 +11,23 @@
 /// The text form of a scene's changes, one JSON line each: what a journal is made of. No file is touched here.
 namespace velum::scene {
 
-/// What a journal may hold at most: so much a reader takes in, and no writer writes more.
+/// The largest journal: readers take no more, and writers write no more.
 inline constexpr std::size_t kMostJournalBytes = 128u << 20;
 inline constexpr std::size_t kMostJournalLines = 200'000;
 
-/// What is known of one change.
+/// One change of a scene.
 struct ChangeLine {
   std::int64_t number = 0;  ///< counts the lines of a session, from 1
   double seconds = 0;       ///< since the session began
   std::string label;        ///< what was done: "Move cut"
   std::string title;        ///< name of what is open
   std::string path;         ///< file of the scene; empty: not saved yet
-  std::string patch;        ///< JSON: a list of add, replace and remove as in RFC 6902; of "" it is the whole scene
+  std::string patch;  ///< JSON: a list of add, replace and remove as in RFC 6902; the path "" means the whole scene
 };
 
-/// One line, with its end. It carries a check sum.
+/// A change as one line of text with its line end. The line carries a checksum.
 std::string encodeLine(const ChangeLine& line);
-/// The counterpart; nothing for a line that is damaged or half written.
+/// The change in a line; nothing for a line that is damaged or half written.
 std::optional<ChangeLine> decodeLine(std::string_view line);
 
 /// A scene's JSON that follows change by change. Begins as an empty object. One thread at a time.
@@ -40,13 +40,13 @@ class SceneMirror {
   SceneMirror(SceneMirror&&) noexcept;
   SceneMirror& operator=(SceneMirror&&) noexcept;
 
-  /// Becomes that scene. @return the patch from what it was; empty when nothing has changed
+  /// Takes over the state of a scene. @return the patch from the mirror's state before; empty when nothing has changed
   std::string follow(const Scene& scene);
-  /// The patch that makes it out of nothing.
+  /// The patch that makes the mirror's scene out of nothing.
   std::string wholePatch() const;
-  /// @throw InputError for a patch that is none, or does not fit; the mirror is of no use after it
+  /// @throw InputError for a patch that is damaged or does not fit; after that the mirror must not be used any more
   void apply(std::string_view patch);
-  /// As toJson() writes it, in another order of the fields.
+  /// The scene's text as toJson() writes it, but with the fields in another order.
   std::string text() const;
 
  private:
@@ -54,17 +54,18 @@ class SceneMirror {
   std::unique_ptr<Data> mData;
 };
 
-/// What a journal comes to.
+/// The result of replaying a journal.
 struct Replayed {
   Scene scene;          ///< after the last change that could be read; payloads are empty
   ChangeLine last;      ///< that change, without its patch
   bool isWhole = true;  ///< false: something at the end, or an autosave, could not be read
 };
 
-/// Reads as far as the text is sound: a line that is half written, damaged or does not fit ends it.
+/// Replays a journal up to the first line that is half written, damaged or does not fit.
 /// @param autosave  the scene's text where the journal began; needed only when the journal's own first line, which
-///                  holds that scene too, cannot be read
-/// @return nothing when no scene can be made of either
+/// holds
+///                  that scene too, cannot be read
+/// @return nothing when neither gives a scene
 std::optional<Replayed> replay(std::string_view autosave, std::string_view journal);
 
 }  // namespace velum::scene

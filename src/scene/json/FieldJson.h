@@ -11,7 +11,8 @@
 #include "core/Text.h"
 #include "scene/json/FieldTypes.h"
 
-/// Structs with fields() as JSON, and back. For the few files that do so: the library's header is large.
+/// Converts structs with fields() to JSON and back. To be included only by the few files that do so, as the JSON
+/// library's header is large.
 namespace velum::scene::detail {
 
 using Json = nlohmann::ordered_json;
@@ -37,7 +38,7 @@ Json writeStruct(const T& value) {
 
 /// The shortest decimal that reads back as the same float, rather than its long double form.
 inline Json writeNumber(float value) { return Json(numberIn(fmt::format("{}", value)).value()); }
-/// Infinity, where a field may have it, is null.
+/// Infinity becomes null.
 inline Json writeNumber(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 Json writeNumber(Number auto value) { return Json(value); }
 
@@ -66,7 +67,7 @@ Json write(const auto& value) {
 
 /// @throw InputError
 [[noreturn]] void fail(const std::string& path, const std::string& what);
-/// Fields that no struct has, each by its name, with the one that was most likely meant.
+/// Warns of JSON members that are no field of the struct: of each by name, with the field that was most likely meant.
 void warnOfUnknown(const Json& json, const std::string& path, const std::vector<std::string>& names);
 
 inline constexpr double kFarthestPlace = 1e15;  ///< In any unit of length; and the longest vector that is a direction.

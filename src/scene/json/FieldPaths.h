@@ -7,13 +7,14 @@
 #include "scene/json/FieldJson.h"
 #include "scene/json/PathKey.h"
 
-/// Single fields of structs by their paths: "rayCast.stepVoxels", "cuts.0.centre", "cuts[Plane 1].enabled".
+/// Sets single fields of structs by their paths: "rayCast.stepVoxels", "cuts.0.centre", "cuts[Plane 1].enabled".
 namespace velum::scene::detail {
 
-/// JSON as it stands; else a comma list of numbers; else a bare word.
+/// A value from text: JSON, else a comma list of numbers, else a bare word.
 Json parseValue(std::string_view text);
 
-/// The counterpart, without quotes and brackets where none are needed: mip, 1,2,3. One line.
+/// The text of a value, which parseValue() reads back, without quotes and brackets where none are needed: mip, 1,2,3.
+/// One line.
 std::string valueText(const Json& value);
 
 /// The first part of a path, and what follows it: "rayCast" and "mode", "cuts" and "[Plane 1].enabled".

@@ -7,7 +7,7 @@
 #include "core/Fields.h"
 
 /// What a field can be: a leaf (bool, number, string, enumeration, vector of numbers), a list, or a struct with
-/// fields(). What goes over fields by their types asks here.
+/// fields(). Code that treats fields by their types uses these concepts.
 namespace velum::scene::detail {
 
 template <class T>

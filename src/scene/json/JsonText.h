@@ -3,8 +3,8 @@
 
 namespace velum::scene {
 
-/// True for texts that nest deeper than any scene: to be asked before a parser, or whoever walks over what it made,
-/// recurses into them.
+/// True for JSON texts that nest deeper than any scene. To be tested before a parser, or code that walks over its
+/// result, recurses into the text.
 inline bool nestsTooDeep(std::string_view text) {
   constexpr int kDeepest = 64;
   int depth = 0;

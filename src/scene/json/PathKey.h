@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-/// Items of a list by what people call them: "labels.structures[aorta].visible", "labels.structures[12].color",
+/// Names items of a list by what people call them: "labels.structures[aorta].visible", "labels.structures[12].color",
 /// "cuts[Plane 1].enabled". A place in the list changes when another item comes or goes; a name and an id do not.
 namespace velum::scene::detail {
 
@@ -15,13 +15,13 @@ struct PathKey {
 /// @throw ArgumentError when the bracket is not closed or something else follows it
 PathKey takeKey(std::string_view path, const std::string& list);
 
-/// An item as it can be called.
+/// The name and id by which an item can be called.
 struct NamedItem {
   std::string name;
   int id = -1;  ///< -1: it has none
 };
-/// The item with a name; else, of items with ids, the one with the number; else the one whose name differs in case
-/// only.
+/// Index of the item with a name; else of the item whose id is the number that `name` holds; else of the item whose
+/// name differs in case only.
 /// @throw ArgumentError when there is none, or when several have the name
 std::size_t findNamed(const std::vector<NamedItem>& items, std::string_view name, const std::string& list);
 

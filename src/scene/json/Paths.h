@@ -5,17 +5,18 @@
 
 #include "scene/SceneFwd.h"
 
-/// Single fields of a scene by their paths, as text.
+/// Sets and gets single fields of a scene, by their paths, as text.
 namespace velum::scene {
 
-/// Changes one field by its path: "rayCast.stepVoxels", "cuts.0.centre", "cuts.+" appends one, "cuts.*.enabled" is of
-/// each.
+/// Changes one field by its path: "rayCast.stepVoxels", "cuts.0.centre", "cuts.+" appends a cut, "cuts.*.enabled" sets
+/// the field of each cut.
 /// @param value  JSON, or a bare word or comma list: 0.5, true, mip, 1,2,3, "[{...}]"
 /// @throw ArgumentError naming the part of the path, or the value, that does not fit
 void setField(Scene& scene, std::string_view path, std::string_view value);
 
-/// The counterpart: a field, or a part with all of its fields, as setField() takes it. "cuts.*.enabled" gives a list.
-/// @param path  empty: the whole scene  @throw ArgumentError naming the part of the path that does not fit
+/// The value of a field, or of a part with all of its fields, as text that setField() takes. "cuts.*.enabled" gives a
+/// list.
+/// @param path  empty: the whole scene @throw ArgumentError naming the part of the path that does not fit
 std::string getField(const Scene& scene, std::string_view path);
 
 /// A field and its value, as text that setField() takes.
@@ -23,8 +24,8 @@ struct FieldValue {
   std::string path, value;
   bool operator==(const FieldValue&) const = default;
 };
-/// What to set, in this order, so that one scene becomes another; a list that grew or shrank is set whole. Not among
-/// them: where sheets came to rest.
+/// The fields to set, in this order, to turn one scene into another. A list that grew or shrank is set as a whole. The
+/// shapes in which sheets came to rest are left out.
 std::vector<FieldValue> fieldChanges(const Scene& before, const Scene& after);
 
 }  // namespace velum::scene

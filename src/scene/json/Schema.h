@@ -2,10 +2,10 @@
 #include <string>
 #include <vector>
 
-/// What fields a scene has, for people and for other programs.
+/// Lists the fields of a scene, for people and for other programs.
 namespace velum::scene {
 
-/// One row a field, for the documentation: path, type, unit, range, meaning, default.
+/// A row for each field, for the documentation: path, type, unit, range, meaning, default.
 struct FieldRow {
   std::string path, type, unit, range, doc, defaultValue;
 };

@@ -6,55 +6,58 @@
 
 #include "scene/Scene.h"
 
-/// What the handle of a bar turns: a number that decides of each of many things, instances of a model or pixels of a
-/// structure, whether it stays ([VE] 3, 7, [ACS] 3). The k-th smallest of the thresholds of all things has k of them up
-/// to it.
+/// What the handle of a bar turns: one number that decides, for each of many things (instances of a model, or pixels of
+/// a structure), whether the thing stays ([VE] 3, 7, [ACS] 3). Each thing has a threshold and stays where the number is
+/// beyond its threshold; so k things stay while the number lies between the k-th smallest threshold and the next one.
 namespace velum::session {
 
-/// A thing about which the number decides.
+/// A thing that stays or goes as the number says.
 struct Candidate {
-  float from = 0.0f;        ///< threshold: it stays where the number is beyond
-  std::uint32_t thing = 0;  ///< an instance, over all copies, or a pixel
+  float from = 0.0f;        ///< threshold: the thing stays where the number is beyond it
+  std::uint32_t thing = 0;  ///< index of an instance, over all copies, or of a pixel
 };
 
-/// What one number does.
+/// All things about which one number decides.
 struct Dial {
-  std::uint64_t always = 0;           ///< things that stay whatever it is
-  std::uint64_t total = 0;            ///< all there are
-  std::vector<Candidate> candidates;  ///< in no order
+  std::uint64_t always = 0;           ///< how many things stay whatever the number is
+  std::uint64_t total = 0;            ///< how many things there are, with those that never stay
+  std::vector<Candidate> candidates;  ///< the things that stay or go with the number, in no order
 };
 
-/// How many things can stay, whatever the numbers are.
+/// The least and the most things that can stay, over all values of the numbers.
 struct CountRange {
   std::uint64_t least = 0, most = 0;
-  std::uint64_t total = 0;  ///< all there are
+  std::uint64_t total = 0;  ///< how many things there are, with those that never stay
   CountRange& operator+=(const Dial& dial);
   bool operator==(const CountRange&) const = default;
 };
 
-/// Between which thresholds a number is with which so many candidates stay, or the nearest number of them where several
-/// begin to stay at once.
+/// The gap between two thresholds within which a number lets so many candidates stay. Where several candidates begin to
+/// stay at one threshold that many may be impossible: then the gap is for the nearest number of candidates that is
+/// possible.
 struct DialGap {
   std::uint64_t staying = 0;
-  float last = 0.0f;  ///< the largest threshold of those that stay; 0: none does
-  float next = 0.0f;  ///< the smallest of the others; infinite: all stay
+  float last = 0.0f;  ///< the largest threshold of the candidates that stay; 0: none stays
+  float next = 0.0f;  ///< the smallest threshold of the candidates that go; infinite: all stay; 0: none stays
 };
 DialGap gapFor(const Dial& dial, std::uint64_t staying);
 
-/// What a solver has come to.
+/// What a solver has found.
 struct Solved {
-  scene::Scene scene;     ///< with its numbers set
-  std::vector<int> cuts;  ///< ids of those in which they were set
+  scene::Scene scene;     ///< with the numbers set that were found
+  std::vector<int> cuts;  ///< ids of the cuts whose numbers were set
   std::uint64_t wanted = 0, reached = 0;
   std::string words;  ///< one short sentence for people
 };
 
-/// Why a number could not be met.
+/// Texts that say why the wanted number of things could not be reached: no cut can be set, fewer cannot stay, more
+/// cannot.
 struct DialReasons {
   std::string_view noCut, notFewer, notMore;
 };
-/// The sentence of what a solver has come to. @param left  what is left: where it is as many as wanted, that is all
-/// @param wanted  for people
+/// The sentence about what a solver has found.
+/// @param left  says how many things are left; the whole sentence where that is the wanted number
+/// @param wanted  the wanted number as text for people
 std::string wordsFor(const Solved& solved, const CountRange& range, const std::string& left, const std::string& wanted,
                      const DialReasons& reasons);
 

@@ -10,11 +10,11 @@
 #include "scene/json/FieldTable.h"
 #include "session/command/Command.h"
 
-/// How the rows of the table of commands are made, from a struct of arguments and functions of it.
+/// How the rows of the table of commands are made, from a struct of arguments and functions that take this struct.
 namespace velum::session::detail {
 
-/// An item of a list as commands name it: by its name where no other has it, else by its id; by "#12" where another
-/// item is called 12.
+/// How a command names an item of a list: by its name where no other item has the name, else by its id; by "#12" where
+/// another item is called 12.
 template <class Item>
 std::string keyOf(const std::vector<Item>& list, int id) {
   std::string number = std::to_string(id);
@@ -26,7 +26,8 @@ std::string keyOf(const std::vector<Item>& list, int id) {
   return (count(number) > 0 ? "#" : "") + number;
 }
 
-/// The counterpart: its place. @param what  of the list, for errors  @throw ArgumentError that says which there are
+/// The counterpart of keyOf(): the item's place in the list. @param what  kind of the items, for errors
+/// @throw ArgumentError that says which items there are
 template <class Item>
 std::size_t placeOf(const std::vector<Item>& list, const std::string& key, const std::string& what) {
   for (std::size_t i = 0; i < list.size(); ++i)
@@ -34,17 +35,18 @@ std::size_t placeOf(const std::vector<Item>& list, const std::string& key, const
   return scene::detail::findByKey(list, key, what);
 }
 
-/// A place of the world, for errors.
+/// A place of the world as text for errors.
 inline std::string textOf(glm::dvec3 place) { return fmt::format("{:g},{:g},{:g}", place.x, place.y, place.z); }
 
-/// A value of a line, with the name that is in front of it; without one where it stands at its place.
+/// A value of a line, with the argument's name that is in front of it; the name is empty where the value stands at its
+/// place.
 struct Word {
   std::string name, value;
 };
-/// The words of a line. @param names  of arguments  @param rest  the how-manyth word without a name, from 1, is all
-/// that is left of the line; 0: none is  @throw ArgumentError where a quote or bracket is not closed
+/// The words of a line. @param names  of the arguments  @param rest  number, from 1, of the word without a name that
+/// takes all that is left of the line; 0: no word does  @throw ArgumentError where a quote or bracket is not closed
 std::vector<Word> wordsOfLine(std::string_view text, const std::vector<std::string>& names, std::size_t rest);
-/// A value in quotes where it has to be.
+/// A value, in quotes where a line needs them.
 std::string quoted(const std::string& value);
 /// "aorta,left kidney" as a list of texts.
 std::string asTexts(std::string_view value);
@@ -58,7 +60,7 @@ std::vector<std::string> namesOf() {
   return names;
 }
 
-/// The argument that takes what is left of a line, from 1; 0: none does.
+/// Number, from 1, of the argument that takes what is left of a line; 0: no argument does.
 template <class Arguments>
 constexpr std::size_t restOf() {
   if constexpr (requires { Arguments::kTakesRest; })
@@ -115,15 +117,15 @@ std::string writeArguments(const std::any& arguments) {
   std::vector<const void*> fresh;
   auto note = [&](std::string_view, const auto& member, const FieldInfo&) { fresh.push_back(&member); };
   Arguments::fields(kFresh, note);
-  std::string named, placed;  // what takes the rest of a line comes last
+  std::string named, placed;  // the argument that takes the rest of a line comes last
   std::size_t place = 0;
-  bool isInOrder = true;  // until one was left out
+  bool isInOrder = true;  // until an argument was left out
   auto visit = [&](std::string_view name, const auto& member, const FieldInfo&) {
     using Member = std::remove_cvref_t<decltype(member)>;
     bool isAsByDefault = member == *static_cast<const Member*>(fresh[place++]);
     bool isRest = place == restOf<Arguments>();
     bool hasPlace = isInOrder && (restOf<Arguments>() == 0 || place <= restOf<Arguments>());
-    // What takes the rest of a line is found by its place.
+    // The argument that takes the rest of a line is found by its place.
     if (isAsByDefault && place >= restOf<Arguments>()) return void(isInOrder = false);
     std::string& line = hasPlace ? placed : named;
     if (!line.empty()) line += ' ';

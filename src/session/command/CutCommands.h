@@ -9,9 +9,9 @@
 /// The arguments of commands of cuts. A cut is named, or numbered by its id.
 namespace velum::session {
 
-/// As commands name it: by its name where no other has it, else by number.
+/// How commands name a cut: by its name where no other cut has the name, else by its id.
 std::string cutKey(const scene::Scene& scene, int id);
-/// The counterpart. @param key  empty: the only cut  @throw ArgumentError that says which there are
+/// The counterpart of cutKey(). @param key  empty: the only cut  @throw ArgumentError that says which cuts there are
 scene::Cut& cutOf(scene::Scene& scene, const std::string& key);
 const scene::Cut& cutOf(const scene::Scene& scene, const std::string& key);
 
@@ -84,7 +84,7 @@ struct PlaceCut {
     visit("cut", o.cut, kCutInfo);
   }
 };
-/// The frame of a cut as it is. @param key  of the cut, see cutKey()
+/// The command that puts a cut where it is now. @param key  of the cut, see cutKey()
 PlaceCut placeOf(const scene::Cut& cut, const std::string& key);
 
 struct MoveCutInList {

@@ -85,10 +85,10 @@ struct MakePicture {
   }
 };
 
-/// What it says of the picture. @throw ArgumentError for a size that is none
+/// The options of the picture for which a command asks. @throw ArgumentError for a size that is none
 PictureOptions optionsOf(const MakePicture& arguments);
 
-/// Those without arguments.
+/// The commands without arguments.
 struct Undo {
   static constexpr std::string_view kName = "undo";
   static void fields(auto&, auto&) {}

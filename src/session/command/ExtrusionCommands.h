@@ -5,7 +5,7 @@
 
 #include "session/command/StructureCommands.h"
 
-/// The arguments of commands of what stands out of cuts.
+/// The arguments of commands of extrusions: structures that stand out of cuts.
 namespace velum::session {
 
 struct PullStructure {

@@ -55,7 +55,7 @@ std::vector<std::string> grow(Session& session, const GrowStructure& a, Progress
   return {};
 }
 
-/// Who lets it go on has seen where it leaks.
+/// A user who lets a structure grow on has seen where it leaks.
 std::vector<std::string> growFurther(Session& session, const GrowOn& a, Progress&) {
   int id = grownOf(session.scene(), a.structure);
   session.growth().trust(id);

@@ -6,7 +6,8 @@
 
 #include "core/Fields.h"
 
-/// The arguments of commands of growing: what is pulled where nothing is labelled, and how it is corrected.
+/// The arguments of commands of growing: structures that are pulled where nothing is labelled, and how their growth is
+/// corrected.
 namespace velum::session {
 
 inline constexpr FieldInfo kGrownInfo{"", {}, "Name or number of a structure that was grown."};
@@ -70,7 +71,7 @@ struct DrawBarrier {
   }
 };
 
-/// Any of the fields by which scene::Growth says how a structure grows.
+/// Changes any of the fields by which scene::Growth says how a structure grows.
 struct ChangeGrowth {
   static constexpr std::string_view kName = "growth.change";
   std::string structure, field, value;

@@ -56,7 +56,7 @@ void showAlone(Scene& scene, const ShowChannelAlone& a) {
   for (std::size_t i = 0; i < looks.size(); ++i) looks[i].visible = isAlone || int(i) == a.channel;
 }
 
-/// Who chooses one wants to see it.
+/// A user who chooses a lit sphere wants to see it.
 void chooseLitSphere(Scene& scene, const ChooseLitSphere& a) {
   auto known = scene::litSpheres();
   bool isKnown = std::any_of(known.begin(), known.end(), [&](const auto& one) { return one.name == a.sphere; }) ||

@@ -11,12 +11,13 @@
 /// The arguments of commands of the types of a model. Types and compartments are named by their paths.
 namespace velum::session {
 
-/// Types as commands name them: by their paths.
+/// How commands name types: by their paths.
 std::vector<std::string> typeNames(const scene::Scene& scene, const TypeNumbers& types);
-/// The counterpart; a compartment stands for all types in it. @throw ArgumentError that says which was likely meant
+/// The counterpart of typeNames(); a compartment stands for all types in it. @throw ArgumentError that says which type
+/// was likely meant
 TypeNumbers typeNumbers(const scene::Scene& scene, const std::vector<std::string>& names);
 
-/// Rows of a list of types and compartments, in the name of a step: "capsid", "all types", "3 rows".
+/// How the name of a step calls rows of a list of types and compartments: "capsid", "all types", "3 rows".
 std::string rowsLabel(const std::vector<std::string>& paths);
 
 inline constexpr FieldInfo kTypesInfo{"", {}, "Paths of types or compartments, with commas between them."};
@@ -140,7 +141,7 @@ struct LeaveTypes {
   }
 };
 
-/// Any of the fields that scene::TypeSpare has beside its type.
+/// Sets any of the fields that scene::TypeSpare has beside its type.
 struct LeaveTypesBy {
   static constexpr std::string_view kName = "model.leaveBy";
   std::vector<std::string> types;

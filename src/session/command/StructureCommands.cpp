@@ -49,7 +49,7 @@ auto changeEach(void (*change)(Structure&, const Arguments&)) {
 
 void setSphere(Scene& scene, const SetStructureSphere& arguments) {
   changeEach<SetStructureSphere>([](Structure& s, const auto& a) { s.litSphere = a.litSphere; })(scene, arguments);
-  // Who chooses one wants to see it.
+  // A user who chooses a lit sphere wants to see it.
   if (arguments.litSphere.empty()) return;
   scene.finish.structureSpheres = true;
   if (scene.finish.litSphere == 0.0) scene.finish.litSphere = 0.5;

@@ -9,9 +9,9 @@
 /// The arguments of commands of labelled structures. Structures are named, or numbered by their ids.
 namespace velum::session {
 
-/// Those with some ids as commands name them: by name where no other has it, else by number.
+/// How commands name structures: by name where no other structure has the name, else by id.
 std::vector<std::string> structureNames(const scene::Scene& scene, const std::vector<int>& ids);
-/// The counterpart. @throw ArgumentError that says which there are
+/// The counterpart of structureNames(). @throw ArgumentError that says which structures there are
 std::vector<int> structureIds(const scene::Scene& scene, const std::vector<std::string>& names);
 
 inline constexpr FieldInfo kStructuresInfo{"", {}, "Their names or numbers, with commas between them."};

@@ -96,7 +96,7 @@ void addFaceGrips(CutGizmo& gizmo, const scene::Cut& cut, glm::dvec3 forward) {
   }
 }
 
-/// None where the frame is seen edge on: two corners would lie in one place.
+/// Adds no grips where the frame is seen edge on: two corners would lie in one place.
 void addCornerGrips(CutGizmo& gizmo, const scene::Cut& cut, glm::dvec3 forward) {
   if (std::abs(glm::dot(forward, gizmo.normal)) < kLeastSlant) return;
   glm::dmat3 frame = cutFrame(cut);
@@ -116,7 +116,7 @@ void addRadiusGrip(CutGizmo& gizmo, const scene::Cut& cut, const scene::CameraBa
   gizmo.grips.push_back({CutHandle::Radius, middle + out * (cut.size.x * 0.5), out});
 }
 
-/// What can be held, in the order of who wins where two are equally near.
+/// Adds all places where handles can be taken; where two are equally near to the pointer the first of them wins.
 void addGrips(CutGizmo& gizmo, const scene::Cut& cut, const scene::CameraBasis& basis) {
   const ShapeTraits& traits = traitsOf(cut.shape);
   bool isBall = traits.girth == Girth::Ball;

@@ -11,16 +11,16 @@
 
 namespace velum::session {
 
-/// What a drag keeps to while Shift is held: whole voxels and 15 degrees; a corner: the ratio of its edges. Off by
-/// default.
+/// To what a drag is rounded while Shift is held: moves to whole voxels, turns to 15 degrees; a corner keeps the ratio
+/// of its edges. Off by default.
 struct CutSnap {
   bool on = false;
   glm::dmat3 worldFromVoxel{1.0};
 };
 CutSnap makeCutSnap(const scene::Scene& scene, bool on);
 
-/// The cut after a drag, from how it was and how its gizmo stood when the drag began: a function of where the pointer
-/// went, so that going back gives the cut that was.
+/// The cut after a drag, made from the cut and its gizmo as they were when the drag began: the result depends only on
+/// where the pointer is, so that going back gives the cut that was.
 scene::Cut dragCut(const scene::Cut& start, const CutGizmo& gizmo, CutHandle handle, const scene::Camera& camera,
                    glm::dvec2 pictureSize, glm::dvec2 from, glm::dvec2 to, const CutSnap& snap = {});
 
@@ -30,15 +30,15 @@ std::string dragText(const scene::LengthFormat& lengths, const scene::Cut& start
 /// The name of the undo step: "Move cut", "Tilt cut", "Turn cut", "Resize cut".
 const char* dragLabel(const scene::Cut& cut, CutHandle handle);
 
-/// Helpers that the sections use, too.
+/// Helpers that the sections use, too. Lengths are in scene units.
 double snappedLength(double mm, glm::dvec3 direction, const CutSnap& snap);
 glm::dvec3 snappedShift(glm::dvec3 shift, const CutSnap& snap);
 double snappedAngle(double rad, const CutSnap& snap);
-/// Moves a corner of a frame by a length along its width and height; the opposite one stays. @param keepsRatio  of its
-/// edges
+/// Moves a corner of a frame by a length along the frame's width and height; the opposite corner stays.
+/// @param smallest  the least edge that is left  @param keepsRatio  of width to height
 scene::Cut withCornerMoved(scene::Cut cut, int corner, glm::dvec2 mm, double smallest, bool keepsRatio);
-/// Moves one face of a box, an end of a cylinder or cone outwards by a length; the opposite one stays.
-/// @param axis, sign  which face: 0..2, -1 or 1  @param smallest  the least that is left
+/// Moves one face of a box, or one end of a cylinder or cone, outwards by a length; the opposite face or end stays.
+/// @param axis, sign  which face: 0..2, -1 or 1  @param smallest  the least edge that is left
 scene::Cut withFaceMoved(scene::Cut cut, int axis, int sign, double mm, double smallest);
 /// Turns a cut about a point. @param axis  unit
 scene::Cut withTurn(scene::Cut cut, glm::dvec3 pivot, glm::dvec3 axis, double rad);

@@ -7,11 +7,12 @@
 
 namespace velum::session {
 
-/// Signed distance of a place in the world to a shape that is no membrane, < 0 inside: what shaders/shared/cut.h says.
+/// Signed distance of a place in the world to the surface of a cut's shape that is no membrane, < 0 inside: the same as
+/// shaders/shared/cut.h computes.
 double shapeDistance(const scene::Cut& cut, glm::dvec3 world);
 
-/// Where a section crosses the surface of any shape that has a distance, in the view and a little around it. Pixels;
-/// closed curves end where they begin.
+/// Where a section crosses the surface of any shape that has a distance, in the view and a little around the view.
+/// Pixels; closed curves end where they begin.
 std::vector<std::vector<glm::dvec2>> shapeContour(const scene::SectionPlane& plane, const scene::Cut& cut);
 
 }  // namespace velum::session

@@ -159,7 +159,7 @@ std::optional<SectionHandle> turnHandle(const SectionPlane& plane, const scene::
   return SectionHandle{SectionHandleKind::Turn, 0, 0, middle + along * (reach + kKnobOutPixels), middle, along};
 }
 
-/// The diameter for which the side passes as far from the pointer as it did when it was taken.
+/// The diameter for which the shape's side passes as far from the pointer as it did when the side was taken.
 double draggedDiameter(const scene::Cut& start, glm::dvec3 from, glm::dvec3 to) {
   double diameter = start.size.x;
   Girth girth = traitsOf(start.shape).girth;

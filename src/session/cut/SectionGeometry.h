@@ -6,17 +6,17 @@
 #include "scene/Cut.h"
 #include "scene/SectionPlane.h"
 
-/// Lines in the plane of a section. In its pixels.
+/// Lines in the plane of a section, in pixels of the section.
 namespace velum::session {
 
-/// A plane's line on a section, pixels.
+/// The line in which a plane crosses a section, pixels.
 struct PlaneLine {
-  glm::dvec2 point, along, across;  ///< along and across: unit; across: to where it takes away
+  glm::dvec2 point, along, across;  ///< along and across: unit; across points to the side that the cut removes
 };
-/// Nothing when the plane lies along the section.
+/// The line of a cut's plane on a section; nothing when the plane lies along the section.
 std::optional<PlaneLine> planeLine(const scene::SectionPlane& plane, const scene::Cut& cut);
 
-/// Screen direction of a world direction; zero length when it stands across the section.
+/// Direction on the screen of a direction in the world; zero length when that stands across the section.
 glm::dvec2 onScreen(const scene::SectionPlane& plane, glm::dvec3 direction);
 
 /// The part of the line p + t d inside the rectangle from low to high.

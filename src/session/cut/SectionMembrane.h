@@ -9,15 +9,15 @@
 #include "scene/SheetShape.h"
 #include "session/cut/SectionCutTool.h"
 
-/// What only a membrane has on a section. Pixels of the section's plane.
+/// Curves and handles that only a membrane has on a section. Pixels of the section's plane.
 namespace velum::session {
 
 /// Where the section crosses the sheet of a membrane; closed curves end where they begin. Pixels.
 std::vector<std::vector<glm::dvec2>> sheetCurves(const scene::SectionPlane& plane, const scene::Cut& cut,
                                                  const scene::SheetShape& live);
-/// The two ends of a membrane's plane on a section, pixels; nothing where it does not cross it.
+/// The two ends of a membrane's rest plane on a section, pixels; nothing where the plane does not cross the section.
 std::optional<std::pair<glm::dvec2, glm::dvec2>> frameLine(const scene::SectionPlane& plane, const scene::Cut& cut);
-/// Ends that resize, knobs that turn, an arrow that moves along the normal.
+/// A membrane's handles on a section: ends that resize, knobs that turn, an arrow that moves along the normal.
 std::vector<SectionHandle> membraneHandles(const scene::SectionPlane& plane, const scene::Cut& cut);
 
 }  // namespace velum::session

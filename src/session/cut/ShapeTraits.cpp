@@ -36,7 +36,8 @@ void makeCone(Cut& cut, const NewCut& at) {
   cut.size = {2.0 * at.third, 2.0 * at.third, at.through * 0.5};
 }
 
-/// It leaves all instances until it is told otherwise: what it is for is a focus, or shares of types.
+/// A cut that is everywhere leaves all instances until it is told otherwise: it is there to hold a focus, or shares of
+/// types.
 void makeEverywhere(Cut& cut, const NewCut& at) {
   const auto& model = at.scene.model.data;
   if (!model || model->compartments.empty()) return;

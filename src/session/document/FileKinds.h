@@ -11,11 +11,11 @@ struct FilePatterns {
   std::string name;                   ///< "NIfTI"
   std::vector<std::string> patterns;  ///< "*.nii", "*.nii.gz"
 };
-/// Scenes, volumes, models, surfaces, pictures of ours, in the order of menus.
+/// Scenes, volumes, models, surfaces, and pictures of ours with a scene inside, in the order of menus.
 std::vector<FilePatterns> readablePatterns();
-/// Volumes only; labels come in files of the same formats.
+/// Volumes only; files with labels have the same formats.
 std::vector<FilePatterns> volumePatterns();
-/// The formats in which a kind is written, the usual one first.
+/// The formats in which files of a kind are written, the usual format first.
 std::vector<FilePatterns> writtenPatterns(io::FileKind kind);
 
 }  // namespace velum::session

@@ -182,7 +182,7 @@ bool Journal::Impl::write(const Change& change, const std::string& nowTitle, con
   }
 }
 
-/// The whole scene is shorter than the line, or the line would make the journal longer than one is read.
+/// True where the whole scene is shorter than the line, or with the line the journal would be longer than may be read.
 bool Journal::Impl::isFull(std::size_t patchBytes) const {
   return patchBytes > std::max(options.compactBytes, beginBytes) ||
          bytes > std::max(options.compactBytes, 4 * beginBytes) || bytes + patchBytes + kMostHead > options.mostBytes ||
@@ -199,7 +199,7 @@ void Journal::Impl::writeLine(scene::ChangeLine line) {
   syncer.want(file);
 }
 
-/// Somebody has tidied up: what is written would be found by nobody.
+/// True where somebody has deleted the folder: nobody would find what is written there.
 bool Journal::Impl::isGone() const {
   struct stat state {};
   if (file >= 0 && ::fstat(file, &state) == 0 && state.st_nlink == 0) return true;
@@ -219,7 +219,7 @@ void Journal::Impl::openFolder(const Change& change) {
   mustBegin = true;
 }
 
-/// A new journal that holds the whole scene, made under another name first: a journal that is there has its first line.
+/// Begins a journal with the whole scene, under another name first: every journal that is there has its first line.
 void Journal::Impl::beginGeneration(scene::ChangeLine line) {
   mustBegin = true;
   line.patch = mirror.wholePatch();

@@ -6,9 +6,9 @@
 /// Where labels lie beside the scan that they are of.
 namespace velum::session {
 
-/// What to say where the scene's labels are not where its scan is: less than a twentieth of what is labelled lies in
-/// it, or all of it in a few of its voxels. Empty where they fit, and where there is nothing to compare. Looks at some
-/// hundred thousand voxels: milliseconds.
+/// What to say where the scene's labels are not where its scan is: less than a twentieth of the labelled voxels lies in
+/// the scan, or all of them lie in a few of the scan's voxels. Empty where labels and scan fit, and where one of them
+/// is missing. Looks at some hundred thousand voxels: milliseconds.
 std::string misplacedLabels(const scene::Scene& scene);
 
 }  // namespace velum::session

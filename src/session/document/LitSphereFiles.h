@@ -13,13 +13,14 @@ namespace velum::session {
 /// @throw InputError when there is none, or it is no picture
 Shared<Image> readLitSphere(const std::filesystem::path& path);
 
-/// Reads the pictures of a scene's own lit spheres that it does not hold yet. Paths are taken relative to `folder`. A
-/// sphere that is not to be read looks like porcelain.
-/// @return a line for each that is missing or bad, and for each that is named and nobody has
+/// Reads the pictures of a scene's own lit spheres that the scene does not hold yet. Paths are taken relative to
+/// `folder`. A sphere whose picture cannot be read looks like porcelain.
+/// @return a line for each picture that is missing or bad, and for each sphere that the scene names but that nobody has
 std::vector<std::string> loadLitSpheres(scene::Scene& scene, const std::filesystem::path& folder);
 
-/// Adds a user's picture to a scene's lit spheres, named after its file. One that the scene has already is read anew.
-/// @return its name
+/// Adds a user's picture to a scene's lit spheres, named after its file. A picture that the scene has already is read
+/// anew.
+/// @return the sphere's name
 /// @throw InputError as readLitSphere()
 std::string addLitSphere(scene::Scene& scene, const std::filesystem::path& path);
 

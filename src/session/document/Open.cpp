@@ -113,7 +113,7 @@ void putLabels(scene::Scene& scene, LabelVolume labels, Progress& progress) {
   if (std::string line = misplacedLabels(scene); !line.empty()) warnAll(scene.labels.source.path, {line});
 }
 
-/// That labels without a place of their own take; nothing where there is no volume.
+/// The grid that labels without a place of their own take; nothing where there is no volume.
 std::optional<io::LabelGrid> gridOfScan(const scene::Scene& scene) {
   if (!scene.volume.data) return std::nullopt;
   const Volume& scan = *scene.volume.data;
@@ -129,7 +129,7 @@ void placeLabels(scene::Scene& scene, Progress& progress) {
   putLabels(scene, io::readLabels(scene.labels.source, progress, gridOfScan(scene)), progress);
 }
 
-/// In the place of what the scene has of them.
+/// Puts labels in the place of the labels that the scene has.
 void takeLabels(scene::Scene& scene, const scene::Source& source, LabelVolume labels, Progress& progress) {
   scene.labels = {};
   scene.labels.source = source;

@@ -11,10 +11,10 @@
 namespace velum::session {
 
 /// Makes a scene from whatever a user names: a scene file, a picture of ours with a scene inside, a volume, a folder, a
-/// surface, labels. Data is read; a new volume gets the preset that fits it and a camera that sees it all.
+/// surface, labels. Data is read; a new volume gets the preset that fits it and a camera that sees all of it.
 /// @param source  first input: path and how to read it
 /// @param policy  of a scene file: what to do about data that has moved
-/// @param notes   what the user should know of it, one line each; null: they are warnings on stderr
+/// @param notes   takes what the user should know, one line each; null: these lines go to stderr as warnings
 /// @throw InputError, Cancelled. Any thread.
 scene::Scene open(const scene::Source& source, Progress& progress, const DataPolicy& policy = {},
                   std::vector<std::string>* notes = nullptr);
@@ -29,30 +29,31 @@ std::optional<std::string> readSceneText(const std::filesystem::path& path);
 void add(scene::Scene& scene, const scene::Source& source, Progress& progress,
          std::vector<std::string>* notes = nullptr);
 
-/// Reads a file as labels, whatever it looks like, and puts them beside the scene's volume. @throw InputError,
-/// Cancelled
+/// Reads a file as labels, whatever it looks like, and puts them beside the scene's volume.
+/// @throw InputError, Cancelled
 void addLabels(scene::Scene& scene, const scene::Source& source, Progress& progress);
 
 /// What several inputs gave.
 struct Opened {
   scene::Scene scene;
-  std::string path;  ///< The first that opened, by which the scene is called.
+  std::string path;  ///< the first input that opened, by which the scene is called
 };
 
-/// Opens several inputs as one scene: what carries the voxels first, then labels and surfaces, in whatever order they
-/// were named. What cannot be read is noted, and the others open, unless the policy refuses that. @throw ArgumentError
-/// when there is none; InputError when none can be read; Cancelled
+/// Opens several inputs as one scene: the input that carries the voxels first, then labels and surfaces, in whatever
+/// order they were named. An input that cannot be read is noted, and the others open, unless the policy refuses that.
+/// @throw ArgumentError when there is no input; InputError when none can be read; Cancelled
 Opened openAll(std::vector<scene::Source> sources, Progress& progress, const DataPolicy& policy = {},
                std::vector<std::string>* notes = nullptr);
-/// Files and folders that are read as they say themselves.
+/// Sources for files and folders that say themselves how they are to be read.
 std::vector<scene::Source> sourcesOf(const std::vector<std::string>& paths);
 
 /// Adds several inputs to a scene as openAll() does. @throw InputError when none can be read; Cancelled
 void addAll(scene::Scene& scene, const std::vector<std::string>& paths, Progress& progress,
             std::vector<std::string>* notes = nullptr);
 
-/// Reads the data that the scene names and does not hold yet. Paths are taken relative to `folder`; what is not there
-/// is looked for; what is not found is an error, or is left out (missingData() then names it), as the policy says.
+/// Reads the data that the scene names and does not hold yet. Paths are taken relative to `folder`; a file that is not
+/// there is looked for; a file that is not found is an error, or is left out (missingData() then names it), as the
+/// policy says.
 void loadData(scene::Scene& scene, const std::filesystem::path& folder, Progress& progress,
               const DataPolicy& policy = {}, std::vector<std::string>* notes = nullptr);
 
@@ -61,7 +62,7 @@ void loadData(scene::Scene& scene, const std::filesystem::path& folder, Progress
 /// @throw InputError when the disk refuses
 void saveScene(const scene::Scene& scene, const std::filesystem::path& path);
 
-/// The scene's text as it rides in a picture that is written to `path`.
+/// The scene's text as it is put inside a picture that is written to `path`.
 std::string sceneTextFor(const scene::Scene& scene, const std::filesystem::path& path);
 
 /// The phantoms that openSample() makes.

@@ -16,8 +16,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Opens each; one that cannot be read does not keep the others from it, unless one is to be an error.
-/// @return why some were refused, one line each. @throw InputError when all were: the first one's
+/// Opens each source. One that cannot be read does not keep the others from being opened, unless `refusesOne`.
+/// @return why sources were refused, one line each. @throw InputError when all were: the reason of the first
 std::vector<std::string> openEach(const std::vector<scene::Source>& sources, bool refusesOne,
                                   const std::function<void(const scene::Source&)>& open) {
   std::vector<std::string> refused;

@@ -7,12 +7,12 @@
 
 namespace velum::session {
 
-/// Gives a scene a user's picture of paper, with its place in the disk.
-/// @throw InputError when there is none, or it is no picture
+/// Gives a scene a user's picture of paper, with the path of its file.
+/// @throw InputError when there is no such file, or it is no picture
 void takePaper(scene::Scene& scene, const std::filesystem::path& path);
 
-/// Reads the picture of a scene's own paper, unless it holds it or names none. The path is taken relative to `folder`.
-/// Where it is not to be read the paper is smooth.
+/// Reads the picture of a scene's own paper, unless the scene holds the picture already or names none. The path is
+/// taken relative to `folder`. Where the picture cannot be read the paper is smooth.
 /// @return a line that says so
 std::optional<std::string> loadPaper(scene::Scene& scene, const std::filesystem::path& folder);
 

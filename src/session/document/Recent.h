@@ -22,9 +22,9 @@ void removeRecent(const std::filesystem::path& list, const std::filesystem::path
 
 /// Where the list is: stateFolder()/recent.
 std::filesystem::path recentList();
-/// Where the picture of a file belongs: cacheFolder()/recent/HASH.png.
+/// Where the small picture of a recent file belongs: cacheFolder()/recent/HASH.png.
 std::filesystem::path recentPicture(const std::filesystem::path& file);
-/// The folders of recent files, each once: where data that has moved may be.
+/// The folders of recent files, each once: places to look for data that has moved.
 std::vector<std::filesystem::path> recentFolders(const std::filesystem::path& list);
 
 }  // namespace velum::session

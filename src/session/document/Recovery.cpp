@@ -74,7 +74,8 @@ std::chrono::system_clock::time_point lastWrite(const fs::path& folder) {
   return last == std::chrono::system_clock::time_point{} ? timeOf(folder) : last;
 }
 
-/// Nothing is in it but a lock: its session died while it made it, or somebody while deleting it.
+/// Removes an old folder with nothing but a lock in it: its session died while making it, or a process while deleting
+/// it.
 void removeEmpty(const fs::path& folder) {
   if (std::chrono::system_clock::now() - timeOf(folder) > kOrphanAge) removeFolder(folder);
 }

@@ -26,14 +26,15 @@ bool isSameData(const scene::Source& a, const scene::Source& b) {
   return isSameFile(a, b) && a.raw == b.raw && a.spacing == b.spacing;
 }
 
-/// Of the user's own, rather than the name of one of ours.
+/// True where a value is a file, the user's own paper, rather than the name of one of our papers.
 bool isPaperFile(const std::string& value) {
   if (enumValue<scene::Paper>(value)) return false;
   return value.find_first_of("./") != std::string::npos || std::filesystem::exists(value);
 }
 
-/// An item of a list keeps the data of the one with its source; a list that is set whole comes without any.
-/// @return true when one is left without data that it did not have before
+/// Gives each item of a list the data of the item before the change that had the same source; a list that is set whole
+/// comes without data.
+/// @return true when an item is left without data that it did not have before
 template <class Item>
 bool keepData(std::vector<Item>& items, const std::vector<Item>& before) {
   bool isMissing = false;
@@ -55,7 +56,7 @@ bool keepData(std::vector<Item>& items, const std::vector<Item>& before) {
   return isMissing;
 }
 
-/// Gives up what does not come from where the scene says. @return true when something is to be read for it
+/// Gives up data that does not come from where the scene says. @return true when something is to be read in its place
 bool dropStale(scene::Scene& after, const scene::Scene& before) {
   bool isMissing = keepData(after.surfaces, before.surfaces);
   isMissing |= keepData(after.finish.spheres, before.finish.spheres);
@@ -87,7 +88,7 @@ bool isOtherReading(const scene::Scene& after, const scene::Scene& before) {
   return before.volume.data && isSameFile(now, was) && !isSameData(now, was);
 }
 
-/// Data that was there, or that was asked for only now, is to be there.
+/// Data that was there before, or that was asked for only now, must be there: throws where it is missing.
 void expectData(const scene::Scene& after, const scene::Scene& before) {
   auto known = missingData(before);
   for (const auto& missing : missingData(after)) {
@@ -98,7 +99,7 @@ void expectData(const scene::Scene& after, const scene::Scene& before) {
   }
 }
 
-/// A sheet that becomes passive starts anew from flat: where an active one had come to is forgotten.
+/// A sheet that becomes passive starts anew from flat: the place to which it had come while active is forgotten.
 void followMembranes(scene::Scene& after, const scene::Scene& before) {
   for (scene::Cut& cut : after.cuts) {
     const scene::Cut* was = scene::findCut(before, cut.id);

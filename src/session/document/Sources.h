@@ -15,8 +15,9 @@ namespace velum::session {
 /// folder the number of its files and a hash of their names and sizes. Empty when it cannot be read. Any thread.
 std::string fingerprintOf(const std::filesystem::path& path);
 
-/// Looks for data that is not where the scene says: by its name beside the scene file, in the tree of folders there
-/// (bounded), and in other folders; where the scene knows its fingerprint, it must fit, and another name will do.
+/// Looks for data that is not where the scene says: by the data's name beside the scene file, in the tree of folders
+/// there (up to a limit), and in other folders. Where the scene knows the data's fingerprint, the fingerprint must fit,
+/// and a file of another name will do.
 /// @throw Cancelled. Any thread.
 std::optional<std::filesystem::path> findMoved(const scene::Source& source, const std::filesystem::path& sceneFolder,
                                                const std::vector<std::filesystem::path>& otherFolders,
@@ -24,9 +25,9 @@ std::optional<std::filesystem::path> findMoved(const scene::Source& source, cons
 
 /// How to open a scene whose data may have moved.
 struct DataPolicy {
-  std::vector<std::filesystem::path> folders;          ///< where to look, too: those of recent files
-  bool refusesOne = false;                             ///< of several files one that cannot be read is an error
-  bool keepsWithoutData = false;                       ///< what is not found is left out, instead of an error
+  std::vector<std::filesystem::path> folders;  ///< more folders to look in: those of recent files
+  bool refusesOne = false;                     ///< one file that cannot be read, of several, is an error
+  bool keepsWithoutData = false;               ///< data that is not found is left out, instead of being an error
   std::function<void(scene::Scene&)> beforeData = {};  ///< applied to a scene file before its data is read
 };
 

@@ -16,59 +16,62 @@ namespace velum::session {
 /// What a load gives.
 struct Loaded {
   scene::Scene scene;
-  bool isScene = false;             ///< camera and layout are its own
-  std::string path;                 ///< of several files the one by which the scene is called; empty: the caller knows
-  std::vector<std::string> notes;   ///< for the user
-  std::unique_ptr<WorkClaim> lost;  ///< recovered work, until it is journaled anew
+  bool isScene = false;             ///< the camera and layout are the file's own
+  std::string path;                 ///< the one of several files by which the scene is called; empty: the caller knows
+  std::vector<std::string> notes;   ///< what the user should know, one line each
+  std::unique_ptr<WorkClaim> lost;  ///< the claim on recovered work, held until the work is journaled anew
 };
 
 // Reading, for jobs: any thread. @throw InputError, Cancelled
 
-/// Files and folders as one scene, each as its source says: a series, a layout of raw samples, a voxel size.
+/// Reads files and folders as one scene, each as its source says: a series, a layout of raw samples, a voxel size.
 Loaded read(const std::vector<scene::Source>& sources, Progress& progress, const DataPolicy& policy);
-/// The same of files that are read as they say themselves.
+/// As read(), for files that say themselves how they are to be read.
 Loaded readPaths(const std::vector<std::string>& paths, Progress& progress, const DataPolicy& policy);
-/// The volume of a scene read anew as another source says: with another voxel size or layout. Cuts and camera
-/// grow with the voxels, labels on its grid go with it; what has another type or size gets the look that fits it.
-/// @throw ArgumentError where structures were grown in it and would lie elsewhere
+/// Reads the volume of a scene anew as another source says: with another voxel size or layout. Cuts and camera grow
+/// with the voxels, and labels on the volume's grid are read anew with it; a volume whose type, size or range has
+/// changed gets the look that fits it.
+/// @throw ArgumentError where there is no volume, or where structures were grown in it and would lie elsewhere
 void rereadVolume(scene::Scene& scene, const scene::Source& source, Progress& progress);
-/// The same beside what is open. @param beside  the scene as it is
+/// Reads files beside what is open. @param beside  the scene that is open
 Loaded readBeside(scene::Scene beside, const std::vector<std::string>& paths, Progress& progress);
-/// A file as labels of what is open, whatever it looks like.
+/// Reads a file as labels of what is open, whatever the file looks like. @param beside  the scene that is open
 Loaded readLabels(scene::Scene beside, const std::string& path, Progress& progress);
-/// A phantom. @param voxels  along its longest axis; 0: its own size  @param folder  where its files are written
+/// Makes and reads a phantom. @param voxels  along its longest axis; 0: its own size  @param folder  where its files
+/// are written
 Loaded readPhantom(const std::string& name, int voxels, const std::filesystem::path& folder, Progress& progress);
-/// The work of a session that has died.
+/// Reads the work of a session that has died.
 Loaded readLost(const std::filesystem::path& folder, Progress& progress, const DataPolicy& policy);
-/// The data that a scene still misses, its paths named meanwhile.
+/// Reads the data that a scene still misses, now that its paths have been named.
 void readMissing(Loaded& loaded, Progress& progress, const DataPolicy& policy);
 
-/// What the document is of: the file that is open, where the scene is saved, and the journal that keeps what is not.
-/// The document's thread.
+/// To what file the document belongs: the file that is open, where the scene is saved, and the journal that keeps what
+/// is not saved. The document's thread.
 class WorkFile {
  public:
   explicit WorkFile(Document& document) : mDocument(document) {}
 
   bool isOpen() const { return mIsOpen; }
-  /// What is open: file, folder or scene; of a phantom its name. Empty: nothing has a name.
+  /// What is open: file, folder or scene; for a phantom its name. Empty: what is open has no name.
   const std::string& path() const { return mPath; }
-  /// Where the scene is saved; empty: not yet.
+  /// Where the scene is saved; empty: nowhere yet.
   const std::string& scenePath() const { return mScenePath; }
-  /// Its last part, for people.
+  /// The last part of path(), for people.
   std::string name() const;
   bool isModified() const { return mIsOpen && mDocument.isModified(); }
 
-  /// Shows what was read, in the place of what is open. @param path  what it is called
+  /// Shows what was read, in the place of what is open. @param path  what the work is called from now on
   void open(Loaded loaded, const std::string& path);
-  /// Adds what was read beside, as one undo step: a look that was changed meanwhile stays.
+  /// Adds what readBeside() or readLabels() gave, as one undo step: labels, surfaces and model, and the volume where
+  /// there is none yet. All else that was changed meanwhile, such as the volume's look, stays.
   void add(const Loaded& loaded);
-  /// Back to nothing.
+  /// Closes what is open: an empty scene without a name.
   void close();
-  /// Writes the scene; it is the file's from now on. @throw InputError when the disk refuses
+  /// Writes the scene to a file, which is the document's file from now on. @throw InputError when the disk refuses
   void save(const std::string& path);
 
-  /// Journals every change from now on, in a folder under this one. @param onError  told in words when the disk begins
-  /// to refuse, and nothing when it takes all again, from a thread of the journal
+  /// Journals every change from now on, in a folder under `root`. @param onError  told in words when the disk begins to
+  /// refuse, and "" when the disk takes everything again, from a thread of the journal
   void protect(const std::filesystem::path& root, std::function<void(const std::string&)> onError);
   bool isProtected() const { return mJournal != nullptr; }
   const std::filesystem::path& recoveryRoot() const { return mRecoveryRoot; }
@@ -76,7 +79,8 @@ class WorkFile {
   void journalChange();
   /// Waits until what is journaled is on the disk.
   void flushJournal();
-  /// What is journaled is saved, or given up. @param flush  waits until that is on the disk
+  /// Deletes the journal: the work that it keeps is saved, or given up. @param flush  waits until that is done on the
+  /// disk
   void discardJournal(bool flush = false);
 
  private:
@@ -88,10 +92,10 @@ class WorkFile {
   bool mIsOpen = false;
   std::string mPath, mScenePath;
   bool mIsReplacing = false;           ///< Another scene is coming in: that is no change to journal.
-  std::uint64_t mJournaledChange = 0;  ///< The document's change that the journal heard of last.
+  std::uint64_t mJournaledChange = 0;  ///< the number of the document's change that the journal has heard of last
   std::filesystem::path mRecoveryRoot;
   std::unique_ptr<Journal> mJournal;
-  std::unique_ptr<WorkClaim> mLost;  ///< What was recovered, while no journal of ours holds it.
+  std::unique_ptr<WorkClaim> mLost;  ///< the claim on recovered work, while no journal of ours holds that work
 };
 
 }  // namespace velum::session

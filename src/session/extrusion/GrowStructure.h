@@ -12,12 +12,12 @@
 
 namespace velum::session {
 
-/// A structure that is to grow out of the volume, as somebody asks for it in words.
+/// The arguments of the command that grows a structure out of the volume, as somebody types them.
 struct GrowStructure {
   static constexpr std::string_view kName = "growth.grow";
-  std::vector<glm::dvec3> seeds, others;           ///< places on it; that are not of it
-  std::vector<std::string> strokes, otherStrokes;  ///< lines over it; over what is not of it
-  std::vector<double> range, plane;                ///< two values; four: normal and n.p
+  std::vector<glm::dvec3> seeds, others;           ///< places on the structure; places that do not belong to it
+  std::vector<std::string> strokes, otherStrokes;  ///< lines over the structure; lines over what is not of it
+  std::vector<double> range, plane;                ///< low and high value; normal and n.p
   double distance = scene::Growth::kEndless, steepest = scene::Growth::kEndless, closing = 0.0;
   int within = 0;
   bool fillHoles = false, guard = false;
@@ -41,10 +41,10 @@ struct GrowStructure {
   }
 };
 
-/// The step of growing that is asked for, of a structure with a number that is free. Any thread.
+/// The step of growth that is asked for, for a structure whose id is free. Any thread.
 /// @throw ArgumentError that begins with the name of the field that does not fit; InputError without a volume
 scene::Growth stepOf(const scene::Scene& scene, const GrowStructure& asked);
-/// Adds the step, and a row of the structure.
+/// Adds a step of growth to the scene, and a row for its structure.
 void addGrowth(scene::Scene& scene, const scene::Growth& step, const std::string& name);
 
 }  // namespace velum::session

@@ -17,7 +17,7 @@ constexpr double kValleyDepth = 0.6;
 /// A population is no smaller than this share, and no narrower than this share of all values' stretch: beside a spike
 /// of one value lie others of the same material, in 8 bits as in air.
 constexpr double kLeastShare = 0.05, kLeastSpread = 1.0 / 60.0;
-/// Of its spread to either side of its middle.
+/// A population reaches so many times its spread to either side of its middle.
 constexpr double kPeakSpreads = 2.5;
 
 using Density = std::array<double, kBins>;

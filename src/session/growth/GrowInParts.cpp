@@ -16,7 +16,7 @@ constexpr double kWorkMs = 40.0;
 /// Slabs that are grown at once at first; more where they are done sooner than this.
 constexpr double kFirstSlabs = 2.0, kQuickMs = 8.0;
 
-/// True when a step is another one that has not come so far.
+/// True when `wanted` is the same step as the grown one, and goes as far or farther.
 bool isContinued(const scene::Growth& grown, scene::Growth wanted) {
   if (!(grown.distance <= wanted.distance)) return false;
   wanted.distance = grown.distance;
@@ -116,7 +116,8 @@ double GrowInParts::growPart(const Shared<Volume>& of, Progressed& to, const sce
   return grown.leak ? 0.0 : slabs;
 }
 
-/// With others, as far as it goes: where their border lies depends on all of it.
+/// Grows a step that has others (scene::Growth::others) as far as it goes: where its border to the others lies depends
+/// on all of it.
 void GrowInParts::growWhole(const Shared<Volume>& of, Progressed& to, const scene::Growth& step, Progress& progress) {
   growth::Grown grown = mGrower.grow(of, to.before, step, {}, progress);
   growth::Smoothed smoothed = growth::smoothRegion(of, grown.labels, step, progress, grown.others);

@@ -27,15 +27,15 @@ struct GrowthWorker::State {
   void forgetWhatIsGone(const Steps& next);
 };
 
-/// As it is now, for a thread that goes on beside.
+/// How each structure is watched, as it is now: a copy for a thread that goes on beside.
 std::function<Watch(int)> GrowthWorker::State::watches() const {
   return [trusted = trusted, typed = typed](int structure) {
     return trusted.count(structure) ? Watch::Not : typed.count(structure) ? Watch::Jumps : Watch::All;
   };
 }
 
-/// Before what is wanted becomes something else: whose values somebody changes means what he types, and ids of
-/// structures that are gone may come back as others.
+/// To be called before `wanted` changes. Somebody who changes the values of a structure means what he types, and ids of
+/// structures that are gone may come back as other structures.
 void GrowthWorker::State::forgetWhatIsGone(const Steps& next) {
   auto isGone = [&](int id) {
     return std::none_of(next.begin(), next.end(), [id](const auto& step) { return step.structure == id; });

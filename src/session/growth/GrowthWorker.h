@@ -9,28 +9,30 @@
 
 namespace velum::session {
 
-/// What the last step of growing has taken.
+/// Time and voxels that the last step of growing has taken.
 struct GrowthFigures {
   int slabs = 0;
-  double ms = 0.0;                                             ///< of growing, on the wall
-  std::size_t smoothed = 0;                                    ///< voxels that joined at the step's end
-  double leakDepth = 0.0, leakArea = 0.0, widestBefore = 0.0;  ///< of the slab that leaks, see growth::Leak
+  double ms = 0.0;                                             ///< time of growing, by the clock on the wall
+  std::size_t smoothed = 0;                                    ///< voxels that joined when the step's end was smoothed
+  double leakDepth = 0.0, leakArea = 0.0, widestBefore = 0.0;  ///< of the slab in which the step leaks, see
+                                                               ///< growth::Leak
 };
 
-/// What growing is doing, for people.
+/// What the worker is growing, for people.
 struct GrowthStatus {
   bool isGrowing = false;
-  int structure = 0;         ///< that grows, or grew last; 0: none
-  std::int64_t voxels = 0;   ///< that it has got since its step began
-  std::optional<Leak> leak;  ///< that holds it
+  int structure = 0;         ///< id of the structure that grows, or grew last; 0: none
+  std::int64_t voxels = 0;   ///< that the structure has got since its step began
+  std::optional<Leak> leak;  ///< the leak before which the step is held
   std::string error;         ///< one line; empty: nothing is wrong
   GrowthFigures figures = {};
 };
 
-/// Grows what a scene's growths ask for ([ACS] 4.2): beside, a little at a time, so that the window answers and shows
-/// the front as it comes. What has grown is written into the scene's labels as it is found. Undo and edits of steps are
-/// followed: what goes on from where it stands goes on, anything else begins again from the labels that were given. At
-/// another time step of the volume structures are shown when all have been carried there, see growth::GrowOverTime.
+/// Grows the regions that a scene's growths ask for ([ACS] 4.2): beside the document, a little at a time, so that the
+/// window answers and shows the front as it comes. Labels that have grown are written into the scene as they are found.
+/// Undo and edits of steps are followed: where the new steps go on from what has grown, growing goes on; otherwise it
+/// begins again from the labels that were given. At another time step of the volume, structures are shown when all of
+/// them have been carried there, see growth::GrowOverTime.
 class GrowthWorker : public Worker {
  public:
   GrowthWorker();
@@ -47,13 +49,15 @@ class GrowthWorker : public Worker {
 
   bool isGrowing() const { return isDue(); }
   GrowthStatus status() const;
-  /// Stops what is growing. @return how far its step has come: what is to be held; nothing when nothing grows
+  /// Tells where the step that is growing is to be held so that growing stops there; changes nothing itself, see
+  /// holdGrowth(). @return how far that step has come; nothing when nothing grows
   std::optional<Leak> stop() const;
-  /// The leak that was found is no news any more.
+  /// Forgets the leak that was found: the user knows of it.
   void acceptLeak();
-  /// No leak of this structure is minded any more.
+  /// From now on this structure may grow through leaks.
   void trust(int structure);
-  /// Somebody has typed the values of this structure: they are meant, and it is only watched for leaks.
+  /// Says that somebody has typed the range of values of this structure: the range is meant, so that the structure is
+  /// only watched for jumps.
   void takeTypedRange(int structure);
 
  private:

@@ -15,12 +15,12 @@ namespace velum::session {
 
 namespace {
 
-/// Places along one piece of a stroke.
+/// The most places along one piece of a stroke.
 constexpr double kMostAlong = 1e5;
-/// Voxels beside a place at which something was meant.
+/// How many voxels beside a place the voxel that was meant may lie.
 constexpr int kBeside = 2;
 
-/// The nearest to a voxel that has values of a step.
+/// The voxel nearest to `here` whose value is in the range of a step.
 std::optional<glm::ivec3> voxelNear(const Volume& volume, const scene::Growth& step, int timeStep, glm::ivec3 here) {
   std::optional<glm::ivec3> best;
   double least = scene::Growth::kEndless;

@@ -36,7 +36,7 @@ struct Sample {
   double steepness, value;  ///< square of the gradient, any unit
 };
 
-/// The finite voxels within `radius` of one.
+/// The voxels with finite values within `radius` of the voxel in the middle.
 std::vector<Sample> voxelsAround(const scene::VolumeLayer& layer, glm::ivec3 middle, int radius) {
   const Volume& volume = *layer.data;
   int channel = scene::shownChannel(layer);
@@ -69,8 +69,8 @@ std::vector<double> evenHalf(std::vector<Sample> samples) {
   return values;
 }
 
-/// Middle and spread of the shortest stretch that holds half of the values and lies at the wanted one: of two
-/// materials, those of the one that was pointed at.
+/// Middle and spread of the shortest stretch that holds half of the values and lies at the wanted value: of two
+/// materials, those of the material that was pointed at.
 Tissue tissueOf(std::vector<double> values, double wanted) {
   std::sort(values.begin(), values.end());
   std::size_t half = values.size() / 2, best = 0;
@@ -107,8 +107,8 @@ std::optional<double> shareOf(std::vector<double> values, double share) {
   return values[std::size_t(share * double(values.size() - 1))];
 }
 
-/// Goes out in 26 directions to the first material that is another, and takes the middle between it and the place: of
-/// several materials on one side, rather that which is nearer in value.
+/// Goes out in 26 directions to the first other material, and takes the middle between its value and the place's: of
+/// several materials on one side, the one that is nearer in value.
 void findBorders(const scene::VolumeLayer& layer, glm::ivec3 place, double here, double range, Tissue& tissue) {
   std::vector<double> darker, brighter;
   for (int i = 0; i < 27; ++i) {

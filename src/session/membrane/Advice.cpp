@@ -15,11 +15,12 @@ namespace velum::session {
 
 namespace {
 
-/// A step has to bring what is lost, or cut, down to so much of what it was.
+/// A step helps where it brings what is lost, or cut, down to this share of what it was.
 constexpr double kHelps = 0.8;
-/// Where so much of the data is protected, that is what is wrong: in front of all of it a sheet removes nothing.
+/// Where more than this share of the data is protected, just that is what is wrong: in front of all of it a sheet
+/// removes nothing.
 constexpr double kTooMuch = 0.4;
-/// Up to so many times the reach it is deepened rather than that the frame is moved.
+/// Up to so many times the reach, deepening the reach comes before moving the frame.
 constexpr double kLittleDeeper = 2.01;
 
 Advice adviceOf(AdviceStep step, const Placed& placed) {
@@ -30,7 +31,7 @@ bool helps(const Advice& advice, const CoarseLook::Outlook& now) {
   return 1.0 - advice.fate.kept <= kHelps * (1.0 - now.fate.kept) || advice.cutShare <= kHelps * now.cutShare();
 }
 
-/// Without the structure that takes up most room; nothing where it is the only one.
+/// The membrane without the structure that takes up most room; nothing where it is the only structure.
 std::optional<scene::Membrane> withoutLargest(scene::Membrane membrane, const membrane::Potential& potential,
                                               const CoarseLook& look) {
   const Shared<LabelVolume>& labels = potential.labels();
@@ -47,7 +48,7 @@ std::optional<scene::Membrane> withoutLargest(scene::Membrane membrane, const me
   return membrane;
 }
 
-/// The half of the protected values that lies farther from what most of the data has.
+/// The membrane with only that half of its protected values that differs more from the values of most of the data.
 std::optional<scene::Membrane> withHalfTheValues(scene::Membrane membrane, const scene::Scene& scene,
                                                  const CoarseLook& look) {
   if (!scene.volume.data || membrane.field.byValue.empty()) return std::nullopt;

@@ -12,20 +12,20 @@
 
 namespace velum::session {
 
-/// A look at what a membrane protects on a grid so coarse (some 50 places along each edge) that what becomes of it is
-/// known in milliseconds. By value and by label only: gradients take seconds.
+/// A look at what a membrane protects, on a grid so coarse (some 50 places along each edge) that the fate of all of it
+/// is known in milliseconds. Counts what is protected by value and by label only: gradients take seconds.
 class CoarseLook {
  public:
   /// @throw Cancelled
   CoarseLook(const membrane::Potential& potential, const scene::ForceField& field, Progress& progress);
 
-  /// The share of the places that are protected.
+  /// The share of the grid's places that are protected.
   double share() const;
-  /// How deep one place is along a direction of length 1, in the world; and all of them.
+  /// How deep one place of the grid is along a direction of length 1, in the world; and how deep all of the grid is.
   double depthAlong(glm::dvec3 axis) const;
   double wholeDepthAlong(glm::dvec3 axis) const;
-  /// @param visit  gets the voxel of the data, and the point in the world, in the middle of each place that is
-  /// protected
+  /// @param visit  called for the middle of each place that is protected, with the voxel of the data and the point in
+  /// the world
   template <class Visit>
   void forEachProtected(Visit visit) const {
     glm::ivec3 n = mVoxels.grid.box.end, at;
@@ -37,26 +37,26 @@ class CoarseLook {
   }
 
   struct Outlook {
-    double planePairs = 0, sheetPairs = 0;  ///< that the rest plane cuts, and the least cut
-    membrane::Fate fate;                    ///< of all that is protected, by the least cut
+    double planePairs = 0, sheetPairs = 0;  ///< neighbours that the rest plane parts; that the least cut parts
+    membrane::Fate fate;                    ///< of all that is protected, with the least cut as the sheet
     double cutShare() const { return planePairs > 0.0 ? sheetPairs / planePairs : 1.0; }
   };
-  /// Of a membrane in this place with this reach. @throw Cancelled
+  /// What would come of a membrane in this place with this reach. @throw Cancelled
   Outlook outlookOf(const scene::Cut& cut, Progress& progress) const;
 
  private:
   membrane::CoarseVoxels mVoxels;
 };
 
-/// A membrane in another place, or with another reach, and what comes of it.
+/// A membrane in another place, or with another reach, and what would come of it.
 struct Placed {
   scene::Cut cut;
   CoarseLook::Outlook outlook;
 };
-/// placedToKeep() by a look that has been taken.
+/// placedToKeep() of FirstPlace.h with a look that was taken already.
 std::optional<Placed> placedToKeep(const CoarseLook& look, const scene::Cut& cut, Progress& progress,
                                    bool isReachFree = true);
-/// The shortest reach that keeps enough; nothing where none does.
+/// The membrane with the shortest reach by which enough is kept; nothing where no reach keeps enough.
 std::optional<Placed> deepenedToKeep(const CoarseLook& look, const scene::Cut& cut, Progress& progress);
 
 }  // namespace velum::session

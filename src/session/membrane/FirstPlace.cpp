@@ -18,20 +18,21 @@ constexpr int kPlaces = 14;
 /// The places that are tried lie between the front and where so much of what is protected is in front. What lies before
 /// the front is too little to count: noise, a cable.
 constexpr double kBeforeFront = 0.02, kMostInFront = 0.6;
-/// What must be cut counts more than what is spared.
+/// A pair that must be cut counts so many times as much as a pair that is spared.
 constexpr double kWorthOfCut = 2.0;
 /// A place further in front is taken where it is nearly as good.
 constexpr double kNearlyAsGood = 0.8;
-/// And no place that spares less than this of what the best one does: before the tip of something little is cut, and
-/// little is shown.
+/// No place is taken that spares less than this share of what the best place spares: before the tip of something little
+/// is cut, and little is shown.
 constexpr double kWorthShowing = 0.25;
-/// So much is to be kept by a coarse look, that it may promise a little more than the sheet keeps.
+/// This share must be kept by a coarse look, as the coarse look may promise a little more than the sheet keeps.
 constexpr double kSurelyKept = 0.95;
-/// What is cut is a scratch where it is less than this of what the plane cuts.
+/// A cut is no more than a scratch where the sheet cuts less than this share of what the plane cuts.
 constexpr double kScratch = 0.05;
-/// Where nowhere so much is, a place that keeps less than the best by this is still as good.
+/// Where no place keeps enough, a place that keeps less than the best by this share counts as good as the best.
 constexpr double kAboutAsMuch = 0.03;
-/// Reaches that are tried, by that which a new frame has; the data's own depth is enough to either side.
+/// Reaches that are tried, in parts of the reach that the frame has; no reach goes beyond the data's own depth to
+/// either side.
 constexpr double kReaches[] = {1.0, 1.5, 2.0, 3.0, 4.5};
 
 struct Tried {

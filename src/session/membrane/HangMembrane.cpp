@@ -28,7 +28,7 @@ void expectCount(const std::vector<double>& numbers, std::size_t count, const ch
 
 glm::dvec3 vectorOf(const std::vector<double>& v) { return {v[0], v[1], v[2]}; }
 
-/// The frame as the window would hang it, its axis and its place as asked for.
+/// The frame as the window would hang it, but with the axis and the place that are asked for.
 scene::Cut frameOf(const scene::Scene& scene, const HangMembrane& asked) {
   scene::Scene seen = scene;
   if (!asked.axis.empty()) {

@@ -10,17 +10,17 @@
 
 namespace velum::session {
 
-/// A new membrane as somebody asks for it in words: where it hangs, and what its sheet leaves whole. What is left out
-/// is chosen as by newMembrane().
+/// The arguments of the command that hangs a new membrane, as somebody types them: where it hangs, and what its sheet
+/// leaves whole. What is left out is chosen as by newMembrane().
 struct HangMembrane {
   static constexpr std::string_view kName = "membrane.hang";
-  std::vector<double> values;              ///< two: from, to
-  std::vector<double> place;               ///< three: in the material that is meant, world
+  std::vector<double> values;              ///< low and high value
+  std::vector<double> place;               ///< x, y, z: a place in the material that is meant, world
   std::vector<int> structures;             ///< label ids
-  std::vector<std::string> types;          ///< of a model
+  std::vector<std::string> types;          ///< paths of types of a model
   std::vector<std::string> sketch, avoid;  ///< strokes
-  std::vector<double> axis;                ///< three: towards what is removed
-  double position = -1.0, reach = 0.0;     ///< 0..1; scene units
+  std::vector<double> axis;                ///< x, y, z: towards what is removed
+  double position = -1.0, reach = 0.0;     ///< position: 0..1; reach: scene units
   std::string leastPiece;                  ///< voxels, or auto
   bool denoise = false;
   static void fields(auto& o, auto& visit) {
@@ -40,11 +40,11 @@ struct HangMembrane {
   }
 };
 
-/// The membrane, without an id. Some tenths of a second. Any thread. @throw ArgumentError that begins with the name of
-/// the field that does not fit; Cancelled
+/// The membrane that is asked for, without an id. Some tenths of a second. Any thread. @throw ArgumentError that begins
+/// with the name of the field that does not fit; Cancelled
 scene::Cut hungMembrane(const scene::Scene& scene, const HangMembrane& asked, Progress& progress);
 
-/// The least piece that a text says: voxels, or -1 for auto. @throw ArgumentError
+/// The size of the least piece that a text says: voxels, or -1 for "auto". @throw ArgumentError
 int leastPieceOf(const std::string& text);
 
 }  // namespace velum::session

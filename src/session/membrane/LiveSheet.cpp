@@ -15,7 +15,7 @@ constexpr double kVoxelsKept = 2e8, kMostMakers = 64;
 /// Only where so much must be cut can the sheet cut more than its plane.
 constexpr double kShareToWatch = 0.6;
 
-/// Only pins, or kernels that hands have put in, are others.
+/// True when two membranes differ only in their pins, or in the kernels that hands have put in.
 bool isHandsOnly(scene::Membrane a, scene::Membrane b) {
   bool isChanged = a.pins != b.pins || a.field.kernels != b.field.kernels;
   for (auto* membrane : {&a, &b}) {
@@ -58,7 +58,7 @@ void LiveSheet::adopt(const scene::SheetShape& saved) {
   ++mShown.count;
 }
 
-/// The sheet is of other data: nothing that is known of it holds.
+/// The data is another one: nothing that is known of the sheet holds any more.
 void LiveSheet::forget() {
   mMakers.clear();
   mPlace.shape = {};

@@ -18,7 +18,7 @@
 
 namespace velum::session {
 
-/// Which data forces come from.
+/// Names the data from which forces come: equal keys, equal data.
 struct DataKey {
   std::uint64_t volume = 0, labels = 0, model = 0;
   int timeStep = 0, channel = 0, copies = 1;
@@ -26,16 +26,18 @@ struct DataKey {
 };
 DataKey dataKeyOf(const scene::Scene& scene);
 
-/// What was measured of a sheet at rest.
+/// What was measured of a sheet that rests.
 struct SheetFigures {
   membrane::KeptWhole kept;
   std::vector<Advice> advice;
   membrane::LeftOut leftOut;
-  bool isWhole = true;  ///< false: only how much the sheet cuts, which says whether it is worse than flat
+  bool isWhole = true;  ///< false: only how much the sheet cuts was measured, which says whether the sheet is worse
+                        ///< than a flat one
 };
 
-/// One membrane of a MembraneMover. Four things, each with its owner: what forces are asked for (Asked), how the sheet
-/// moves (SheetMotion), where it last was (SheetPlace), and what is shown of it (Shown). GL thread where it says so.
+/// One membrane of a MembraneMover. Four things about the sheet are kept apart: which forces are asked for (Asked), how
+/// the sheet moves (SheetMotion), where it last was (SheetPlace), and what is shown of it (Shown). GL thread where a
+/// function says so.
 class LiveSheet {
  public:
   LiveSheet(std::uint64_t id, const scene::Cut& cut, DataKey data, MembraneMover::Purpose purpose);
@@ -43,21 +45,24 @@ class LiveSheet {
   std::uint64_t id() const { return mId; }
   const scene::Cut& cut() const { return mCut; }
 
-  /// The cut, or the data, as the scene has it now.
+  /// Takes over the cut, and the key of the data, as the scene has them now.
   void follow(const scene::Cut& cut, DataKey data);
 
   // Forces.
   bool needsForces() const { return mCut.enabled && mAsked.isDue; }
-  /// Hands drag: forces are to come soon rather than exactly, see ForceMaker::preview().
+  /// True while hands drag or a new place is looked at: then forces are to come soon rather than exactly, see
+  /// ForceMaker::preview().
   bool wantsPreview() const { return mAsked.byHands || mAsked.isLook; }
-  /// Another number with every change of what forces depend on; and of the data alone.
+  /// wish() changes with everything on which forces depend; dataChange() changes with the data alone.
   std::uint64_t wish() const { return mAsked.wish; }
   std::uint64_t dataChange() const { return mAsked.dataChange; }
-  /// The sheet whose sides are kept, in the frame that is wanted; nothing: by the least cut. GL thread.
+  /// The sheet whose sides the new forces are to keep, in the frame that is wanted; nothing: the forces choose sides by
+  /// the least cut. GL thread.
   membrane::CurrentSheet current() const;
   void takeForces(std::shared_ptr<const MadeForces> made, std::uint64_t wish);
   void failForces(const std::string& error);
-  /// What makes forces from data, if it is there; and that it is to be kept, as some time steps before it are.
+  /// makerOf(): what makes forces from the scene's data, null where none was kept. keepMaker(): keeps one, with those
+  /// of some other time steps.
   std::shared_ptr<membrane::ForceMaker> makerOf(const scene::Scene& scene) const;
   void keepMaker(std::shared_ptr<membrane::ForceMaker> maker);
 
@@ -68,45 +73,45 @@ class LiveSheet {
   void releaseGpu();
 
   // Figures.
-  /// The sheet rests where it is wanted, and figures of it are asked for that are not known.
-  /// @param whole  all of them; else only where they may say that a flat sheet is better
+  /// True when the sheet rests where it is wanted, and figures that are asked for are not known.
+  /// @param whole  all figures are asked for; else only figures that may say that a flat sheet is better
   bool needsFigures(bool whole) const;
   void takeFigures(SheetFigures figures, std::uint64_t wish);
   void failFigures() { mFigures = SheetFigures{}; }
   MembraneStatus status(bool isPlaying, bool isComputing) const;
-  /// Of a sheet at rest; figures where they are known.
+  /// Of a sheet that rests; with its figures where they are known.
   MembraneReport report() const;
 
   // What is shown.
-  /// As it stands in the frame that is wanted. GL thread while it moves.
+  /// The shape of the sheet in the frame that is wanted, as it is shown. GL thread while the sheet moves.
   scene::SheetShape shape() const { return seenPlace().in(mCut); }
   render::FrameSheet frameSheet();
   const std::shared_ptr<const membrane::SheetIndex>& index() const { return mShown.index; }
-  /// Another number when the sheet stands otherwise in its frame.
+  /// A number that changes when the sheet stands otherwise in its frame.
   std::uint64_t shownCount() const { return mShown.count; }
   bool isIndexStale() const { return mCut.enabled && mShown.indexed != mShown.count; }
   void makeIndex();
-  /// The shape to be written into the scene, once.
+  /// The shape that is to be written into the scene; each shape is given once.
   std::optional<scene::SheetShape> takeRest();
   bool hasRest() const;
 
  private:
-  /// What forces are asked for, and what those that come are for.
+  /// Which forces are asked for, and for what.
   struct Asked {
     bool isDue = true;
     bool isLook = false;      ///< a passive sheet hangs elsewhere: where data is large, a preview comes first
     bool byHands = false;     ///< hands drag pins or kernels: the sheet goes on from where it is, under previews
     bool keepsSides = false;  ///< material stays on its side of the sheet
     std::uint64_t wish = 1, dataChange = 1;
-    std::string error;  ///< why there are none; empty: nothing is wrong
+    std::string error;  ///< why forces could not be made; empty: nothing is wrong
   };
-  /// What is shown, and what was made for showing.
+  /// What is shown of the sheet, and what was made to show it.
   struct Shown {
-    std::uint64_t count = 1;  ///< counts places that differ
+    std::uint64_t count = 1;  ///< shownCount(): goes up when the sheet's place differs
     std::shared_ptr<membrane::Sheet> sheet;
     std::shared_ptr<const membrane::SheetIndex> index;
-    std::uint64_t uploaded = 0, indexed = 0;  ///< counts of these
-    mutable SheetPlace read;                  ///< where the simulation was when the count was readAt
+    std::uint64_t uploaded = 0, indexed = 0;  ///< the count for which `sheet` was filled, and `index` made
+    mutable SheetPlace read;                  ///< where the simulation was when `count` was `readAt`
     mutable std::uint64_t readAt = 0;
   };
   bool isActive() const { return mCut.membrane->repositioning == scene::Repositioning::Active; }
@@ -124,12 +129,13 @@ class LiveSheet {
   DataKey mData;
   Asked mAsked;
   std::shared_ptr<const MadeForces> mForces;
-  bool mBegins = false;  ///< a motion is to begin, under mForces
+  bool mBegins = false;  ///< a motion under mForces is to begin
   SheetMotion mMotion;
-  SheetPlace mPlace;           ///< where it last was; where it rests, when it rests
-  scene::SheetShape mWritten;  ///< that the scene holds
+  SheetPlace mPlace;           ///< where the sheet last was; for a sheet that rests, where it rests
+  scene::SheetShape mWritten;  ///< the shape that the scene holds
   std::optional<SheetFigures> mFigures;
-  std::vector<std::shared_ptr<membrane::ForceMaker>> mMakers;  ///< of this volume's time steps, the last one first
+  std::vector<std::shared_ptr<membrane::ForceMaker>> mMakers;  ///< for time steps of this volume, the one used last
+                                                               ///< first
   Shown mShown;
 };
 

@@ -15,7 +15,7 @@ namespace {
 constexpr double kIndexEveryMs = 200.0;
 constexpr int kStepOnce = 5;
 
-/// The scene without what no force depends on: cheap to hold while it is worked on.
+/// The scene without the parts on which no force depends: cheap to hold while work is done for it.
 scene::Scene forcesScene(const scene::Scene& scene) {
   scene::Scene part;
   part.volume = scene.volume;

@@ -14,29 +14,29 @@ namespace velum::session {
 /// What a membrane is doing, for people.
 struct MembraneStatus {
   enum class Phase {
-    Computing,  ///< forces are on their way; the sheet keeps those that it has
+    Computing,  ///< forces are on their way; the sheet keeps the forces that it has
     Settling,
     Paused,
     Resting
   };
   Phase phase = Phase::Resting;
   std::size_t kernels = 0;      ///< of the whole volume
-  double forcesMs = 0;          ///< that it took to make the forces
-  glm::ivec2 particles{0};      ///< of the sheet as it is
-  int steps = 0;                ///< since it began to move
+  double forcesMs = 0;          ///< time that it took to make the forces
+  glm::ivec2 particles{0};      ///< of the sheet as it is now
+  int steps = 0;                ///< since the sheet began to move
   double speed = 0;             ///< largest speed, length/s
-  double stepMs = 0;            ///< that a step takes
+  double stepMs = 0;            ///< time that one step takes
   bool isMeasured = false;      ///< the figures below are those of the sheet as it rests
   double keptWhole = 1.0;       ///< cut area of the sheet by that of the plane: 0 cuts nothing
-  membrane::Shares shares;      ///< of what the plane would cut
-  membrane::Fate fate;          ///< of all that is protected
+  membrane::Shares shares;      ///< what becomes of what the plane would cut
+  membrane::Fate fate;          ///< what becomes of all that is protected
   bool wantsAdvice = false;     ///< little is kept
-  std::vector<Advice> advice;   ///< where something helps then, the best first
-  membrane::LeftOut leftOut;    ///< of what is protected by value: specks
+  std::vector<Advice> advice;   ///< steps that help then, the best first
+  membrane::LeftOut leftOut;    ///< specks that are left out of what is protected by value
   std::int64_t planePairs = 0;  ///< cut area: pairs of neighbouring protected voxels that the plane separates
-  std::int64_t sheetPairs = 0;  ///< and that the sheet does
+  std::int64_t sheetPairs = 0;  ///< cut area: the pairs that the sheet separates
   double meanDistance = 0;      ///< of the sheet from the rest plane
-  std::string error;            ///< why there are no forces; empty: nothing is wrong
+  std::string error;            ///< why forces could not be made; empty: nothing is wrong
 };
 
 /// What became of one membrane.

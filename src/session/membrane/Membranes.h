@@ -10,36 +10,37 @@
 
 namespace velum::session {
 
-/// What to find out beside settling.
+/// What to find out about membranes, beside letting them settle.
 struct MembraneQuestions {
   bool kept = false;
   bool limit = false;  ///< takes seconds
 };
 
-/// Lets the sheets of all enabled membranes come to rest, and puts them into the scene: passive ones from the flat
-/// sheet; active ones rest where their shape says that they have come to rest, and go on from there where their frame
-/// or the time step is another one. The same scene gives the same sheets on one driver, as in a session. On the context
-/// that is current, GL thread; seconds on a software driver. @throw Cancelled
+/// Lets the sheets of all enabled membranes come to rest, and puts their shapes into the scene. Passive sheets start
+/// from flat. Active sheets rest where their shape says that they have come to rest, and go on from there where their
+/// frame or the time step is another one. The same scene gives the same sheets on one driver, as in a session. Uses the
+/// GL context that is current, GL thread; takes seconds on a software driver. @throw Cancelled
 std::vector<MembraneReport> settleMembranes(scene::Scene& scene, MembraneQuestions questions, Progress& progress);
 
 /// True when a picture of the scene needs settleMembranes() first.
 bool hasMembranes(const scene::Scene& scene);
 
-/// The sheet of a membrane as a surface, world: of its shape, flat when that is empty. Any thread.
+/// The sheet of a membrane as a surface, world: with the shape that the cut holds, flat when that is empty. Any thread.
 Mesh sheetMesh(const scene::Cut& cut);
 
 /// The scene's volume (its current time step) with everything that the cuts remove set to the smallest value of its
 /// data, membranes as their shapes are. Any thread. @throw Cancelled, ArgumentError without a volume
 Volume clippedVolume(const scene::Scene& scene, Progress& progress);
 
-/// What helps a membrane with these figures, where it keeps little. Any thread. @throw Cancelled
+/// What helps a membrane with these figures, where it keeps little of what it protects. Any thread. @throw Cancelled
 std::vector<Advice> adviceFor(const membrane::KeptWhole& figures, const membrane::Potential& potential,
                               const scene::Scene& scene, const scene::Cut& cut, Progress& progress);
 
-/// How much of what a membrane protects its sheet cuts, and how much its plane. Any thread. @throw Cancelled
+/// How much of what a membrane protects its sheet cuts, and how much its rest plane would cut. Any thread.
+/// @throw Cancelled
 membrane::KeptWhole measureCut(const membrane::Potential& potential, const scene::Cut& cut,
                                const scene::SheetShape& shape, Progress& progress);
-/// The same, and what becomes of all that is protected. Any thread. @throw Cancelled
+/// As measureCut(), and what becomes of all that is protected. Any thread. @throw Cancelled
 membrane::KeptWhole measureMembrane(const membrane::Potential& potential, const scene::Cut& cut,
                                     const scene::SheetShape& shape, Progress& progress);
 

@@ -3,19 +3,19 @@
 
 namespace velum::session {
 
-/// How a scene's model is cut ([VE] fig. 4).
+/// How much the cuts of a scene take from its model ([VE] fig. 4).
 enum class ClipState {
   Whole,   ///< S1: no cut that is on removes anything
-  Cut,     ///< S2: where an instance is decides, or its type
-  Thinned  ///< S3: of some types a share stays, and lots decide which
+  Cut,     ///< S2: whether an instance stays depends only on its place, or its type
+  Thinned  ///< S3: of some types only a share stays, and lots decide which instances
 };
 
 ClipState clipState(const scene::Scene& scene);
 
 /// Turns all cuts off: the model is whole.
 void showWhole(scene::Scene& scene);
-/// Gives up what is left to lots: shares between none and all, and falloffs, leave nothing where the cut has a region,
-/// and all where it is everywhere. Cuts are turned on where all were off.
+/// Turns off what lots decide: shares between none and all, and falloffs, become none for a cut that has a region, and
+/// all for a cut that is everywhere. Turns all cuts on where none was on.
 void showCut(scene::Scene& scene);
 
 }  // namespace velum::session

@@ -12,7 +12,7 @@ namespace velum::session {
 
 namespace {
 
-/// With quotes where it holds what else separates.
+/// The text as a field of CSV: in quotes where it holds a comma, a quote or a line end.
 std::string csvField(const std::string& text) {
   return text.find_first_of(",\"\n\r") == std::string::npos ? text : csvQuoted(text);
 }
@@ -32,7 +32,7 @@ std::string xmlText(std::string_view text) {
   return out;
 }
 
-/// Not longer than so many letters; what is left out is marked.
+/// The text, not longer than so many letters; an ellipsis stands for letters that are left out.
 std::string shortened(const std::string& text, std::size_t most) {
   std::size_t letters = 0, at = 0;
   for (; at < text.size(); ++at)

@@ -15,17 +15,18 @@ struct CountRow {
   Counts count;
 };
 
-/// All compartments and types, as the tree has them: a compartment, its types, the compartments in it.
+/// Rows for all compartments and types, in the order of the tree: a compartment, its types, the compartments in it.
 std::vector<CountRow> countRows(const Model& model, const std::vector<Counts>& types);
 
-/// A line a row: kind, path, name, the numbers of kCountKinds, total. The bars of a picture for tables and plots.
+/// One line for each row: kind, path, name, the numbers of kCountKinds, total. The bars of a picture for tables and
+/// plots.
 std::string countsCsv(const std::vector<CountRow>& rows);
 
-/// A line an instance: its number over all copies, the path of its type, its kind.
+/// One line for each instance: its number over all copies, the path of its type, what became of it.
 std::string instancesCsv(const Model& model, const render::InstanceBits& bits);
 
-/// The rows as stacked bars, each over its own total: the parts of kCountKinds, with their numbers.
-/// @param title  above them
+/// The rows as stacked bars, each bar over the row's own total: the parts of kCountKinds, with their numbers.
+/// @param title  stands above the bars
 std::string countsSvg(const std::vector<CountRow>& rows, const std::string& title);
 
 }  // namespace velum::session

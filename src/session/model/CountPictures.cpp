@@ -16,8 +16,8 @@ namespace velum::session {
 
 namespace {
 
-/// Counts in pictures with a driver of its own, and tells after each how many there have been of those that there may
-/// be.
+/// Counts in pictures, in a GL context of its own, and reports before each picture how many have been drawn of the most
+/// that there may be.
 class Counting {
  public:
   Counting(glm::ivec2 size, int most, Progress& progress)

@@ -26,8 +26,8 @@ constexpr std::array<char, 8> kMagic{'V', 'E', 'L', 'U', 'M', 'L', 'O', 'D'};
 constexpr std::uint32_t kFileVersion = 1;
 constexpr const char* kEnding = ".levels";
 
-/// Two sums over words of 32 bits: no defence against somebody who wants them to be alike, who could as well write to
-/// the user's files.
+/// Two sums over words of 32 bits. They are no defence against somebody who makes files with equal sums on purpose:
+/// such a person could as well write to the user's files.
 class Sum {
  public:
   void add(std::uint32_t word) {
@@ -44,7 +44,7 @@ class Sum {
   std::uint64_t mLow = 0xcbf29ce484222325u, mHigh = 0x27d4eb2f165667c5u;
 };
 
-/// Of all that computeLevels() looks at.
+/// The sums over all of a model that computeLevels() looks at.
 std::array<std::uint64_t, 2> keyOf(const Model& model) {
   Sum sum;
   sum.add(kFileVersion);
@@ -83,7 +83,7 @@ std::array<std::uint64_t, 2> checkOf(const std::vector<std::uint32_t>& words) {
   return sum.value();
 }
 
-/// Member by member: what lies between them in memory has no value.
+/// The levels as words, member by member: padding between members in memory has no defined value.
 std::vector<std::uint32_t> pack(const LevelSet& set) {
   std::vector<std::uint32_t> words;
   words.reserve(kBallWords * set.balls.size() + kLevelWords * set.levels.size() + set.firstLevel.size());
@@ -125,7 +125,8 @@ std::size_t finestCount(const Molecule& molecule) {
   return molecule.beads.front().size();
 }
 
-/// It is of this model: one behind the other, each within the balls, the finest as many as the molecule has.
+/// True when the levels are those of this model: the molecules' levels one behind the other, each level within the
+/// balls, the finest with as many as the molecule has.
 bool fits(const LevelSet& set, const Model& model) {
   if (set.firstLevel.front() != 0 || set.firstLevel.back() != set.levels.size()) return false;
   for (std::size_t m = 0; m < model.molecules.size(); ++m) {

@@ -8,18 +8,20 @@
 namespace velum::session {
 
 /// Counts of a picture that is drawn over and over, by type and compartment: exact where the picture is complete. While
-/// something moves pictures are coarse, and fewer instances have a pixel in them: how many more the complete picture
-/// showed of each type, when there was last one of each, is taken for how many more it would show now.
+/// something moves pictures are coarse, and fewer instances have a pixel in them. Their counts are then scaled, for
+/// each type, by the ratio of complete to coarse when there was last a picture of each kind.
 class LiveCounts {
  public:
-  /// @param isComplete  the picture is the one that stays; else a coarse one
+  /// @param bits  what became of the instances in the picture
+  /// @param isComplete  the picture is the one that stays; false: a coarse picture
   void take(const Shared<Model>& model, const render::InstanceBits& bits, bool isComplete);
   void clear() { *this = {}; }
 
-  /// Null before there are any.
+  /// The model that was counted; null before the first picture.
   const Shared<Model>& model() const { return mModel; }
   bool isExact() const { return mIsExact; }
-  /// By their places in the model; visible + hidden + clipped is all there are.
+  /// Counts by the place of types and compartments in the model; visible + hidden + clipped is the number of all
+  /// instances.
   const std::vector<Counts>& types() const { return mTypes; }
   const std::vector<Counts>& compartments() const { return mCompartments; }
 
@@ -27,8 +29,8 @@ class LiveCounts {
   Shared<Model> mModel;
   bool mIsExact = false;
   std::vector<Counts> mTypes, mCompartments;
-  std::vector<std::uint64_t> mCoarse;  ///< Visible ones of the last coarse picture, by type.
-  std::vector<double> mFactors;        ///< Of complete pictures to coarse ones.
+  std::vector<std::uint64_t> mCoarse;  ///< Visible instances in the last coarse picture, by type.
+  std::vector<double> mFactors;        ///< Visible instances of complete pictures by those of coarse ones, by type.
 };
 
 }  // namespace velum::session

@@ -14,7 +14,7 @@ namespace velum::session {
 
 namespace {
 
-/// Of each type that a layer lists; the first entry of a path counts.
+/// The entries that a layer lists, by the path of their type; of several entries with one path the first counts.
 std::unordered_map<std::string_view, const scene::TypeLook*> looksByPath(const scene::ModelLayer& layer) {
   std::unordered_map<std::string_view, const scene::TypeLook*> looks;
   for (const scene::TypeLook& look : layer.types) looks.try_emplace(look.type, &look);
@@ -35,7 +35,8 @@ std::vector<bool> askTypes(const scene::ModelLayer& layer, bool unlisted, Questi
 
 bool saysNothing(const scene::TypeLook& look) { return look == scene::TypeLook{.type = look.type}; }
 
-/// Changes what the layer says of some types; the others' entries stay, also those of no type of this model.
+/// Changes the entries of some types; the entries of other types stay, also entries for types that this model does not
+/// have.
 template <class Change>
 void changeLooks(scene::Scene& scene, const TypeNumbers& types, Change&& change) {
   if (!scene.model.data) return;

@@ -17,15 +17,15 @@ struct ModelExport {
 };
 
 /// Writes what shows of a scene's model: the instances that its cuts leave of types that are not hidden, in their
-/// colours; by extension, see io::writeModel(): .cif, .cif.gz, .glb, .csv, .ply. Points have the
-/// numbers of the whole model's instances, as render::Pick::modelInstance and the mattes of pictures have them.
-/// @param sheets  of membranes that move; else they are as their shapes are
-/// @throw InputError where no model is, nothing of it shows, the extension is none of these, or the disk refuses;
+/// colours. The extension says how, see io::writeModel(): .cif, .cif.gz, .glb, .csv, .ply. Points have the numbers of
+/// the whole model's instances, as render::Pick::modelInstance and the mattes of pictures have them.
+/// @param sheets  of membranes that move; other membranes have the shapes that the scene holds
+/// @throw InputError where there is no model, no part of it shows, the extension is none of these, or the disk refuses;
 /// Cancelled. Any thread.
 ModelExport exportModel(const scene::Scene& scene, const std::filesystem::path& path, Progress& progress,
                         const render::SheetIndices& sheets = {});
 
-/// The extension is one that models are written in. Those of surfaces (.glb, .ply) are among them.
+/// True for the extensions in which models are written. Extensions of surfaces (.glb, .ply) are among them.
 bool isModelFile(const std::filesystem::path& path);
 
 }  // namespace velum::session

@@ -19,17 +19,17 @@ using Count = std::uint64_t;
 
 Count apart(Count a, Count b) { return a > b ? a - b : b - a; }
 
-/// One target and what is known of it.
+/// A target, and what pictures have told about it.
 struct Goal {
   TypesAt place;
   std::optional<Count> rendered, visible;
-  TypeNumbers own;  ///< those that no target further down has
+  TypeNumbers own;  ///< the types that no target further down in the tree has
   DialField field = DialField::Share;
   std::vector<TypeDial> dials;  ///< of what shows: with the candidates in the order in which they begin to stay
-  std::vector<std::vector<bool>> showed;  ///< of each candidate, when it was last drawn
-  Count staying = 0;                      ///< of the candidates, all dials together
-  Count all = 0;                          ///< candidates
-  // Of one goal alone, what has shown too few and too many.
+  std::vector<std::vector<bool>> showed;  ///< whether each candidate showed when it was last drawn
+  Count staying = 0;                      ///< how many of the candidates are to stay, all dials together
+  Count all = 0;                          ///< how many candidates there are
+  // Where a goal is alone: numbers of staying candidates with which too few, and too many, instances showed.
   std::optional<Count> tooFew, tooMany;
 };
 
@@ -75,8 +75,7 @@ Reached reachedIn(const scene::Scene& scene, const TypeNumbers& types, const ren
   return {rendered, visible};
 }
 
-/// How many of the candidates are to stay so that `wanted` of them show, by what is known of each: the least such
-/// number.
+/// The least number of candidates that must stay so that `wanted` of them show, by what is known of each candidate.
 Count stayingFor(const Goal& goal, std::int64_t wanted) {
   if (wanted <= 0) return 0;
   std::vector<std::vector<Count>> showing;  // of the first so many of each dial
@@ -133,7 +132,7 @@ struct TargetSolver::Impl {
     for (const Goal& goal : goals) staying.push_back(goal.staying);
     return staying;
   }
-  /// The only one that is looked for in pictures: nothing else moves.
+  /// True for the only goal that is looked for in pictures: no other goal moves then.
   bool isAlone(const Goal& goal) const {
     return std::none_of(goals.begin(), goals.end(),
                         [&](const Goal& other) { return &other != &goal && other.visible && !other.rendered; });
@@ -149,7 +148,7 @@ void TargetSolver::Impl::addGoal(const scene::Scene& from, const scene::TypeTarg
   goals.push_back(std::move(goal));
 }
 
-/// Gives each type to the target that is nearest above it.
+/// Gives each type to the nearest target above it.
 void TargetSolver::Impl::share() {
   std::set<std::uint32_t> taken;
   for (Goal& goal : goals)
@@ -209,7 +208,7 @@ bool TargetSolver::Impl::keepIfBest(const std::vector<Reached>& reached) {
   return isBetter;
 }
 
-/// Which candidates show; of those that are not drawn what was known stays.
+/// Notes which candidates show; for candidates that are not drawn the last note stays.
 void TargetSolver::Impl::learn(const render::InstanceBits& bits) {
   for (Goal& goal : goals)
     for (std::size_t i = 0; i < goal.showed.size(); ++i)
@@ -218,8 +217,9 @@ void TargetSolver::Impl::learn(const render::InstanceBits& bits) {
           goal.showed[i][c] = bits.isShown(instance);
 }
 
-/// Where all that hides a focus is gone, and still too many show, the share of all in the region is left to be set.
-/// @return whether it is what is set from now on
+/// Where all instances that hide a focus are gone and still too many show, sets the share of all instances in the
+/// region from now on.
+/// @return true where that share is set from now on
 bool TargetSolver::Impl::leaveView(Goal& goal, Count visible, const render::InstanceBits& bits) {
   if (goal.rendered || !goal.visible || goal.field != DialField::ViewShare) return false;
   if (goal.staying > 0 || visible <= *goal.visible) return false;
@@ -241,7 +241,7 @@ bool TargetSolver::Impl::leaveView(Goal& goal, Count visible, const render::Inst
 Count TargetSolver::Impl::stepOf(Goal& goal, Count visible, const render::InstanceBits& bits) {
   Count wanted = *goal.visible, now = goal.staying;
   if (visible == wanted) return now;
-  // Those that show and of which it does not decide.
+  // Instances that show and about which the goal's dials do not decide.
   auto others = std::int64_t(visible);
   for (const TypeDial& dial : goal.dials)
     for (const Candidate& candidate : dial.candidates) others -= bits.isShown(candidate.thing);

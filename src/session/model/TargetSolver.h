@@ -12,45 +12,48 @@
 
 namespace velum::session {
 
-/// So many pictures are looked at before the best that was found is taken: of one target, of several at once.
+/// The most pictures that are looked at before the best result so far is taken: for one target, and for several at
+/// once.
 constexpr int kMostPicturesOfOne = 12;
 constexpr int kMostPictures = 24;
 
-/// What became of a target.
+/// How close a result comes to one target.
 struct TargetReport {
   std::string path;
   std::optional<std::uint64_t> wantedRendered, wantedVisible;
   std::uint64_t rendered = 0, total = 0;
   std::optional<std::uint64_t> visible;  ///< none: no picture was asked for
   bool isMet = false;
-  std::string words;  ///< one short sentence for people: what it came to, and where it is not met, why
+  std::string words;  ///< one short sentence for people: what was reached, and where the target is not met, why
   bool operator==(const TargetReport&) const = default;
 };
 
-/// What became of all.
+/// How close a result comes to all targets.
 struct TargetsReport {
   scene::Scene scene;  ///< with the shares set
   std::vector<TargetReport> targets;
-  int pictures = 0;  ///< that were looked at
-  /// By how many instances what was reached is off what was wanted, all targets together.
+  int pictures = 0;  ///< how many pictures were looked at
+  /// By how many instances the numbers reached are off the numbers wanted, all targets together.
   std::uint64_t residual = 0;
 };
 
 /// Sets the shares of cuts so that wanted numbers of instances are drawn, or show, of several types and compartments at
 /// once.
 ///
-/// Drawn ones are met exactly, as by RenderedSolver. How many show is known only from pictures, which whoever draws
-/// gives: each round sets all numbers anew from what one picture says of each instance. Of a type its instances come in
-/// a fixed order, so that those of the last pictures which showed say how many are to be drawn for so many to show;
-/// what others hide or uncover meanwhile is made up for in the next round. The best round stands. Where a cut keeps
-/// something in view and the type hides it, the share of those that stay in the view is set, and where too many show
-/// without them, too, or else at once, that of all in the region. A type that has a target of its own does not count
-/// among those that its compartment's target moves.
+/// Numbers of drawn instances are met exactly, as by RenderedSolver. How many instances show is known only from
+/// pictures, which the caller draws: each round sets all shares anew by what one picture says of each instance. The
+/// instances of a type come in a fixed order; which of them showed in the last pictures says how many must be drawn for
+/// so many to show. What other instances hide or uncover meanwhile is made up for in the next round. The best round is
+/// the result. Where a cut keeps something in view and a type hides it, the share of the type's instances that stay in
+/// the way (the view share) is set; where too many still show without them, or at once where that share changes
+/// nothing, the share of all its instances in the region is set. A type that has a target of its own does not count
+/// among the types that its compartment's target moves.
 ///
 /// A window asks for pictures as they come: next(), take(), next() ... @throw InputError as of typesAt(). Any thread.
 class TargetSolver {
  public:
-  /// @param cuts  whose shares are set, see RenderedSolver  @param aspect  of the pictures
+  /// @param cuts  ids of the cuts whose shares are set, see RenderedSolver  @param aspect  of the pictures, width by
+  /// height
   TargetSolver(const scene::Scene& scene, std::vector<int> cuts, const std::vector<scene::TypeTarget>& targets,
                const render::SheetIndices& sheets = {}, double aspect = render::kUsualAspect,
                int mostPictures = kMostPictures);
@@ -58,12 +61,12 @@ class TargetSolver {
   TargetSolver(TargetSolver&&) noexcept;
   TargetSolver& operator=(TargetSolver&&) noexcept;
 
-  /// The scene of which it wants to know what shows; null: it is done. Without targets of what shows it is done at
-  /// once.
+  /// The scene of which the solver needs a picture; null: the solver is done. Without targets of what shows it is done
+  /// at once.
   const scene::Scene* next() const;
-  /// What became of the instances in a picture of next().
+  /// Takes what became of the instances in a picture of the scene of next().
   void take(const render::InstanceBits& bits);
-  /// The best so far.
+  /// The best result so far.
   TargetsReport report() const;
 
  private:
@@ -74,14 +77,14 @@ class TargetSolver {
 /// Draws a scene and says what became of its model's instances.
 using CountPicture = std::function<render::InstanceBits(const scene::Scene&)>;
 
-/// The same with pictures at hand.
+/// Runs a TargetSolver to its end. @param picture  draws the pictures
 TargetsReport solveTargets(const scene::Scene& scene, const std::vector<int>& cuts,
                            const std::vector<scene::TypeTarget>& targets, const CountPicture& picture,
                            const render::SheetIndices& sheets = {}, double aspect = render::kUsualAspect,
                            int mostPictures = kMostPictures);
 
-/// So many instances of a type or compartment show, or the nearest number that was found in kMostPicturesOfOne
-/// pictures.
+/// The scene in which so many instances of a type or compartment show, or the nearest number that was found in
+/// kMostPicturesOfOne pictures.
 Solved solveVisible(const scene::Scene& scene, const std::vector<int>& cuts, std::string_view path, double wanted,
                     const CountPicture& picture, const render::SheetIndices& sheets = {},
                     double aspect = render::kUsualAspect);

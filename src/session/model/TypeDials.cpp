@@ -23,12 +23,12 @@ bool isAmong(const std::vector<int>& cuts, const scene::Cut& cut) {
   return cut.enabled && std::find(cuts.begin(), cuts.end(), cut.id) != cuts.end();
 }
 
-/// True of a path and of those that it leads to.
+/// True where `to` is the path itself, or the path of something below it.
 bool leadsTo(std::string_view path, std::string_view to) {
   return to.starts_with(path) && (to.size() == path.size() || to[path.size()] == '.');
 }
 
-/// Calls visit(instance over all copies) for those of a type, copy by copy.
+/// Calls visit(instance over all copies) for the instances of a type, copy by copy.
 template <class Visit>
 void forInstances(const scene::ModelLayer& layer, std::uint32_t type, Visit&& visit) {
   const MoleculeType& of = layer.data->types[type];
@@ -62,7 +62,7 @@ void addViewCandidates(TypeDial& dial, const scene::Scene& scene, std::uint32_t 
   });
 }
 
-/// A number between two, and as few digits as keep it off both: floats between them tell them apart.
+/// A number between two floats, with as few digits as keep it off both of them: floats between them tell them apart.
 double numberBetween(float below, float above) {
   double width = double(above) - below, middle = below + 0.5 * width;
   for (double steps = 100.0; steps < 1e8; steps *= 10.0) {
@@ -96,7 +96,7 @@ std::vector<TypeDial> makeDials(const scene::Scene& scene, const std::vector<int
                                 DialField field, const render::SheetIndices& sheets, double aspect) {
   const Model& model = *scene.model.data;
   std::vector<bool> shown = visibleTypes(scene.model);
-  // As it is with the numbers at their ends.
+  // The scene with the numbers of all paths at their ends, 0 and 1.
   scene::Scene closed = scene, open = scene;
   for (std::uint32_t type : types) {
     std::string path = pathOf(model, model.types[type]);
@@ -175,8 +175,8 @@ void setDial(scene::Scene& scene, const std::vector<int>& cuts, const std::strin
 
 namespace {
 
-/// The number of a path at which `staying` of its candidates do, by trying: where rounding lets the drawing disagree
-/// with the shares that were worked out.
+/// Finds by trying the number of a path at which `staying` of its candidates stay: where rounding lets the drawing
+/// disagree with the shares that were worked out.
 void searchNumber(scene::Scene& scene, const std::vector<int>& cuts, const TypeDial& dial, DialField field,
                   std::uint64_t staying, const render::SheetIndices& sheets, double aspect) {
   auto distance = [&](std::uint64_t count) {
@@ -221,8 +221,9 @@ constexpr int kMostRounds = 4;
 
 std::uint64_t distanceOf(std::uint64_t a, std::uint64_t b) { return a > b ? a - b : b - a; }
 
-/// Where a cut keeps something in view dials have a say in each other's counts: fewer instances of a focus clear less.
-/// All are asked for as many more as they lack, a few times; the best round stands. @return its counts
+/// Where a cut keeps something in view, the dials change each other's counts: fewer instances of a focus clear less.
+/// Every dial is asked for as many more as it lacks, a few times; the best round stands. @return the counts of that
+/// round
 std::vector<std::uint64_t> turnTogether(scene::Scene& scene, const std::vector<int>& cuts,
                                         const std::vector<TypeDial>& dials, DialField field,
                                         const std::vector<DialSetting>& settings, std::vector<std::uint64_t> counts,
@@ -274,7 +275,7 @@ std::uint64_t turnDials(scene::Scene& scene, const std::vector<int>& cuts, const
       settings[i] = setting, missing = 0;
   }
   for (std::size_t i = 0; i < dials.size(); ++i) setDial(scene, cuts, dials[i].path, field, settings[i].number);
-  // Who draws has the last word.
+  // What is drawn decides, not what was worked out.
   std::vector<std::uint64_t> counts = countDials(scene, dials, sheets, aspect);
   if (dials.size() > 1 && hasFocus(scene)) {
     counts = turnTogether(scene, cuts, dials, field, settings, counts, sheets, aspect);

@@ -10,47 +10,51 @@
 
 namespace velum::session {
 
-/// Which number of a scene::TypeSpare a handle sets: of what lies in the cut's region, or of what hides its focus.
+/// Which number of a scene::TypeSpare a handle sets: the share of what lies in the cut's region, or the share of what
+/// hides the cut's focus.
 enum class DialField { Share, ViewShare };
 
-/// What the number of one path in some cuts does; of it 0 to 1 are the thresholds.
+/// The dial of one type path in some cuts: what its number, one and the same in these cuts, does; thresholds are from 0
+/// to 1.
 struct TypeDial : Dial {
   std::string path;
-  TypeNumbers types;  ///< those of this path
+  TypeNumbers types;  ///< all types that have this path
 };
 
-/// Some cut that is on keeps something in view.
+/// True when some cut that is on keeps something in view.
 bool hasFocus(const scene::Scene& scene);
-/// The focus of some of these cuts that are on holds none of the types, so that it clears them where they hide it.
+/// True when one of these cuts is on and keeps something else than these types in view: the cut then clears the types
+/// where they hide its focus.
 bool isCleared(const scene::Scene& scene, const std::vector<int>& cuts, const TypeNumbers& types);
 /// A dial for each path of some types, in the order of the types.
 std::vector<TypeDial> makeDials(const scene::Scene& scene, const std::vector<int>& cuts, const TypeNumbers& types,
                                 DialField field, const render::SheetIndices& sheets, double aspect);
 
-/// Of all together.
+/// The range of all dials together.
 CountRange rangeOf(const std::vector<TypeDial>& dials);
 
-/// How many candidates of each dial stay, where `count` of all are to: in proportion to how many each has, by largest
-/// remainders.
+/// How many candidates of each dial are to stay where `count` of all candidates are: in proportion to how many each
+/// dial has, by largest remainders.
 std::vector<std::uint64_t> splitAmong(const std::vector<TypeDial>& dials, std::uint64_t count);
 
-/// A number at which so many candidates stay, or the nearest number of them, see gapFor().
+/// A number of a dial, and how many candidates stay with it.
 struct DialSetting {
   double number = 0.0;
   std::uint64_t staying = 0;
 };
 DialSetting settingFor(const Dial& dial, std::uint64_t staying);
 
-/// Sets the number of a path in cuts; a row that is not there is made from what holds for the path.
+/// Sets the number of a path in cuts that are on; a row that a cut does not have is made from what holds for the path
+/// there.
 void setDial(scene::Scene& scene, const std::vector<int>& cuts, const std::string& path, DialField field,
              double number);
 
-/// Sets the numbers of all dials so that `count` of their candidates stay, told by render::keptInstances().
-/// @param field  that the dials are of  @return how many of the dials' instances are drawn then
+/// Sets the numbers of all dials so that `count` of their candidates stay, counted by render::keptInstances().
+/// @param field  the number that the dials are for  @return how many instances of the dials' types are drawn then
 std::uint64_t turnDials(scene::Scene& scene, const std::vector<int>& cuts, const std::vector<TypeDial>& dials,
                         DialField field, std::uint64_t count, const render::SheetIndices& sheets, double aspect);
 
-/// Instances of these types that are drawn.
+/// How many instances of these types are drawn.
 std::uint64_t countRendered(const scene::Scene& scene, const TypeNumbers& types, const render::SheetIndices& sheets,
                             double aspect);
 

@@ -39,7 +39,7 @@ Places compartmentPlaces(const Model& model) {
   return places;
 }
 
-/// The one that is meant; null when there is none.
+/// The type or compartment that a name means; null when there is none.
 const TypesAt* findIn(const Places& places, std::string_view name) {
   if (auto whole = places.find(name); whole != places.end()) return &whole->second;
   std::vector<const TypesAt*> found;

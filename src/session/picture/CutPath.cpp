@@ -35,7 +35,7 @@ void bringBack(scene::Cut& cut, const Model& model, double at) {
     row.aperture = 1.0 + (row.aperture - 1.0) * at;
   }
   if (!isEverywhere) return;
-  // What it says nothing of goes, too.
+  // Types for which the cut has no row go, too.
   scene::TypeSpare rest = rowForAll(model, 1.0 - at, 0.0);
   bool isKnown = std::any_of(cut.model.spares.begin(), cut.model.spares.end(),
                              [&](const scene::TypeSpare& own) { return own.type == rest.type; });

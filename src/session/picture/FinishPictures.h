@@ -12,13 +12,13 @@
 
 namespace velum::session {
 
-/// A scene that shows a finish on a small copy of a scene's volume: as it is seen now, without labels, sheets and
-/// shadows.
+/// A scene that shows a finish on a small copy of a scene's volume: as the scene is seen now, without labels, sheets
+/// and shadows.
 scene::Scene finishScene(const scene::Scene& scene, const Shared<Volume>& small, const std::string& finish);
 
-/// Draws finishes on the scene's volume, one after another, on a headless context of its own. Any thread that has no
-/// current context of ours.
-/// @param done  called with each picture (R, G, B), from this thread
+/// Draws finishes on the scene's volume, one after another, in a headless GL context of the function's own. Any thread
+/// in which no context of ours is current.
+/// @param done  called with the name of a finish and its picture (R, G, B), from this thread
 /// @throw Cancelled, gpu::GpuError
 void drawFinishPictures(const scene::Scene& scene, const std::vector<std::string>& finishes, glm::ivec2 size,
                         const std::function<void(const std::string&, const Image&)>& done, Progress& progress);

@@ -31,7 +31,7 @@ Image colored(const Image& image, ColorOf colorOf) {
   return out;
 }
 
-/// One channel of it, by pixel; empty when the picture has none of the name.
+/// One channel of a picture, by pixel; empty when the picture has no channel of the name.
 std::vector<float> channelOf(const Image& image, const std::string& name) { return channelsOf(image, {name}).pixels; }
 
 Image depthPicture(const Image& image, std::vector<float> depth) {

@@ -12,19 +12,19 @@
 
 namespace velum::session {
 
-/// Small pictures are of so many instances at most: of a larger model the middle is shown.
+/// The most instances of which a small picture is drawn: of a larger model the middle is shown.
 constexpr std::size_t kPreviewInstances = 400000;
 
-/// The instances of a model around its middle, so many at most: a ball, in which the model is as dense as it is. Types
-/// and molecules stay in their places, so that its colours and its levels of detail do.
+/// The instances of a model around its middle, at most so many: a ball that is as dense as the model. Types and
+/// molecules keep their places in the lists, so that colours and levels of detail still fit.
 /// @return the model itself where it is small enough
 Shared<Model> middleOfModel(const Shared<Model>& model, std::size_t mostInstances);
 
-/// The scene with one of the looks of models, of the model alone and seen whole. @param aspect  width / height
+/// The scene with a look for models: the model alone, seen whole. @param aspect  width / height
 scene::Scene modelLookScene(const scene::Scene& scene, const Shared<Model>& small, const std::string& look,
                             double aspect);
 
-/// Draws a picture for each look, small ones.
+/// Draws a small picture for each look.
 /// @throw GpuError without a driver
 void drawModelPictures(const scene::Scene& scene, const std::vector<std::string>& looks, glm::ivec2 size,
                        const std::function<void(const std::string&, const Image&)>& done, Progress& progress);

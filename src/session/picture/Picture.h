@@ -11,16 +11,16 @@
 
 namespace velum::session {
 
-/// What picture to make of a scene.
+/// How a picture of a scene is made.
 struct PictureOptions {
   glm::ivec2 size{1280, 720};  ///< pixels, 1..65536
-  int samples = 0;             ///< pictures that are averaged; 0: as the scene says
+  int samples = 0;             ///< how many pictures are averaged; 0: as the scene says
   bool transparent = false;    ///< no background, with alpha
-  /// Also alpha, depth, normal, structure id, position: in the EXR, or as files of 16 bits beside. Of a scene with
-  /// inlays also what lies before them, their images, what lies behind: front over inlay over behind is the picture. Of
-  /// one with a model also type, and in the EXR mattes by name (Cryptomatte.h).
+  /// Also writes alpha, depth, normal, structure id and position: in the EXR, or as files of 16 bits beside the
+  /// picture. For a scene with inlays also what lies before them, their images, and what lies behind: front over inlay
+  /// over behind is the picture. For a scene with a model also the type, and in the EXR mattes by name (Cryptomatte.h).
   bool layers = false;
-  double dpi = 0;  ///< pixels an inch in print, which the file says; 0: nothing is said
+  double dpi = 0;  ///< pixels an inch in print, which the file says; 0: the file says nothing
 };
 
 /// A size as people write it: "1280x720" (pixels), "12x8cm", "120x80mm", "5x3in" (at `dpi`; 0 counts as 300).
@@ -31,11 +31,11 @@ glm::ivec2 parsePictureSize(const std::string& text, double dpi);
 std::string pictureCommand(const std::filesystem::path& scene, const PictureOptions& options,
                            const std::filesystem::path& output);
 
-/// The scene as it is drawn, and as it rides in the picture: with the options applied.
+/// The scene with the options applied: as it is drawn, and as it is saved in the picture.
 scene::Scene sceneForPicture(const scene::Scene& scene, const PictureOptions& options);
 
-/// Draws it on the context that is current, membranes as their shapes are (see settleMembranes): the same scene,
-/// options and driver give the same samples everywhere.
+/// Draws a scene in the GL context that is current, membranes with the shapes that the scene holds (see
+/// settleMembranes()): the same scene, options and driver give the same samples everywhere.
 /// @throw Cancelled, gpu::GpuError
 Image drawPicture(render::Renderer& renderer, const scene::Scene& scene, const PictureOptions& options,
                   const gpu::Limits& limits, Progress& progress);
@@ -43,11 +43,12 @@ Image drawPicture(render::Renderer& renderer, const scene::Scene& scene, const P
 /// A section view as a picture: R, G, B, A. Without a graphics context. Any thread.
 Image drawSectionPicture(const scene::Scene& scene, scene::SectionKind kind, const PictureOptions& options);
 
-/// Asks before a picture is drawn whether it could be written. @throw InputError for an unknown format, no folder
+/// Checks before a picture is drawn whether it could be written to a path. @throw InputError for an unknown format, no
+/// folder
 void expectPictureFile(const std::filesystem::path& path);
 
-/// Writes what drawPicture or drawSectionPicture gave, with the scene inside: colour (and alpha where the background is
-/// transparent) to .png, .tif or .exr; layers into the .exr or as pictures beside ("name.depth.png").
+/// Writes a picture of drawPicture() or drawSectionPicture(), with the scene inside: colour (and alpha where the
+/// background is transparent) to .png, .tif or .exr; layers into the .exr or as pictures beside it ("name.depth.png").
 /// @param path  "-" writes PNG to stdout, without layers
 /// @throw InputError when the disk refuses
 void savePicture(const Image& image, const scene::Scene& scene, const PictureOptions& options,

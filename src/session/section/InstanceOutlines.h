@@ -15,11 +15,12 @@ struct InstanceOutline {
 
 struct InstanceOutlines {
   std::vector<InstanceOutline> circles;  ///< in the order of the instances
-  std::size_t missing = 0;               ///< that the plane meets as well, and that were left out
+  std::size_t missing = 0;               ///< number of circles that were left out
 };
 
-/// The circles of a model's visible instances in a section view. Of more than `most` a share of each type is left out.
-/// Circles below a third of a pixel are none.
+/// The circles of the instances in a section view whose types are shown. Where there are more than `most`, about the
+/// same share of each type is left out. Circles with a radius below a third of a pixel are left out, too, and not
+/// counted.
 InstanceOutlines outlineInstances(const scene::Scene& scene, const scene::SectionPlane& plane, std::size_t most);
 
 }  // namespace velum::session

@@ -38,7 +38,7 @@ std::string tidied(std::string_view text) {
   return out;
 }
 
-/// By its name, its title, or as much of one as only it has.
+/// The window with this name or title, or the only window whose name or title begins with the text.
 const scene::GreyWindow* named(const std::string& text, std::span<const scene::GreyWindow> windows) {
   const scene::GreyWindow* found = nullptr;
   for (const scene::GreyWindow& window : windows) {

@@ -10,28 +10,28 @@
 
 namespace velum::session {
 
-/// How much of a picture a structure takes, in pixels. Each pixel whose ray meets it is of one kind: the bars of
-/// [VE] 3 for labels, of which a part can be clipped. Rays meet voxels as they are; labels without a volume are drawn
-/// smoothed, so that of an edge half a voxel counts as hidden where nothing stands before it.
+/// How much of a picture a structure takes, in pixels. Each pixel whose ray meets the structure is of one kind: these
+/// are the bars of [VE] 3 for labels, of which cuts can remove a part. Rays meet voxels as they are; labels without a
+/// volume are drawn smoothed, so that half a voxel at an edge counts as hidden even where nothing stands before it.
 struct StructureArea {
   int structure = 0;  ///< label id
   std::string name;
-  Counts count;  ///< hidden: cuts leave some of it there, but something else is seen; clipped: they remove all of it
+  Counts count;  ///< hidden: cuts leave a part of the structure there, but something else is seen; clipped: cuts remove
+                 ///< all of it there
   bool operator==(const StructureArea&) const = default;
 };
 
-/// A structure is shown when it can be seen wherever nothing removes or hides it.
+/// True when the structure would be seen wherever nothing removes or hides it: the labels and the structure are shown.
 bool isStructureShown(const scene::Scene& scene, int structure);
 
 /// The areas of all structures that the scene lists or the rays meet, ascending by id. Any thread.
-/// @param hits  of the scene, see render::structureHits()
-/// @param picture  of the scene, as large as the rays' picture, with the layers structure and instance
-/// (render::Layers),
-///   one sample a pixel
+/// @param hits  render::structureHits() of the scene
+/// @param picture  of the scene, as large as the picture of the rays, with the layers structure and instance
+/// (render::Layers), one sample a pixel
 std::vector<StructureArea> structureAreas(const scene::Scene& scene, const std::vector<render::StructureHit>& hits,
                                           const Image& picture);
 
-/// A line a structure: its number, name, visible, hidden, clipped, total; pixels.
+/// One line for each structure: its number, name, visible, hidden, clipped, total; in pixels.
 std::string areasCsv(const std::vector<StructureArea>& areas);
 
 }  // namespace velum::session

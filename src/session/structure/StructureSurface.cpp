@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kDirections = 13;
 constexpr int kSlab = LabelVolume::kBrickSize;
-/// To one of each pair of opposite neighbours.
+/// The steps to one neighbour of each pair of opposite neighbours.
 constexpr std::array<glm::ivec3, kDirections> kSteps = {{{1, 0, 0},
                                                          {-1, 1, 0},
                                                          {0, 1, 0},

@@ -161,8 +161,8 @@ void moveCrosshair(Scene& scene, glm::dvec3 world) {
 
 void stepCrosshair(Scene& scene, SectionKind kind, glm::dvec2 steps) {
   SectionPlane plane = makeSectionPlane(scene, kind, glm::dvec2(1.0));
-  double mm = sectionStep(scene);
-  moveCrosshair(scene, scene.sections.crosshair + (plane.right * steps.x + plane.up * steps.y) * mm);
+  double length = sectionStep(scene);
+  moveCrosshair(scene, scene.sections.crosshair + (plane.right * steps.x + plane.up * steps.y) * length);
 }
 
 void scrollSection(Scene& scene, SectionKind kind, double steps) {
@@ -193,8 +193,8 @@ void scrollSection(Scene& scene, SectionKind kind, double steps) {
 }
 
 void panSection(Scene& scene, SectionKind kind, glm::dvec2 size, glm::dvec2 dragPixels) {
-  double mm = makeSectionPlane(scene, kind, size).lengthPerPixel;
-  sectionOf(scene.sections, kind).pan += glm::dvec2(-dragPixels.x, dragPixels.y) * mm;
+  double length = makeSectionPlane(scene, kind, size).lengthPerPixel;
+  sectionOf(scene.sections, kind).pan += glm::dvec2(-dragPixels.x, dragPixels.y) * length;
 }
 
 void zoomSection(Scene& scene, SectionKind kind, glm::dvec2 size, glm::dvec2 pixel, double factor) {

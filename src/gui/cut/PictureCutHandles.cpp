@@ -38,8 +38,8 @@ QPainterPath ringOf(const ViewSpace& view, const std::vector<glm::dvec3>& points
 }
 
 /// Screen direction of a world direction at a place.
-QPointF wayOf(const ViewSpace& view, glm::dvec3 place, glm::dvec3 direction, double mm) {
-  auto a = pointOf(view, place), b = pointOf(view, place + direction * mm);
+QPointF wayOf(const ViewSpace& view, glm::dvec3 place, glm::dvec3 direction, double length) {
+  auto a = pointOf(view, place), b = pointOf(view, place + direction * length);
   return a && b ? *b - *a : QPointF(1, 0);
 }
 

@@ -124,10 +124,10 @@ SheetHandsForm::Row SheetHandsForm::makeRow(Hand hand) {
   auto index = std::size_t(hand.index);
   if (hand.kind == HandKind::Pin) {
     row.first = makeNumber(row.widget, 0, 0, 1, {}, tr("Height over the rest plane"),
-                           [hand](scene::Cut& cut, double mm) { session::setPinHeight(cut, hand, mm); });
+                           [hand](scene::Cut& cut, double length) { session::setPinHeight(cut, hand, length); });
   } else {
-    row.first = makeNumber(row.widget, 0, 0, 1, {}, tr("Radius of the ball"), [index](scene::Cut& cut, double mm) {
-      if (index < cut.membrane->field.kernels.size()) cut.membrane->field.kernels[index].radius = mm;
+    row.first = makeNumber(row.widget, 0, 0, 1, {}, tr("Radius of the ball"), [index](scene::Cut& cut, double length) {
+      if (index < cut.membrane->field.kernels.size()) cut.membrane->field.kernels[index].radius = length;
     });
     row.second = makeNumber(row.widget, -mostStrength(), mostStrength(), 0, {},
                             tr("Strength, -1000 to 1000: above 0 it pushes the sheet away, below it pulls"),

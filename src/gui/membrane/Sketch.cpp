@@ -17,9 +17,9 @@ constexpr double kRadiusStep = 1.15;
 constexpr double kFirstShare = 0.02;  // radius of the first brush, of the data's
 
 /// Two digits are enough for a brush.
-double rounded(double mm) {
-  double unit = std::pow(10.0, std::floor(std::log10(std::max(mm, 1e-9))) - 1.0);
-  return std::round(mm / unit) * unit;
+double rounded(double length) {
+  double unit = std::pow(10.0, std::floor(std::log10(std::max(length, 1e-9))) - 1.0);
+  return std::round(length / unit) * unit;
 }
 
 }  // namespace
@@ -60,10 +60,10 @@ void Sketch::select(int stroke) {
   mToolbox.repaint();
 }
 
-void Sketch::setRadius(double mm) {
-  if (!(mm > 0) || mm == mRadius) return;
-  mRadius = mm;
-  emit radiusChanged(mm);
+void Sketch::setRadius(double length) {
+  if (!(length > 0) || length == mRadius) return;
+  mRadius = length;
+  emit radiusChanged(length);
   if (mSelected >= 0)
     edit(
         "Change stroke's radius",

@@ -35,14 +35,14 @@ class Sketch : public QObject, public Manipulator {
 
  public slots:
   /// Sets the radius of the brush, and that of the selected stroke.
-  void setRadius(double mm);
+  void setRadius(double length);
   /// Ends the undo step that a series of radius changes has joined.
   void settleRadius() { mDocument.endMerge(); }
   void select(int stroke);
   void remove(int stroke);
 
  signals:
-  void radiusChanged(double mm);
+  void radiusChanged(double length);
   void selectedChanged(int stroke);
 
  private:

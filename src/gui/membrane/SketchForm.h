@@ -21,7 +21,7 @@ class SketchForm : public QWidget {
   QPushButton& avoidButton() { return *mAvoid; }
 
  signals:
-  void radiusAsked(double mm);
+  void radiusAsked(double length);
   void radiusSettled();
   void strokeSelected(int index);
   void removeAsked(int index);

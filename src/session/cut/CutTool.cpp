@@ -102,14 +102,14 @@ scene::Cut resize(scene::Cut cut, const Drag& drag, CutHandle handle, const CutS
   auto grip = std::find_if(drag.gizmo.grips.begin(), drag.gizmo.grips.end(),
                            [&](const CutGrip& g) { return g.handle == handle; });
   if (grip == drag.gizmo.grips.end()) return cut;
-  double mm = snappedLength(drag.along(grip->place, grip->direction), grip->direction, snap);
+  double length = snappedLength(drag.along(grip->place, grip->direction), grip->direction, snap);
   double smallest = kSmallestPixels * drag.gizmo.pixel;
   if (handle == CutHandle::Radius) {
-    cut.size.x = std::max(cut.size.x + 2.0 * mm, std::min(smallest, cut.size.x));
+    cut.size.x = std::max(cut.size.x + 2.0 * length, std::min(smallest, cut.size.x));
     return cut;
   }
   int face = static_cast<int>(handle) - static_cast<int>(CutHandle::FaceXMin);
-  return withFaceMoved(cut, face / 2, face % 2 ? 1 : -1, mm, smallest);
+  return withFaceMoved(cut, face / 2, face % 2 ? 1 : -1, length, smallest);
 }
 
 bool isCorner(CutHandle handle) { return handle >= CutHandle::CornerMinMin; }
@@ -133,12 +133,12 @@ CutSnap makeCutSnap(const scene::Scene& scene, bool on) {
   return snap;
 }
 
-double snappedLength(double mm, glm::dvec3 direction, const CutSnap& snap) {
-  if (!snap.on) return mm;
+double snappedLength(double length, glm::dvec3 direction, const CutSnap& snap) {
+  if (!snap.on) return length;
   // The step that crosses one voxel along the voxel axis nearest to the direction.
   glm::dvec3 voxels = glm::abs(glm::inverse(snap.worldFromVoxel) * direction);
   double step = 1.0 / std::max(voxels.x, std::max(voxels.y, voxels.z));
-  return std::isfinite(step) ? std::round(mm / step) * step : mm;
+  return std::isfinite(step) ? std::round(length / step) * step : length;
 }
 
 glm::dvec3 snappedShift(glm::dvec3 shift, const CutSnap& snap) {
@@ -149,15 +149,15 @@ double snappedAngle(double rad, const CutSnap& snap) {
   return snap.on ? std::round(rad / kSnapAngleRad) * kSnapAngleRad : rad;
 }
 
-scene::Cut withFaceMoved(scene::Cut cut, int axis, int sign, double mm, double smallest) {
+scene::Cut withFaceMoved(scene::Cut cut, int axis, int sign, double length, double smallest) {
   double before = cut.size[axis];
   // A membrane's reach grows to both sides: its rest plane stays.
   bool isReach = scene::isMembrane(cut) && axis == 2;
   if (isReach) {
-    cut.size[axis] = std::max(before + 2.0 * mm, std::min(smallest, before));
+    cut.size[axis] = std::max(before + 2.0 * length, std::min(smallest, before));
     return cut;
   }
-  cut.size[axis] = std::max(before + mm, std::min(smallest, before));
+  cut.size[axis] = std::max(before + length, std::min(smallest, before));
   double moved = cut.size[axis] - before;
   // Where the centre lies between the two; an apex that is the centre takes all of the move, its base none.
   const ShapeTraits& traits = traitsOf(cut.shape);
@@ -166,8 +166,8 @@ scene::Cut withFaceMoved(scene::Cut cut, int axis, int sign, double mm, double s
   return cut;
 }
 
-scene::Cut withCornerMoved(scene::Cut cut, int corner, glm::dvec2 mm, double smallest, bool keepsRatio) {
-  glm::dvec2 sign = cornerSigns(corner), edges(cut.size), wider = sign * mm;
+scene::Cut withCornerMoved(scene::Cut cut, int corner, glm::dvec2 length, double smallest, bool keepsRatio) {
+  glm::dvec2 sign = cornerSigns(corner), edges(cut.size), wider = sign * length;
   if (keepsRatio && glm::dot(edges, edges) > 0.0) {
     double least = std::min(1.0, smallest / std::max(std::min(edges.x, edges.y), 1e-12)) - 1.0;
     wider = edges * std::max(glm::dot(wider, edges) / glm::dot(edges, edges), least);

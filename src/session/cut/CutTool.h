@@ -31,15 +31,15 @@ std::string dragText(const scene::LengthFormat& lengths, const scene::Cut& start
 const char* dragLabel(const scene::Cut& cut, CutHandle handle);
 
 /// Helpers that the sections use, too. Lengths are in scene units.
-double snappedLength(double mm, glm::dvec3 direction, const CutSnap& snap);
+double snappedLength(double length, glm::dvec3 direction, const CutSnap& snap);
 glm::dvec3 snappedShift(glm::dvec3 shift, const CutSnap& snap);
 double snappedAngle(double rad, const CutSnap& snap);
 /// Moves a corner of a frame by a length along the frame's width and height; the opposite corner stays.
 /// @param smallest  the least edge that is left  @param keepsRatio  of width to height
-scene::Cut withCornerMoved(scene::Cut cut, int corner, glm::dvec2 mm, double smallest, bool keepsRatio);
+scene::Cut withCornerMoved(scene::Cut cut, int corner, glm::dvec2 length, double smallest, bool keepsRatio);
 /// Moves one face of a box, or one end of a cylinder or cone, outwards by a length; the opposite face or end stays.
 /// @param axis, sign  which face: 0..2, -1 or 1  @param smallest  the least edge that is left
-scene::Cut withFaceMoved(scene::Cut cut, int axis, int sign, double mm, double smallest);
+scene::Cut withFaceMoved(scene::Cut cut, int axis, int sign, double length, double smallest);
 /// Turns a cut about a point. @param axis  unit
 scene::Cut withTurn(scene::Cut cut, glm::dvec3 pivot, glm::dvec3 axis, double rad);
 

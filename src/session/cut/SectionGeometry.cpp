@@ -24,8 +24,8 @@ std::optional<PlaneLine> planeLine(const scene::SectionPlane& plane, const scene
   if (slant < 1e-6) return std::nullopt;
   glm::dvec2 across = m / slant;
   // How far the plane lies from the view's middle, along the screen.
-  double mm = glm::dot(cut.centre - plane.centre, n) / slant;
-  glm::dvec2 point = plane.size * 0.5 + across * (mm / plane.lengthPerPixel);
+  double length = glm::dot(cut.centre - plane.centre, n) / slant;
+  glm::dvec2 point = plane.size * 0.5 + across * (length / plane.lengthPerPixel);
   return PlaneLine{point, {-across.y, across.x}, across};
 }
 

@@ -136,9 +136,9 @@ double pinHeight(const scene::Cut& cut, Hand hand) {
   return glm::dot(cut.membrane->pins[std::size_t(hand.index)].place - cut.centre, cutFrame(cut)[2]);
 }
 
-void setPinHeight(scene::Cut& cut, Hand hand, double mm) {
+void setPinHeight(scene::Cut& cut, Hand hand, double length) {
   if (hand.kind != HandKind::Pin || !holds(*cut.membrane, hand)) return;
-  cut.membrane->pins[std::size_t(hand.index)].place += cutFrame(cut)[2] * (mm - pinHeight(cut, hand));
+  cut.membrane->pins[std::size_t(hand.index)].place += cutFrame(cut)[2] * (length - pinHeight(cut, hand));
 }
 
 double defaultRadius(const scene::Cut& cut) { return std::sqrt(cut.size.x * cut.size.y) / 12.0; }

@@ -66,7 +66,7 @@ void turnKernel(scene::Membrane& membrane, Hand hand);
 
 /// How far a pin is from the rest plane, along the plane's normal; 0 when the membrane does not have the pin.
 double pinHeight(const scene::Cut& cut, Hand hand);
-void setPinHeight(scene::Cut& cut, Hand hand, double mm);
+void setPinHeight(scene::Cut& cut, Hand hand, double length);
 
 /// Radius of a kernel that a click puts in: a twelfth of the rest plane's mean edge.
 double defaultRadius(const scene::Cut& cut);

@@ -168,10 +168,15 @@ void WorkFile::dropLost() {
 
 void WorkFile::add(const Loaded& loaded) {
   mDocument.edit("Add data", [&](scene::Scene& now) {
-    now.labels = loaded.scene.labels;
-    now.surfaces = loaded.scene.surfaces;
-    now.model = loaded.scene.model;
-    if (!now.volume.data) now.volume = loaded.scene.volume;
+    const scene::Scene& read = loaded.scene;
+    bool hasOtherLabels = !now.labels.data || !(read.labels.source == now.labels.source);
+    if (read.labels.data && hasOtherLabels) now.labels = read.labels;
+    if (read.model.data && read.model.data != now.model.data) now.model = read.model;
+    for (const scene::Surface& surface : read.surfaces) {
+      auto isIt = [&](const scene::Surface& other) { return other.data == surface.data; };
+      if (std::none_of(now.surfaces.begin(), now.surfaces.end(), isIt)) now.surfaces.push_back(surface);
+    }
+    if (!now.volume.data) now.volume = read.volume;
   });
 }
 

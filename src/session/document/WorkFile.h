@@ -62,8 +62,9 @@ class WorkFile {
 
   /// Shows what was read, in the place of what is open. @param path  what the work is called from now on
   void open(Loaded loaded, const std::string& path);
-  /// Adds what readBeside() or readLabels() gave, as one undo step: labels, surfaces and model, and the volume where
-  /// there is none yet. All else that was changed meanwhile, such as the volume's look, stays.
+  /// Adds what readBeside() or readLabels() gave, as one undo step: labels of another source, another model, surfaces
+  /// that are not there yet, and the volume where there is none yet. What was changed while the data was read, such as
+  /// the colour of a structure or the volume's look, stays.
   void add(const Loaded& loaded);
   /// Closes what is open: an empty scene without a name.
   void close();

@@ -13,6 +13,7 @@
 #include "session/extrusion/Pull.h"
 #include "session/growth/Growths.h"
 #include "session/membrane/Sketch.h"
+#include "session/structure/StructureEdit.h"
 
 namespace velum::gui {
 
@@ -73,10 +74,11 @@ void BarrierTool::release(const PointerEvent& event) {
   goOn(event.at);
   scene::Barrier barrier = *std::exchange(mDraft, std::nullopt);
   barrier.path = session::simplifiedPath(barrier.path, kPathTolerance * barrier.radius);
-  if (session::lastGrowth(mDocument.scene(), mSelection.structure()))
+  const scene::Scene& scene = mDocument.scene();
+  int id = mSelection.structure();
+  if (session::lastGrowth(scene, id) && session::findStructure(scene, id))
     session::edit(mDocument,
-                  session::DrawBarrier{session::structureNames(mDocument.scene(), {mSelection.structure()})[0],
-                                       barrier.path, barrier.radius});
+                  session::DrawBarrier{session::structureNames(scene, {id})[0], barrier.path, barrier.radius});
   mToolbox.repaint();
 }
 

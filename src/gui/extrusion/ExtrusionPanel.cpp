@@ -192,8 +192,8 @@ void ExtrusionPanel::showForm() {
 void ExtrusionPanel::setDistance(double distance) {
   auto one = mList->current();
   if (!one) return;
-  auto pull = session::pullAgain(mDocument.scene(), *one);
   QString name = QString::fromStdString(session::structureName(mDocument.scene(), one->structure));
+  auto pull = session::pullAgain(mDocument.scene(), *one);
   session::editByHand(
       mDocument, tr("Pull out %1").arg(name).toStdString(),
       [&](scene::Scene& scene) { session::pullTo(scene, pull, distance); }, true);

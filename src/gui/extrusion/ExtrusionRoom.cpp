@@ -59,7 +59,7 @@ void ExtrusionRoom::tell() {
 
 /// What has grown so far stays.
 void ExtrusionRoom::stopGrowing() {
-  if (!mParts.session.growth().isGrowing()) return;
+  if (!mParts.session.growth().stop()) return;
   mParts.jobs.run(session::StopGrowing{});
   mParts.messages.showNote(tr("Growing has stopped; what was found so far stays."));
 }

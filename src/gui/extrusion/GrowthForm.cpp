@@ -13,6 +13,7 @@
 #include "session/command/GrowthCommands.h"
 #include "session/command/StructureCommands.h"
 #include "session/growth/Growths.h"
+#include "session/structure/StructureEdit.h"
 
 namespace velum::gui {
 
@@ -44,12 +45,12 @@ GrowthForm::GrowthForm(session::Session& session, QWidget* parent) : QWidget(par
   grid->setVerticalSpacing(8);
   mLow = addNumber("growLow", tr("Smallest value that belongs to it"),
                    tr("Smallest value that belongs to the structure: it grows anew as it changes"),
-                   tr("Change its values"), "low",
+                   tr("Change its smallest value"), "low",
                    [](const scene::Growth& g, double value) { return std::min(value, g.high); });
-  mHigh =
-      addNumber("growHigh", tr("Largest value that belongs to it"),
-                tr("Largest value that belongs to the structure: it grows anew as it changes"), tr("Change its values"),
-                "high", [](const scene::Growth& g, double value) { return std::max(value, g.low); });
+  mHigh = addNumber("growHigh", tr("Largest value that belongs to it"),
+                    tr("Largest value that belongs to the structure: it grows anew as it changes"),
+                    tr("Change its largest value"), "high",
+                    [](const scene::Growth& g, double value) { return std::max(value, g.low); });
   mSteepest = addNumber("growSteepest", tr("Gradient at which it stops"),
                         tr("Growing stops where the values change by more than this from voxel to voxel; at 0 it does "
                            "not ask.\nOf use where two structures of like values touch"),
@@ -105,6 +106,7 @@ NumberField* GrowthForm::addNumber(const char* name, const QString& spoken, cons
 
 void GrowthForm::change(const QString& step, const char* field, const std::string& value) {
   session::Document& document = mSession.document();
+  if (!session::findStructure(document.scene(), mStructure)) return;
   std::string name = session::structureNames(document.scene(), {mStructure})[0];
   session::edit(document, session::ChangeGrowth{name, field, value}, true, step.toStdString());
 }

@@ -56,9 +56,9 @@ bool PullTool::start() {
   if (!scene::hasData(scene)) return false;
   mChosen.clear();
   if (hasCutToPullFrom(scene)) return true;
-  int id = scene::nextCutId(scene);
+  if (scene.cuts.size() >= scene::kMostCuts) return false;
   session::edit(mDocument, session::AddCut{scene::CutShape::Plane, {}}, false, "Cut to pull out of");
-  mSelection.setCut(id);
+  mSelection.setCut(mDocument.scene().cuts.back().id);
   return true;
 }
 

@@ -121,8 +121,10 @@ void Equalizer::findSeen(const session::Bar::Wish& wish) {
     edit.step = step;
     return edit;
   };
-  auto commit = [this, call](const session::Edit& edit) {
-    session::commitCuts(mSession.document(), edit, call, true);
+  // The step began with what the hand dragged, cuts that it has added among it: a script says it by fields.
+  auto commit = [this](const session::Edit& edit) {
+    session::editByHand(
+        mSession.document(), edit.step, [&](scene::Scene& scene) { scene.cuts = edit.after.cuts; }, true);
     emit told(QString::fromStdString(edit.told.front()));
   };
   // A job that cannot begin, is cancelled or fails leaves the cuts as the handle has set them.

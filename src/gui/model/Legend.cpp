@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t kMostNames = 20;
 constexpr double kLeastShare = 2e-4;  // of the picture; below it is a dot that nobody looks for
-constexpr int kRow = 19, kBall = 11, kMargin = 12, kInset = 9, kMostWidth = 230;
+constexpr int kRow = 19, kPatch = 11, kMargin = 12, kInset = 9, kMostWidth = 230;
 const QColor kGround(0x14, 0x18, 0x1e, 0xc8), kText(0xf0, 0xf3, 0xf7);  // over white paper and black alike
 
 }  // namespace
@@ -51,7 +51,7 @@ void Legend::paint(ViewPainter& over) const {
   int text = std::min(widest + 2, std::min(kMostWidth, over.size.width() / 3));
   int most = std::max(1, (over.size.height() - 2 * kMargin - 2 * kInset) / kRow);
   int rows = std::min(int(mTypes.size()), most);
-  QRectF box(kMargin, kMargin, text + kBall + 8 + 2 * kInset, rows * kRow + 2 * kInset - 4);
+  QRectF box(kMargin, kMargin, text + kPatch + 8 + 2 * kInset, rows * kRow + 2 * kInset - 4);
   painter.setPen(Qt::NoPen);
   painter.setBrush(kGround);
   painter.drawRoundedRect(box, 6, 6);
@@ -61,9 +61,9 @@ void Legend::paint(ViewPainter& over) const {
     glm::vec3 c = glm::clamp(colors[mTypes[std::size_t(i)]], 0.0f, 1.0f);
     painter.setPen(Qt::NoPen);
     painter.setBrush(QColor::fromRgbF(c.r, c.g, c.b));
-    painter.drawRoundedRect(QRectF(line.left(), line.center().y() - kBall / 2.0, kBall, kBall), 2.5, 2.5);
+    painter.drawRoundedRect(QRectF(line.left(), line.center().y() - kPatch / 2.0, kPatch, kPatch), 2.5, 2.5);
     painter.setPen(kText);
-    painter.drawText(line.adjusted(kBall + 8, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter,
+    painter.drawText(line.adjusted(kPatch + 8, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter,
                      metrics.elidedText(mNames[std::size_t(i)], Qt::ElideMiddle, text));
   }
   painter.restore();

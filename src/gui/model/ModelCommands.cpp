@@ -32,7 +32,9 @@ void ModelCommands::setVisible(const Types& types, bool visible) {
 void ModelCommands::toggleSolo(const Types& types) {
   if (types.empty()) return;
   session::SoloTypes call{named(types), {}};
-  if (session::isSolo(mDocument.scene(), mSolo.alone)) {
+  const Shared<Model>& model = mDocument.scene().model.data;
+  bool isOfThis = model && mSolo.shown.size() == model->types.size();
+  if (isOfThis && session::isSolo(mDocument.scene(), mSolo.alone)) {
     Types shown;
     for (std::uint32_t i = 0; i < mSolo.shown.size(); ++i)
       if (mSolo.shown[i]) shown.push_back(i);

@@ -41,7 +41,9 @@ void StructureCommands::toggleSolo(int id) {
   if (!session::findStructure(mDocument.scene(), id)) return;
   session::SoloStructure call{named({id})[0]};
   if (mSolo.structure > 0 && session::soloStructure(mDocument.scene()) == mSolo.structure) {
-    call.shown = named(mSolo.visible);
+    Ids shown = mSolo.visible;
+    std::erase_if(shown, [&](int one) { return !session::findStructure(mDocument.scene(), one); });
+    call.shown = named(shown);
     call.unlabelled = mSolo.unlabelled;
   }
   scene::Scene after = mDocument.scene();

@@ -105,9 +105,9 @@ void editByHand(Document& document, const std::string& step, const std::function
   document.edit(step, changeAndFollow, merge);
 }
 
-void commitCuts(Document& document, const Edit& edit, const Call& call, bool merge) {
+void commitCuts(Document& document, const Edit& edit, const Call& call) {
   document.edit(
-      edit.step, [&](scene::Scene& scene) { scene.cuts = edit.after.cuts; }, merge, call.line());
+      edit.step, [&](scene::Scene& scene) { scene.cuts = edit.after.cuts; }, false, call.line());
 }
 
 std::vector<std::string> run(Session& session, const Call& call, Progress& progress, bool merge) {

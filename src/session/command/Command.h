@@ -101,7 +101,7 @@ void editByHand(Document& document, const std::string& step, const std::function
                 bool merge = false);
 /// As commit(), but takes only the cuts of the edit: what else has changed since the edit was worked out stays as it
 /// is.
-void commitCuts(Document& document, const Edit& edit, const Call& call, bool merge = false);
+void commitCuts(Document& document, const Edit& edit, const Call& call);
 
 /// Does what a call says, with all that follows; where it changes the scene, as one undo step. The session's thread; a
 /// long command takes as long as it takes: where isLong() a window works out the edit in a job instead.

@@ -66,10 +66,10 @@ std::vector<std::string> growFurther(Session& session, const GrowOn& a, Progress
 }
 
 /// What has grown so far stays.
-std::vector<std::string> stopGrowing(Session& session, const StopGrowing& a, Progress&) {
+/// A script says by fields how far it has come: whoever runs it again waits until all has grown.
+std::vector<std::string> stopGrowing(Session& session, const StopGrowing&, Progress&) {
   if (auto reached = session.growth().stop())
-    session.document().edit(
-        "Stop growing", [&](Scene& scene) { holdGrowth(scene, *reached); }, false, Call(a).line());
+    session.document().edit("Stop growing", [&](Scene& scene) { holdGrowth(scene, *reached); });
   return {};
 }
 

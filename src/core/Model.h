@@ -29,8 +29,8 @@ double massOf(std::uint8_t element);
 struct Molecule {
   std::uint32_t type = 0;   ///< in Model::types
   std::vector<Atom> atoms;  ///< Empty where only beads are known.
-  std::vector<std::vector<glm::vec4>>
-      beads;  ///< Levels of beads, finest first; each bead is centre and radius, angstrom.
+  /// Levels of beads, finest first; each bead is centre and radius, angstrom.
+  std::vector<std::vector<glm::vec4>> beads;
   std::uint32_t firstInstance = 0, instanceCount = 0;
   glm::vec3 centre{0.0f};  ///< Centre of a sphere around the whole molecule, angstrom.
   float radius = 0.0f;

@@ -13,8 +13,8 @@ namespace velum::growth {
 
 struct GrowOptions {
   bool guard = false;  ///< growing stops before a slab in which the region leaks; ignored for a step that has others
-  Shared<LabelVolume>
-      begun;  ///< the step also begins at the voxels that its structure has in these labels, where they may join
+  /// The step also begins at the voxels that its structure has in these labels, where they may join
+  Shared<LabelVolume> begun;
   /// The step's others also begin at the voxels with label 1 in these: the Grown::others that belong to `begun`.
   Shared<LabelVolume> othersBegun = {};
 };

@@ -34,9 +34,9 @@ struct ViewLock {
 /// that TypeSpare::viewShare leaves ([VE] 6).
 struct Focus {
   std::vector<FocusType> types;  ///< types kept in view; without any the cut clears nothing
-  bool guidesDepth =
-      false;  ///< what stands about the focus stays, so that one sees how deep it lies ([VE] 8.2): only
-              ///< what is before the nearest of its spheres goes, else all before the end of the farthest
+  /// What stands about the focus stays, so that one sees how deep it lies ([VE] 8.2): only what is before the nearest
+  /// of its spheres goes, else all before the end of the farthest
+  bool guidesDepth = false;
   std::optional<ViewLock> lock;  ///< none: as seen from the camera
   bool operator==(const Focus&) const = default;
   static void fields(auto& o, auto& visit) {

@@ -17,8 +17,8 @@ enum class Ends {
 struct PresetRow {
   Preset preset;
   std::initializer_list<ColorPoint> colors;
-  std::initializer_list<OpacityPoint>
-      opacities;                    ///< Opacity per mm when the preset is absolute, per voxel when relative.
+  /// Opacity per mm when the preset is absolute, per voxel when relative.
+  std::initializer_list<OpacityPoint> opacities;
   double windowLevel, windowWidth;  ///< For sections.
   double specular;
   Ends ends = Ends::Background;

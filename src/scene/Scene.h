@@ -32,8 +32,8 @@ struct VolumeLayer {
   bool visible = true;
   bool smooth = false;  ///< cubic between voxels, not linear: thick slices without stairs
   int timeStep = 0;     ///< 0..timeSteps-1
-  int channel =
-      0;  ///< 0..channels-1; colour volumes show their colours. The one that is edited where several are mixed
+  /// 0..channels-1; colour volumes show their colours. The one that is edited where several are mixed
+  int channel = 0;
   TransferFunction transfer;
   std::vector<ChannelLook> channels;  ///< one per channel where several are mixed; empty: `channel` by `transfer`
   double windowLevel = 0.0;           ///< middle of the grey window of sections and MIP, the volume's unit

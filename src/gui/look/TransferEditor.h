@@ -58,8 +58,8 @@ class TransferEditor : public QWidget {
   QStackedWidget *mSecond = nullptr, *mNumbers = nullptr;
   bool mGradientsActive = false;  ///< The numbers are those of the gradient curve.
   Key mShown{0, -1, -1};          ///< What the canvas' histogram is of.
-  bool mIsFitted =
-      false;  ///< The axis is fitted to the data, as the user has not moved it since the data came or was fitted.
+  /// The axis is fitted to the data, as the user has not moved it since the data came or was fitted.
+  bool mIsFitted = false;
   std::map<Key, Histograms> mCache;
   std::unique_ptr<Job> mJob;
 };

@@ -43,8 +43,8 @@ class ActionTable : public QObject {
 
   QWidget* mWindow;
   QHash<QString, QAction*> mActions;
-  QHash<QString, QList<QKeySequence>> mKeys,
-      mUsual;  ///< By id: the keys in force, and the keys without the user's own.
+  /// By id: the keys in force, and the keys without the user's own.
+  QHash<QString, QList<QKeySequence>> mKeys, mUsual;
   QList<QAction*> mOrder, mNeedScene;
   QString mWarning;
 };

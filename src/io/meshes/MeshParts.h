@@ -32,8 +32,8 @@ class Faces {
 
  private:
   std::vector<std::uint32_t> mTriangles;
-  std::vector<std::uint32_t>
-      mCorners;  ///< For each face of more than three corners: how many there are, then the corners.
+  /// For each face of more than three corners: how many there are, then the corners.
+  std::vector<std::uint32_t> mCorners;
 };
 
 /// Tells whether all coloured parts of a mesh have the same colour.

@@ -43,8 +43,8 @@ struct CifTable {
 
 struct CifBlock {
   std::string header;
-  std::map<std::string, CifTable, std::less<>>
-      tables;  ///< By lower-case name without the underscore before it: "atom_site".
+  /// By lower-case name without the underscore before it: "atom_site".
+  std::map<std::string, CifTable, std::less<>> tables;
 
   const CifTable* find(std::string_view name) const;
 };

@@ -26,8 +26,8 @@ struct DicomFrame {
   std::string unit;  ///< Unit of its values, in words for people; empty when the file gives none.
   int instance = 0;
   int segment = 0;  ///< Segment number, in segmentations.
-  std::vector<double>
-      timeKey;  ///< Numbers by which frames at the same place differ: temporal position, trigger, acquisition, echo.
+  /// Numbers by which frames at the same place differ: temporal position, trigger, acquisition, echo.
+  std::vector<double> timeKey;
 };
 
 struct DicomFile {

@@ -15,8 +15,8 @@ struct DicomPet {
   std::string units, decayCorrection;
   bool isCorrected = false;  ///< The values are corrected for attenuation and decay.
   std::optional<double> seriesTime, acquisitionTime;
-  std::optional<double>
-      privateScanTime;                  ///< From GE's private element; the scan's time for series that were made later.
+  /// From GE's private element; the scan's time for series that were made later.
+  std::optional<double> privateScanTime;
   std::optional<double> injectionTime;  ///< Taken as on the day of the series where the file gives no day.
   double weightKg = 0, doseBq = 0, halfLifeS = 0;
   double frameReferenceS = 0, frameDurationS = 0;  ///< 0 when not given.

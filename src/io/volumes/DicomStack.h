@@ -11,12 +11,12 @@ namespace velum::io {
 struct DicomStack {
   int planes = 0;  ///< How many places along the stacking direction have a plane.
   int timeSteps = 1;
-  std::vector<int>
-      slots;  ///< For each frame of the input: time step * planes + plane, or -1 for a frame that is left out.
-  std::vector<double>
-      positions;       ///< Position of each plane in steps of the even grid: 0, 1, 2, ... where no plane is missing.
-  int gridPlanes = 0;  ///< Planes of the even grid; more than `planes` where some are missing.
-  bool isEven = true;  ///< positions are 0, 1, 2, ...
+  /// For each frame of the input: time step * planes + plane, or -1 for a frame that is left out.
+  std::vector<int> slots;
+  /// Position of each plane in steps of the even grid: 0, 1, 2, ... where no plane is missing.
+  std::vector<double> positions;
+  int gridPlanes = 0;            ///< Planes of the even grid; more than `planes` where some are missing.
+  bool isEven = true;            ///< positions are 0, 1, 2, ...
   std::vector<glm::ivec2> gaps;  ///< Planes of the even grid that no plane is near, {first, count}.
   double farthest = 0;           ///< Largest distance of planes, in steps of the even grid, between which values are
                                  ///< interpolated; see stackFrames().

@@ -19,8 +19,8 @@ struct SeriesInfo {
   std::string date;      ///< "2024-03-15"; empty when unknown.
   bool isSegmentation = false;
   std::string referencedSeries;  ///< For a segmentation: UID of the series that was segmented; empty when unknown.
-  std::filesystem::path
-      middleFile;  ///< File of the image in the middle of the series; for a multi-frame file the file itself.
+  /// File of the image in the middle of the series; for a multi-frame file the file itself.
+  std::filesystem::path middleFile;
   bool operator==(const SeriesInfo&) const = default;
 };
 

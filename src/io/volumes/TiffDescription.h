@@ -18,8 +18,8 @@ struct TiffLayout {
   double unitMm = 0.0;                            ///< ImageJ: the unit of the resolution tags in mm; 0: none.
   double timeStepSeconds = 0.0;
   std::vector<std::string> channelNames;
-  std::vector<glm::vec3>
-      channelColors;  ///< OME, sRGB; empty where the colour of any channel is not told, or all are the same.
+  /// OME, sRGB; empty where the colour of any channel is not told, or all are the same.
+  std::vector<glm::vec3> channelColors;
   /// OME TiffData: which page holds which plane; where `planes` is empty, the pages follow each other in `order`.
   struct Plane {
     std::uint64_t page = 0, z = 0, c = 0, t = 0, count = 1;

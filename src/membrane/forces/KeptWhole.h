@@ -34,9 +34,9 @@ struct KeptWhole {
   std::int64_t cutAreaMembrane = 0;  ///< such pairs that the sheet separates
   double ratio = 1.0;  ///< membrane's count / plane's; 1 where both are 0, the membrane's count where the plane's is 0
   double meanDistance = 0.0;  ///< of the sheet from the rest plane
-  std::int64_t planeAbove = 0,
-               planeBelow = 0;  ///< plane's pairs that lie whole above, below the sheet
-  Fate fate;                    ///< result of measureFate(), where that was asked for
+  /// Plane's pairs that lie whole above, below the sheet
+  std::int64_t planeAbove = 0, planeBelow = 0;
+  Fate fate;  ///< result of measureFate(), where that was asked for
 };
 
 /// What becomes of the material that the rest plane would cut, as shares that sum up to 1.

@@ -36,8 +36,8 @@ struct ProtectedVoxels {
   std::vector<std::uint8_t> mask;  ///< [z][y][x] of the box: 0, kOfData or kPlaced
   static constexpr std::uint8_t kOfData = 1, kPlaced = 2;
   glm::dmat4 worldFromVoxel{1.0};  ///< of the whole grid: voxel (0, 0, 0) need not lie in the box
-  std::vector<std::uint8_t>
-      weight;  ///< [z][y][x]: how strong each voxel is, 1 to kStrongest; empty: all are equally strong
+  /// [z][y][x]: how strong each voxel is, 1 to kStrongest; empty: all are equally strong
+  std::vector<std::uint8_t> weight;
   static constexpr int kStrongest = 64;
 };
 
@@ -87,8 +87,8 @@ class Potential {
   /// True when this potential was made from the same data, time step and channel.
   bool matches(const scene::Scene& scene) const;
   glm::ivec3 dims() const;  ///< 0 when the scene has no data
-  const Shared<LabelVolume>& labels()
-      const;  ///< the scene's labels, or a grid of the model's types; empty where the scene has neither
+  /// The scene's labels, or a grid of the model's types; empty where the scene has neither
+  const Shared<LabelVolume>& labels() const;
   const glm::dmat4& worldFromVoxel() const;
 
   /// The kernels of the field's level, all cores. The mean is taken over strengths, never the strength of a mean.

@@ -19,8 +19,8 @@ struct VoxelRun {
 /// The pieces of protected voxels that are too small to count. A piece consists of voxels joined by faces.
 struct SmallPieces {
   int least = 1;  ///< voxels that a piece must have to count; 1: all pieces count
-  std::vector<std::uint32_t>
-      first;  ///< first run of each row (rows by y, then z), one more at the end; empty: there are no runs
+  /// First run of each row (rows by y, then z), one more at the end; empty: there are no runs
+  std::vector<std::uint32_t> first;
   std::vector<VoxelRun> runs;
   std::size_t pieces = 0, voxels = 0;  ///< how many small pieces there are, and the voxels in `runs`
   std::size_t protectedVoxels = 0;     ///< all protected voxels, those of small pieces included

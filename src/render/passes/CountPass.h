@@ -32,8 +32,8 @@ class CountPass : public Pass {
   StatePass& mStates;
   gpu::Readback<std::uint32_t> mReadback{"states of instances"};
   std::uint64_t mCount = 0;  ///< Number of instances in the bits asked for last.
-  std::vector<glm::ivec2>
-      mPictureSizes;  ///< Sizes of the pictures whose bits were asked for last, the newest at the end.
+  /// Sizes of the pictures whose bits were asked for last, the newest at the end.
+  std::vector<glm::ivec2> mPictureSizes;
 };
 
 }  // namespace velum::render

@@ -11,8 +11,8 @@ namespace velum::render {
 /// spares, beside the rows; nothing where no cut spares any structure.
 struct SpareTable {
   std::vector<std::uint32_t> rowOf;  ///< by structure: its row from 1; 0: no cut spares it
-  std::vector<float>
-      depths;              ///< [rows][enabled cuts, in their order]: how deep the cut leaves the structure, scene frame
+  /// [rows][enabled cuts, in their order]: how deep the cut leaves the structure, scene frame
+  std::vector<float> depths;
   std::size_t cuts = 0;    ///< how many cuts are enabled
   bool hasDepths = false;  ///< some spare ends at a depth
 

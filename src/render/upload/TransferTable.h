@@ -15,9 +15,9 @@ struct TransferTable {
   double extinctionUnit = 1.0;  ///< Extinction, 1/length, of one unit of the sums.
   double mixedWhite = 1.0;      ///< Alpha of a mixture that is white in a maximum: that of one channel at its densest.
   int shownFrom = 0, shownTo = 0;  ///< First entry with any extinction, and one past the last.
-  std::vector<glm::uvec4>
-      sums;  ///< [kTransferSize + 1] running sums of (colour*sigma, sigma), modulo 2^32: the mean over entries
-             ///< i..j is (sums[j] - sums[i]) / (j - i) * extinctionUnit, exact and never negative
+  /// [kTransferSize + 1] running sums of (colour*sigma, sigma), modulo 2^32: the mean over entries i..j is (sums[j] -
+  /// sums[i]) / (j - i) * extinctionUnit, exact and never negative
+  std::vector<glm::uvec4> sums;
   std::vector<std::uint32_t> extinctionSums;  ///< [kTransferSize + 1] the last components of `sums` alone
   std::vector<float> gradientFactors;         ///< [kTransferSize] over 0..gradientMax
 };
@@ -34,8 +34,8 @@ struct MixTable {
   glm::dvec2 domain{0.0, 1.0};   ///< Values of the first and the last entry.
   double largestExtinction = 0;  ///< 1/length, of all channels together
   double largestOfOne = 0;       ///< 1/length, of the channel with the largest
-  std::vector<std::vector<glm::vec4>>
-      channels;  ///< [channel][kSize] (colour*sigma, sigma) divided by largestExtinction
+  /// [channel][kSize] (colour*sigma, sigma) divided by largestExtinction
+  std::vector<std::vector<glm::vec4>> channels;
 };
 MixTable makeMixTable(const scene::VolumeLayer& layer);
 

@@ -12,7 +12,8 @@ namespace velum::app {
 
 /// How many instances of types are wanted, in addition to the targets that a scene has.
 struct TargetOptions {
-  std::vector<std::string> counts, visibles;  ///< TYPE=N
+  std::vector<std::string> counts, visibles;  ///< TYPE=N, TYPE=P%
+  bool meets = false;                         ///< the scene's own targets are to be met
 };
 
 /// What "NAME=N" asks for, or "NAME=P%" where a percentage is allowed.
@@ -28,9 +29,10 @@ WantedNumber wantedNumber(const char* option, const std::string& text, const cha
 void addTargets(CLI::App& verb, TargetOptions& options);
 
 /// Puts the options into the scene's targets, and sets the shares of its cuts so that all targets are met as far as
-/// they can be, with membranes at rest. Targets that are not met are said on stderr.
+/// they can be, with membranes at rest. Targets that are not met are said on stderr. Without such options nothing
+/// changes: a scene shows what its cuts say, here as in the window.
 /// @param counter  counts what a picture shows; null: there is no picture that could tell how many instances are
-/// visible  @return nothing where there are no targets
+/// visible  @return nothing where none is to be met
 std::optional<session::TargetsReport> settleTargets(session::Session& session, const TargetOptions& options,
                                                     double aspect, session::PictureCounter* counter);
 

@@ -37,7 +37,11 @@ std::uint32_t firstModelInstance(const scene::Scene& scene) {
   return shared::kFirstSurfaceInstance + std::uint32_t(scene.surfaces.size());
 }
 
-double angstromOf(const FrameData& data) { return unitsPer(LengthUnit::Angstrom, data.frame.scene.unit) / data.unit; }
+double angstromOf(const FrameData& data) { return scene::modelFrame(data.frame.scene).length / data.unit; }
+
+glm::dvec3 modelOrigin(const FrameData& data) {
+  return scene::modelFrame(data.frame.scene).offset / data.unit - sceneOrigin(data.grid);
+}
 
 Opaque opaqueOf(const scene::Scene& scene) {
   // Beside a volume the box is the volume's.

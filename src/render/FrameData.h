@@ -75,6 +75,8 @@ struct FrameData {
 
 /// Length of an angstrom in a completed frame's unit.
 double angstromOf(const FrameData& data);
+/// Where the model's own origin lies in the scene frame.
+glm::dvec3 modelOrigin(const FrameData& data);
 /// The variant for which programs that read the frame's data are compiled.
 DataVariant dataVariantOf(const FrameData& data);
 /// The frame with Frame::windowSize and other sizes filled in where the caller has left them open.

@@ -39,7 +39,8 @@ struct TypeLook {
   }
 };
 
-/// How many instances of a type are wanted: solvers set the shares of cuts to reach these numbers.
+/// How many instances of a type a hand has asked for. Cuts say what is drawn: solvers set their shares to reach these
+/// numbers when they are asked to, and numbers of a compartment leave what is within it and has one of its own.
 struct TypeTarget {
   static constexpr std::string_view kKey = "type";  ///< that a bare value stands for on the command line
 
@@ -49,8 +50,10 @@ struct TypeTarget {
   bool operator==(const TypeTarget&) const = default;
   static void fields(auto& o, auto& visit) {
     visit("type", o.type, FieldInfo{"", {}, "Path of a type, or of a compartment for all types below it."});
-    visit("rendered", o.rendered, FieldInfo{"", {0, 1e9}, "Instances that no cut removes; null: any number.", true});
-    visit("visible", o.visible, FieldInfo{"", {0, 1e9}, "Instances that show in the picture; null: any number.", true});
+    visit("rendered", o.rendered,
+          FieldInfo{"", {0, 1e9}, "Instances that no cut is to remove; null: any number.", true});
+    visit("visible", o.visible,
+          FieldInfo{"", {0, 1e9}, "Instances that are to show in the picture; null: any number.", true});
   }
 };
 
@@ -65,6 +68,8 @@ struct ModelLayer {
   bool visible = true;
   bool completes = true;            ///< lipids and strands that the file leaves out are made
   int copies = 1;                   ///< of the whole model, side by side in a block, 1..kMostCopies
+  double enlargement = 1.0;         ///< of the whole model about its file's origin, beside data of another scale
+  glm::dvec3 offset{0.0};           ///< where its file's origin lies, scene units
   Palette palette = Palette::Type;  ///< by which instances have their colours
   double nearColors = 0.0;  ///< how far chains and elements show near by as shades of the instance's colour, 0..1
   double detail = 1.0;      ///< how much of a pixel drawn shapes may be off by, 0.1..16; smaller is finer, and slower
@@ -78,6 +83,9 @@ struct ModelLayer {
     visit("visible", o.visible, FieldInfo{"", {}, "Off: the model is not drawn."});
     visit("completes", o.completes, FieldInfo{"", {}, "Lipids and strands that the file leaves out are made."});
     visit("copies", o.copies, FieldInfo{"", {1, kMostCopies}, "Copies of the whole model, side by side in a block."});
+    visit("enlargement", o.enlargement,
+          FieldInfo{"", {1e-12, 1e12}, "Of the whole model, beside data of another scale.", true});
+    visit("offset", o.offset, FieldInfo{kLength, {}, "Where the origin of its file lies.", true});
     visit("palette", o.palette, FieldInfo{"", {}, "What instances have their colours by."});
     visit("nearColors", o.nearColors,
           FieldInfo{"", {0, 1}, "How far chains and elements show as shades of it where one is close."});
@@ -86,7 +94,12 @@ struct ModelLayer {
     visit("ghosts", o.ghosts, FieldInfo{"", {}, "How instances that cuts have removed still show.", true});
     visit("ghostOpacity", o.ghostOpacity, FieldInfo{"", {0, 1}, "Opacity of these.", true});
     visit("types", o.types, FieldInfo{"", {}, "Types that are shown otherwise."});
-    visit("targets", o.targets, FieldInfo{"", {}, "How many instances of types are wanted.", true});
+    visit(
+        "targets", o.targets,
+        FieldInfo{"",
+                  {},
+                  "Numbers of instances that were set by hand: held when a group's is set, met when that is asked for.",
+                  true});
   }
 };
 
@@ -109,6 +122,14 @@ struct CopyGrid {
   glm::dvec3 step{0.0};
 };
 CopyGrid copyGrid(const ModelLayer& layer);
+
+/// How a scene's model lies in the world: its places, angstrom, times `length`, from `offset` on; scene units.
+struct ModelFrame {
+  double length = 1.0;
+  glm::dvec3 offset{0.0};
+  glm::dvec3 worldOf(glm::dvec3 place) const { return place * length + offset; }
+  bool operator==(const ModelFrame&) const = default;
+};
 
 /// A box around the spheres of all instances of all copies, the model's unit.
 struct ModelBox {

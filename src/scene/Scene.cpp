@@ -34,6 +34,16 @@ bool hasData(const Scene& scene) {
   return scene.volume.data || scene.labels.data || !scene.surfaces.empty() || scene.model.data;
 }
 
+ModelFrame modelFrame(const Scene& scene) {
+  return {unitsPer(LengthUnit::Angstrom, scene.unit) * scene.model.enlargement, scene.model.offset};
+}
+
+ModelBox worldBoxOfModel(const Scene& scene) {
+  ModelBox box = modelBox(scene.model);
+  ModelFrame frame = modelFrame(scene);
+  return {frame.worldOf(box.low), frame.worldOf(box.high)};
+}
+
 Bounds computeBounds(const Scene& scene) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   Bounds bounds{glm::dvec3(kInfinity), glm::dvec3(-kInfinity)};
@@ -49,10 +59,9 @@ Bounds computeBounds(const Scene& scene) {
     }
   }
   if (scene.model.data) {
-    ModelBox box = modelBox(scene.model);
-    double length = unitsPer(LengthUnit::Angstrom, scene.unit);
-    bounds.min = glm::min(bounds.min, box.low * length);
-    bounds.max = glm::max(bounds.max, box.high * length);
+    ModelBox box = worldBoxOfModel(scene);
+    bounds.min = glm::min(bounds.min, box.low);
+    bounds.max = glm::max(bounds.max, box.high);
   }
   return bounds.min.x <= bounds.max.x ? bounds : Bounds{};
 }
@@ -68,8 +77,8 @@ bool isModelAlone(const Scene& scene) {
 Camera frameModel(const Scene& scene, Camera camera, const glm::dmat3& axes, double aspect) {
   const Model& model = *scene.model.data;
   CopyGrid copies = copyGrid(scene.model);
-  double length = unitsPer(LengthUnit::Angstrom, scene.unit),
-         tangent = std::tan(glm::radians(camera.fieldOfViewDeg) * 0.5);
+  ModelFrame frame = modelFrame(scene);
+  double tangent = std::tan(glm::radians(camera.fieldOfViewDeg) * 0.5);
   glm::dvec3 low(std::numeric_limits<double>::max()), high(-low);
   double distance = 0.0;
   auto forSpheres = [&](const auto& visit) {
@@ -79,7 +88,7 @@ Camera frameModel(const Scene& scene, Camera camera, const glm::dmat3& axes, dou
       for (const Instance& instance : model.instances) {
         const Molecule& molecule = model.molecules[instance.molecule];
         glm::dvec3 at = glm::dvec3(instance.position) + glm::dvec3(instance.rotation * molecule.centre) + shift;
-        visit(glm::transpose(axes) * (at * length), molecule.radius * length);
+        visit(glm::transpose(axes) * frame.worldOf(at), molecule.radius * frame.length);
       }
     }
   };

@@ -140,6 +140,10 @@ struct Scene {
 bool hasData(const Scene& scene);
 
 /// A box in the world.
+ModelFrame modelFrame(const Scene& scene);
+/// modelBox() in the world, scene units.
+ModelBox worldBoxOfModel(const Scene& scene);
+
 struct Bounds {
   glm::dvec3 min{0.0}, max{0.0};
 };

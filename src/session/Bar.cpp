@@ -50,6 +50,7 @@ void Bar::put(const std::string& label, const scene::Scene& from) {
       [&](scene::Scene& scene) {
         scene.cuts = from.cuts;
         scene.model.types = from.model.types;
+        scene.model.targets = from.model.targets;
       },
       true);
 }

@@ -25,7 +25,7 @@ class Bar {
     Handle handle = Handle::Left;
     Counts start;             ///< what the bar shows when the handle is taken
     std::uint64_t total = 0;  ///< instances or pixels of the thing
-    /// Gives the scene in which `left` are left, by its cuts and the looks of its types.
+    /// Gives the scene in which `left` are left, by its cuts, the looks of its types and the numbers that are held.
     std::function<Solved(double left)> solve;
   };
   /// A number of instances or pixels that are to be seen: only drawn pictures can tell which numbers of the cuts lead
@@ -51,7 +51,7 @@ class Bar {
   /// Ends the hold and its undo step. After a moved Handle::Seen it returns the wish instead, which pictures must still
   /// meet; the undo step then stays open until Document::endMerge().
   std::optional<Wish> letGo();
-  /// Ends the hold and puts cuts and looks of types back as they were before the handle was taken.
+  /// Ends the hold and puts cuts, looks and numbers of types back as they were before the handle was taken.
   void giveUp();
 
  private:

@@ -1,4 +1,5 @@
 """velum-batch count, and render with targets."""
+import json
 import csv
 import unittest
 import xml.etree.ElementTree
@@ -70,6 +71,24 @@ class Count(CliTest):
         self.run_batch("render", "solved.json", "-o", "y.png", *SMALL, "--samples", "1")
         self.run_batch("compare", "x.png", "y.png", "--max-diff", "0", "--max-fraction", "0")
 
+    def test_a_scene_shows_what_its_cuts_say_not_what_was_once_wanted(self):
+        name = self.report("info", "v.cif.gz")["perType"][0]["path"]
+        self.report("count", "v.cif.gz", *SMALL, *BALL, "--set-count", f"{name}=30%", "-o", "solved.json")
+        scene = json.loads((self.folder / "solved.json").read_text())
+        scene["model"]["targets"] = [{"type": name, "visible": 3}]
+        (self.folder / "other.json").write_text(json.dumps(scene))
+        self.assertEqual(*(self.report("count", file, *SMALL)["perType"] for file in ("solved.json", "other.json")))
+        met = self.report("count", "other.json", *SMALL, "--meet-targets")
+        self.assertLessEqual(self.count_of(met, name)["visible"], 4)
+
+    def test_shares_and_numbers_beyond_all_are_understood(self):
+        row = max(self.report("count", "v.cif.gz", *SMALL)["perType"], key=lambda row: row["total"])
+        half = self.report("count", "v.cif.gz", *SMALL, "--set-count", f"{row['path']}=50%")
+        now = self.count_of(half, row["path"])
+        self.assertEqual(now["visible"] + now["hidden"], round(row["total"] / 2))
+        done = self.run_batch("count", "v.cif.gz", *SMALL, "--set-count", f"{row['path']}={row['total'] + 57}")
+        self.assertIn("there are no more", done.stderr.decode())
+
     def test_what_shows_is_set_or_said_to_be_out_of_reach(self):
         before = self.report("count", "v.cif.gz", *SMALL)
         row = max(before["perType"], key=lambda row: row["visible"])
@@ -105,6 +124,7 @@ class Count(CliTest):
         name = self.report("info", "v.cif.gz")["perType"][0]["path"]
         for arguments, code, words in ((["--set-count", f"{name}x=3"], 2, [name]), (["--what-hides", name[:-1]], 2, [name]),
                                        (["--set-count", name], 1, ["TYPE=N"]), (["--set-count", f"{name}=-1"], 1, ["TYPE=N"]),
+                                       (["--set-count", f"{name}=2.5"], 1, ["2.5", "whole"]), (["--set-visible", f"{name}=101%"], 1, ["101%"]),
                                        (["--csv", "none/c.csv"], 2, ["none/c.csv"])):
             with self.subTest(arguments=arguments):
                 self.refuse("count", "v.cif.gz", *SMALL, *arguments, code=code, words=words)

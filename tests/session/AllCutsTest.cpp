@@ -89,4 +89,63 @@ TEST(AllCuts, AddsACutEverywhereOnlyWhereItIsNeeded) {
   EXPECT_EQ(keptOf(again.solve(double(least)).scene, "type1"), keptOf(scene, "type1"));
 }
 
+/// How many are drawn of each type.
+std::vector<std::uint64_t> drawnByType(const scene::Scene& scene) {
+  std::vector<std::uint64_t> counts;
+  for (const auto& type : scene.model.data->types)
+    counts.push_back(count(keptOf(scene, pathOf(*scene.model.data, type))));
+  return counts;
+}
+
+TEST(AllCuts, NoTypeGetsMoreWhenTheNumberOfItsGroupGoesDown) {
+  // Types that are left in other proportions than they have instances.
+  scene::Scene scene = cutScene();
+  scene = RenderedSolver::ofAllCuts(scene, "type1").solve(60.0).scene;
+  scene = RenderedSolver::ofAllCuts(scene, "type2").solve(300.0).scene;
+  std::vector<std::uint64_t> before = drawnByType(scene), last = before;
+  std::uint64_t all = before[0] + before[1] + before[2] + before[3];
+  RenderedSolver solver = RenderedSolver::ofAllCuts(scene, "root");
+  for (double share : {1.0, 0.95, 0.8, 0.5, 0.2, 0.0}) {
+    auto wanted = std::uint64_t(std::llround(share * double(all)));
+    Solved solved = solver.solve(double(wanted));
+    EXPECT_EQ(solved.reached, wanted);
+    std::vector<std::uint64_t> now = drawnByType(solved.scene);
+    for (std::size_t t = 0; t < now.size(); ++t) EXPECT_LE(now[t], last[t]) << share << " type" << t;
+    last = now;
+  }
+}
+
+TEST(AllCuts, ANumberSetByHandStaysWhenThatOfItsGroupIsSet) {
+  scene::Scene scene = cutScene();
+  Solved one = RenderedSolver::ofAllCuts(scene, "type1").solve(100.0);
+  scene = one.scene;
+  holdDrawn(scene, typesAt(*scene.model.data, "type1").path, 100.0);
+  RenderedSolver solver = RenderedSolver::ofAllCuts(scene, "root");
+  EXPECT_EQ(solver.range().total, 2000u);
+  for (double wanted : {1500.0, 900.0, 300.0, 100.0}) {
+    Solved solved = solver.solve(wanted);
+    EXPECT_EQ(double(solved.reached), wanted) << solved.words;
+    EXPECT_EQ(count(keptOf(solved.scene, "root")), solved.reached);
+    EXPECT_EQ(count(keptOf(solved.scene, "type1")), 100u) << wanted;
+    EXPECT_NE(solved.words.find("set by hand stays"), std::string::npos) << solved.words;
+  }
+  Solved most = solver.solve(2000.0);
+  EXPECT_EQ(most.reached, 1600u) << "all of the others, and it";
+  EXPECT_NE(most.words.find("set by hand"), std::string::npos) << most.words;
+}
+
+TEST(AllCuts, NumbersSetByHandGoDownInProportionWhereTheirGroupHasNoRoomForThem) {
+  scene::Scene scene = cutScene();
+  for (auto [name, number] : {std::pair("type1", 90.0), {"type2", 30.0}}) {
+    scene = RenderedSolver::ofAllCuts(scene, name).solve(number).scene;
+    holdDrawn(scene, typesAt(*scene.model.data, name).path, number);
+  }
+  Solved solved = RenderedSolver::ofAllCuts(scene, "root").solve(40.0);
+  EXPECT_EQ(solved.reached, 40u) << solved.words;
+  EXPECT_EQ(drawnByType(solved.scene), (std::vector<std::uint64_t>{0, 30, 10, 0}));
+  EXPECT_NE(solved.words.find("go down"), std::string::npos) << solved.words;
+  EXPECT_EQ(targetOf(solved.scene.model, typesAt(*scene.model.data, "type1").path)->rendered, 30.0)
+      << "what is held is what is drawn";
+}
+
 }  // namespace velum::session

@@ -236,13 +236,40 @@ TEST(TargetSolver, AsksForPicturesOneByOne) {
 TEST(TargetSolver, WithoutACutOneEverywhereTakesWhatIsTooMany) {
   scene::Scene scene = ballScene();
   scene.cuts.clear();
-  std::vector<int> cuts = cutsToSet(scene);
-  ASSERT_EQ(cuts.size(), 1u);
   EXPECT_EQ(countOf(scene, "root", 20.0).clipped(), 0u);
-  TargetsReport report = solveTargets(scene, cuts, {{"type2", 12.0, std::nullopt}}, cells(20.0));
+  TargetsReport report = solveTargets(scene, {{"type2", 12.0, std::nullopt}}, cells(20.0));
+  ASSERT_EQ(report.scene.cuts.size(), 1u);
   EXPECT_EQ(countOf(report.scene, "type2", 20.0).left(), 12u);
   EXPECT_EQ(countOf(report.scene, "root", 20.0).clipped(), 288u);
-  EXPECT_EQ(cutsToSet(scene), cuts);
+}
+
+TEST(TargetSolver, FewerThanLieOutsideOfTheCutsAreThinnedByACutEverywhere) {
+  scene::Scene scene = ballScene();
+  scene.cuts[0].model.spares = {{.type = "root", .share = 0.0}};
+  Counts before = countOf(scene, "type1", 20.0), others = countOf(scene, "type2", 20.0);
+  ASSERT_GT(before.clipped(), 10u);
+  ASSERT_GT(before.visible(), 60u);
+  for (double wanted : {0.0, 7.0, 20.0, 41.0}) {
+    TargetsReport report = solveTargets(scene, {{"type1", std::nullopt, wanted}}, cells(20.0));
+    EXPECT_TRUE(report.targets[0].isMet) << report.targets[0].words;
+    EXPECT_EQ(report.scene.cuts.size(), 2u) << wanted;
+    EXPECT_EQ(double(countOf(report.scene, "type1", 20.0).visible()), wanted);
+    EXPECT_EQ(countOf(report.scene, "type2", 20.0).left(), others.left()) << "other types stay as they are";
+    std::vector<std::uint8_t> kept = render::keptInstances(report.scene), was = render::keptInstances(scene);
+    for (std::size_t i = 0; i < kept.size(); ++i) ASSERT_LE(kept[i], was[i]) << "nothing of the region comes back";
+  }
+  TargetsReport more = solveTargets(scene, {{"type1", double(before.left() + 5), std::nullopt}}, cells(20.0));
+  EXPECT_EQ(more.scene.cuts.size(), 1u) << "the region alone has them";
+  EXPECT_EQ(countOf(more.scene, "type1", 20.0).left(), before.left() + 5);
+}
+
+TEST(TargetSolver, NumbersWithinACompartmentStayWhileItIsLetSee) {
+  scene::Scene scene = ballScene();
+  scene = RenderedSolver::ofAllCuts(scene, "root.a.type0").solve(31.0).scene;
+  holdDrawn(scene, "root.a.type0", 31.0);
+  Solved solved = solveVisible(scene, {}, "root.a", 60.0, cells(20.0));
+  EXPECT_EQ(solved.reached, 60u) << solved.words;
+  EXPECT_EQ(countOf(solved.scene, "root.a.type0", 20.0).left(), 31u);
 }
 
 }  // namespace velum::session

@@ -7,6 +7,7 @@
 #include "session/command/ModelCommands.h"
 #include "session/cut/CutEdit.h"
 #include "session/model/TypesAt.h"
+#include "session/model/WhatHides.h"
 
 namespace velum::gui {
 
@@ -110,7 +111,9 @@ void FocusForm::showCut(const scene::Cut& cut, const std::vector<std::string>& p
     std::string_view name = session::shortName(type.type);
     names << QString::fromUtf8(name.data(), int(name.size())).replace('_', ' ');
   }
-  mFocus->setText(tr("In view: %1").arg(names.join(", ")));
+  std::string words = session::clearingWords(mDocument.scene());
+  mFocus->setText(tr("In view: %1").arg(names.join(", ")) +
+                  (words.empty() ? "" : "\n" + QString::fromStdString(words)));
   mLock->setChecked(cut.model.focus->lock.has_value());
 }
 

@@ -83,7 +83,14 @@ void Equalizer::take(const std::string& path, Handle handle) {
       isForView || !mChosen.empty() ? session::RenderedSolver(from, cuts(), place.path, sheets, aspect, field)
                                     : session::RenderedSolver::ofAllCuts(from, place.path, sheets, aspect));
   mBar.take({labelOf(place), handle, place.path == mHeldPath ? mBar.now() : countOf(path), solver->range().total,
-             [solver](double drawn) { return solver->solve(drawn); }});
+             [solver, handle](double drawn) {
+               session::Solved solved = solver->solve(drawn);
+               if (handle == Handle::Left)
+                 session::holdDrawn(solved.scene, solver->path(), double(solved.reached));
+               else
+                 session::setVisibleTarget(solved.scene, solver->path(), std::nullopt);
+               return solved;
+             }});
   mHeldPath = place.path;
 }
 
@@ -113,8 +120,8 @@ void Equalizer::findSeen(const session::Bar::Wish& wish) {
   double ratio = mViewport.devicePixelRatioF();
   glm::ivec2 size(std::lround(mViewport.width() * ratio), std::lround(mViewport.height() * ratio));
   std::vector<std::string> cuts;
-  for (int id : wish.cuts) cuts.push_back(session::cutKey(mSession.scene(), id));
-  session::Call call = session::LetSee{mHeldPath, double(wish.seen), cuts,
+  for (int id : mChosen.empty() ? std::vector<int>() : wish.cuts) cuts.push_back(session::cutKey(mSession.scene(), id));
+  session::Call call = session::LetSee{mHeldPath, fmt::format("{}", wish.seen), cuts,
                                        fmt::format("{}x{}", std::max(size.x, 1), std::max(size.y, 1))};
   auto make = [call, step = wish.label](const scene::Scene& scene, Progress& progress) {
     session::Edit edit = session::editOf(scene, call, progress);
@@ -124,7 +131,12 @@ void Equalizer::findSeen(const session::Bar::Wish& wish) {
   // The step began with what the hand dragged, cuts that it has added among it: a script says it by fields.
   auto commit = [this](const session::Edit& edit) {
     session::editByHand(
-        mSession.document(), edit.step, [&](scene::Scene& scene) { scene.cuts = edit.after.cuts; }, true);
+        mSession.document(), edit.step,
+        [&](scene::Scene& scene) {
+          scene.cuts = edit.after.cuts;
+          scene.model.targets = edit.after.model.targets;
+        },
+        true);
     emit told(QString::fromStdString(edit.told.front()));
   };
   // A job that cannot begin, is cancelled or fails leaves the cuts as the handle has set them.

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <QColorDialog>
-#include <QInputDialog>
 #include <QLocale>
 #include <algorithm>
 
@@ -105,19 +104,7 @@ void ModelCommands::setGhosts(const Types& types, std::optional<scene::Ghosts> g
 }
 
 void ModelCommands::setTarget(const std::string& path, std::optional<double> visible) {
-  session::edit(mDocument, session::SetTypeTarget{path, visible.value_or(0.0), !visible});
-}
-
-void ModelCommands::askTarget(const std::string& path, QWidget* window) {
-  int now = int(session::visibleTarget(mDocument.scene(), path).value_or(0.0));
-  bool isGiven = false;
-  QString name = QString::fromStdString(std::string(session::shortName(path))).replace('_', ' ');
-  int wanted =
-      QInputDialog::getInt(window, tr("Number to be seen"), tr("Instances of %1 that are to be seen:").arg(name), now,
-                           0, 1000000000, 1, &isGiven);
-  if (!isGiven) return;
-  setTarget(path, double(wanted));
-  emit targetsAsked();
+  session::edit(mDocument, session::SetTypeTarget{path, fmt::format("{:.0f}", visible.value_or(0.0)), !visible});
 }
 
 /// What can be done about what stands before a type.
@@ -134,9 +121,12 @@ void ModelCommands::fillViewMenu(QMenu& menu, const std::string& path) {
   auto wanted = session::visibleTarget(mDocument.scene(), path);
   menu.addAction(
           wanted ? tr("Number to be seen: %1...").arg(QLocale().toString(*wanted, 'f', 0)) : tr("Number to be seen..."),
-          this, [this, path, window = menu.parentWidget()] { askTarget(path, window); })
+          this, [this, path] { emit targetWanted(QString::fromStdString(path)); })
       ->setToolTip(tr("So many are to be seen; with the numbers that other types have, as near as can be"));
-  if (wanted) menu.addAction(tr("Any number"), this, [this, path] { setTarget(path, std::nullopt); });
+  if (session::isHeld(mDocument.scene().model, path))
+    menu.addAction(wanted ? tr("Any number") : tr("Let its number follow the group"), this,
+                   [this, path] { setTarget(path, std::nullopt); })
+        ->setToolTip(tr("The number that was set is forgotten: it follows when that of its group is set"));
   menu.addSeparator();
 }
 

@@ -35,8 +35,6 @@ class ModelCommands : public QObject {
   void setInView(const std::string& path, bool kept);
   /// Sets how many instances of a type or compartment are to be seen; nothing: any number.
   void setTarget(const std::string& path, std::optional<double> visible);
-  /// Asks how many instances are to be seen, and sets that target.
-  void askTarget(const std::string& path, QWidget* window);
   void setGhosts(const Types& types, std::optional<scene::Ghosts> ghosts);
   /// Adds the entries for one or several types to a menu. @param title  names the types  @param path  of the single
   /// type or compartment that they are; empty: several are meant
@@ -48,6 +46,8 @@ class ModelCommands : public QObject {
  signals:
   /// The user asks what hides a type or compartment.
   void hidingAsked(const QString& path);
+  /// The user wants to say how many instances of a type or compartment are to be seen.
+  void targetWanted(const QString& path);
   /// The user wants all targets to be met: as many instances are to be seen as the targets say.
   void targetsAsked();
 

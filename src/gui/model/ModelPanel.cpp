@@ -2,6 +2,7 @@
 
 #include <QVBoxLayout>
 #include <algorithm>
+#include <bit>
 
 #include "gui/kit/Text.h"
 #include "session/command/Command.h"
@@ -62,9 +63,38 @@ QWidget* ModelPanel::makeHead() {
   mNotes->setProperty("role", "muted");
   mNotes->setWordWrap(true);
   layout->addWidget(mNotes);
+  layout->addWidget(makeScale(head));
   connect(mLegend, &QCheckBox::clicked, this, &ModelPanel::legendAsked);
   connect(mShown, &EyeButton::clicked, this, [this](bool on) { session::edit(mDocument, session::ShowModel{on}); });
   return head;
+}
+
+/// Where model and other data do not fit each other: a line that says so, and a button that mends it.
+QWidget* ModelPanel::makeScale(QWidget* parent) {
+  mScale = new QWidget(parent);
+  mScale->setObjectName("modelScale");
+  auto* column = makeColumn(mScale, 4);
+  mScaleWords = new QLabel(mScale);
+  mScaleWords->setWordWrap(true);
+  column->addWidget(mScaleWords);
+  auto* button = new QPushButton(tr("Bring to size"), mScale);
+  button->setObjectName("modelBringToSize");
+  button->setToolTip(tr("Makes the model a third as long as the other data, and puts it beside them"));
+  column->addWidget(button, 0, Qt::AlignLeft);
+  connect(button, &QPushButton::clicked, this, [this] { session::edit(mDocument, session::BringToSize{}); });
+  mScale->hide();
+  return mScale;
+}
+
+void ModelPanel::showScale(const scene::Scene& scene) {
+  std::vector<std::uint64_t> data{scene.volume.data.id(), scene.labels.data.id(), scene.model.data.id(),
+                                  std::bit_cast<std::uint64_t>(scene.model.enlargement)};
+  for (const scene::Surface& surface : scene.surfaces) data.push_back(surface.data.id());
+  if (data == mScaleOf) return;
+  mScaleOf = std::move(data);
+  std::string words = session::scaleWords(scene);
+  mScaleWords->setText(QString::fromStdString(words));
+  mScale->setVisible(!words.empty());
 }
 
 QWidget* ModelPanel::makeSearch() {
@@ -210,6 +240,7 @@ void ModelPanel::refresh() {
   const scene::Scene& scene = mDocument.scene();
   const scene::ModelLayer& layer = scene.model;
   if (layer.data) mLooks->refresh();  // follows more than this page shows
+  showScale(scene);
   mBar->refresh();
   mSteps->showScene(scene);
   if (mIsMade && layer == mLayerShown && scene.lighting == mLightShown) return;

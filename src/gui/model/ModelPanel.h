@@ -33,6 +33,8 @@ class ModelPanel : public QWidget {
 
  private:
   QWidget* makeHead();
+  QWidget* makeScale(QWidget* parent);
+  void showScale(const scene::Scene& scene);
   QWidget* makeSearch();
   QWidget* makeFoot();
   QWidget* makeRows();
@@ -45,7 +47,9 @@ class ModelPanel : public QWidget {
   ModelCommands& mCommands;
   session::Document& mDocument;
   EyeButton* mShown = nullptr;
-  QLabel *mName = nullptr, *mNotes = nullptr, *mCount = nullptr;
+  QWidget* mScale = nullptr;
+  std::vector<std::uint64_t> mScaleOf;  ///< the data of which it was last asked whether they fit each other
+  QLabel *mName = nullptr, *mNotes = nullptr, *mScaleWords = nullptr, *mCount = nullptr;
   QCheckBox* mLegend = nullptr;
   QLineEdit* mSearch = nullptr;
   EqualizeSteps* mSteps = nullptr;

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <QInputDialog>
+#include <QLocale>
+#include <QTimer>
 #include <memory>
 #include <numeric>
 
@@ -49,6 +52,7 @@ void ModelRoom::makeRoom(bool hasModel) {
 void ModelRoom::connectEqualizer() {
   Viewport& viewport = mParts.views.viewport();
   connect(mCommands, &ModelCommands::hidingAsked, this, &ModelRoom::findHiding);
+  connect(mCommands, &ModelCommands::targetWanted, this, &ModelRoom::findSeenRange);
   connect(mCommands, &ModelCommands::targetsAsked, this, &ModelRoom::meetTargets);
   connect(&mPanel->steps(), &EqualizeSteps::asked, this, &ModelRoom::takeStep);
   connect(&mPanel->list(), &ModelList::refused, this, [this](const QString& why) { mParts.messages.showNote(why); });
@@ -84,11 +88,8 @@ void ModelRoom::takeStep(EqualizeSteps::Step step) {
 /// Finds by pictures that are drawn in the background what hides a type: the answer comes a moment later.
 void ModelRoom::findHiding(const QString& path) {
   auto hiding = std::make_shared<session::Hiding>();
-  const Viewport& viewport = mParts.views.viewport();
-  auto work = [hiding, scene = mParts.session.scene(), name = path.toStdString(),
-               size = glm::ivec2(std::max(1, viewport.width()), std::max(1, viewport.height()))](Progress& progress) {
-    *hiding = session::findHiding(scene, name, size, progress);
-  };
+  auto work = [hiding, scene = mParts.session.scene(), name = path.toStdString(), size = pictureSize()](
+                  Progress& progress) { *hiding = session::findHiding(scene, name, size, progress); };
   mParts.jobs.start(tr("Looking what hides %1").arg(path.section('.', -1)), work, [this, hiding] {
     if (!mParts.session.scene().model.data) return;
     mParts.tabs.showPage(mPanel);
@@ -120,13 +121,55 @@ void ModelRoom::connectViews() {
   });
 }
 
+/// Finds by pictures how many instances of a type are seen and can be, then asks how many are to be.
+void ModelRoom::findSeenRange(const QString& path) {
+  auto range = std::make_shared<session::SeenRange>();
+  auto work = [range, scene = mParts.session.scene(), name = path.toStdString(), size = pictureSize()](
+                  Progress& progress) { *range = session::findSeenRange(scene, name, size, progress); };
+  mParts.jobs.start(tr("Looking how many of %1 can be seen").arg(path.section('.', -1)), work, [this, range, path] {
+    // After the job has ended: what is asked for is another.
+    QTimer::singleShot(0, this, [this, range, path] { askTarget(path, *range); });
+  });
+}
+
+void ModelRoom::askTarget(const QString& path, const session::SeenRange& range) {
+  if (!mParts.session.scene().model.data) return;
+  QLocale locale;
+  QString name = path.section('.', -1).replace('_', ' '), text;
+  auto before = session::visibleTarget(mParts.session.scene(), path.toStdString());
+  text = locale.toString(qulonglong(before ? std::uint64_t(*before) : range.now));
+  QString facts = tr("Of %1 %2, %3 are seen now. At most about %4 can be, where cuts leave all of them.")
+                      .arg(locale.toString(qulonglong(range.total)), name, locale.toString(qulonglong(range.now)),
+                           locale.toString(qulonglong(range.most)));
+  QString why;
+  for (;;) {
+    bool isGiven = false;
+    text = QInputDialog::getText(
+        &mParts.window, tr("Number to be seen"),
+        facts + "\n" + (why.isEmpty() ? QString() : why + "\n") + tr("To be seen, a number or a share such as 20 %:"),
+        QLineEdit::Normal, text, &isGiven);
+    if (!isGiven) return;
+    if (auto number = ModelTree::readNumber(text, double(range.total))) {
+      mCommands->setTarget(path.toStdString(), *number);
+      return meetTargets();
+    }
+    why = tr("\"%1\" is neither a whole number nor a share up to 100 %.").arg(text);
+  }
+}
+
+/// Of the view, in pixels.
+glm::ivec2 ModelRoom::pictureSize() const {
+  const Viewport& viewport = mParts.views.viewport();
+  glm::dvec2 size = glm::dvec2(viewport.width(), viewport.height()) * viewport.devicePixelRatioF();
+  return glm::max(glm::ivec2(glm::round(size)), glm::ivec2(1));
+}
+
 /// Meets all targets at once, by pictures that are drawn in the background; targets that cannot be met are told.
 void ModelRoom::meetTargets() {
   if (mParts.session.scene().model.targets.empty())
     return mParts.messages.showNote(tr("No type has a number to be seen: give one in its menu."));
-  const Viewport& viewport = mParts.views.viewport();
-  glm::ivec2 size(glm::round(glm::dvec2(viewport.width(), viewport.height()) * viewport.devicePixelRatioF()));
-  session::Call call = session::MeetTargets{fmt::format("{}x{}", std::max(size.x, 1), std::max(size.y, 1))};
+  glm::ivec2 size = pictureSize();
+  session::Call call = session::MeetTargets{fmt::format("{}x{}", size.x, size.y)};
   auto make = [call](const scene::Scene& scene, Progress& progress) { return session::editOf(scene, call, progress); };
   auto commit = [this, call](const session::Edit& edit) {
     session::commitCuts(mParts.document(), edit, call);

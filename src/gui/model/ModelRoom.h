@@ -32,6 +32,9 @@ class ModelRoom : public Room {
   void makeRoom(bool hasModel);
   void takeStep(EqualizeSteps::Step step);
   void findHiding(const QString& path);
+  void findSeenRange(const QString& path);
+  void askTarget(const QString& path, const session::SeenRange& range);
+  glm::ivec2 pictureSize() const;
   void meetTargets();
 
   ModelCommands* mCommands;

@@ -1,11 +1,14 @@
 #include "gui/model/ModelTree.h"
 
+#include <fmt/format.h>
+
 #include <QLocale>
 #include <algorithm>
 
-#include "scene/Shown.h"
 #include "gui/kit/Text.h"
 #include "gui/rows/CountBar.h"
+#include "scene/Shown.h"
+#include "session/model/InstanceNumber.h"
 #include "session/model/ModelEdit.h"
 
 namespace velum::gui {
@@ -42,7 +45,7 @@ void ModelTree::showLayer(const scene::ModelLayer& layer) {
   }
   setModel(layer.data);
   if (!rows().empty()) mScale.most = double(rows().front().instances) * scene::copyCount(layer);
-  if (!isOther) tellCells(Eye, Count, {VisibleRole, ColorRole, Qt::AccessibleTextRole});
+  if (!isOther) tellCells(Eye, Count, {VisibleRole, ColorRole, HeldRole, Qt::AccessibleTextRole});
 }
 
 void ModelTree::showCounts() {
@@ -81,8 +84,8 @@ std::optional<double> ModelTree::readNumber(const QString& text, double total) {
   bool isRead = false;
   double value = QLocale().toDouble(number, &isRead);
   if (!isRead) value = QLocale::c().toDouble(number, &isRead);
-  if (!isRead || !(value >= 0.0) || value > 1e12) return std::nullopt;
-  return isPercent ? total * std::min(value, 100.0) / 100.0 : value;
+  if (!isRead) return std::nullopt;
+  return session::instanceNumber(fmt::format("{}{}", value, isPercent ? "%" : ""), total);
 }
 
 QString ModelTree::describe(const Counts& count) const {
@@ -133,16 +136,26 @@ QString ModelTree::tipOf(const Row& row, int column) const {
                    : tr("Hidden: click to show, Alt+click to show it alone");
   if (column == Swatch && row.isType) return tr("Click to choose another colour");
   if (column == Bar || column == Count) {
+    QString held = session::isHeld(mLayer, row.path) ? "\n" + heldText(row.path) : QString();
     QString how = column == Bar ? tr("Drag the right knob to set how many are drawn, the left one how many are seen "
                                      "(Ctrl+Right, Ctrl+Left; with Shift: seen)")
                                 : tr("How many are drawn: double-click or F2 to type another number, or a share in %");
     Counts count = countOf(row);
-    return count.total() > 0 ? describe(count) + "\n" + how : how;
+    return (count.total() > 0 ? describe(count) + "\n" + how : how) + held;
   }
   if (row.isType) return QString("%1\n%2").arg(toText(row.path), describe(model()->types[row.number]));
   return QString("%1\n%2\n%3")
       .arg(toText(row.path), tr("%1 instances of %2 types").arg(numberText(row.instances)).arg(row.types.size()),
            row.mass > 0.0 ? tr("%1 in all").arg(massText(row.mass)) : tr("mass unknown"));
+}
+
+/// Says which number the scene holds for a row.
+QString ModelTree::heldText(const std::string& path) const {
+  const scene::TypeTarget* target = session::targetOf(mLayer, path);
+  if (!target) return {};
+  if (target->visible) return tr("To be seen: %1, set by hand").arg(numberText(std::uint64_t(*target->visible)));
+  return tr("Drawn: %1, set by hand: it stays when the number of its group is set")
+      .arg(numberText(std::uint64_t(target->rendered.value_or(0.0))));
 }
 
 QVariant ModelTree::data(const QModelIndex& index, int role) const {
@@ -163,6 +176,8 @@ QVariant ModelTree::data(const QModelIndex& index, int role) const {
                                                                : tr("partly shown"));
     case VisibleRole:
       return int(shownOf(row));
+    case HeldRole:
+      return session::isHeld(mLayer, row.path);
     case ColorRole:
       return row.isType ? mColors[row.number] : QColor();
     default:

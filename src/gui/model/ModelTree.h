@@ -16,7 +16,7 @@ class ModelTree : public TypeTree {
   Q_OBJECT
  public:
   enum Column { Eye, Swatch, Name, Bar, Count, kColumns };
-  enum Role { VisibleRole = kOwnRole, ColorRole };
+  enum Role { VisibleRole = kOwnRole, ColorRole, HeldRole };  // HeldRole: a hand has set the row's number
   enum Shown { None, Some, All };  ///< how many of a row's types are shown: the value of VisibleRole
 
   ModelTree(const Equalizer& equalizer, QObject* parent);
@@ -29,7 +29,8 @@ class ModelTree : public TypeTree {
   void setPercent(bool percent);
   /// The counts of a row's instances; before there are counts the sum, total(), is 0.
   Counts countOf(const Row& row) const;
-  /// The number that was typed into a row's field: "50", or "20 %" of `total`; nothing where the text is no number.
+  /// The number that was typed into a row's field: "50", or "20 %" of `total`, in the language's digits; nothing where
+  /// the text is no whole number and no share.
   static std::optional<double> readNumber(const QString& text, double total);
 
   QVariant data(const QModelIndex& index, int role) const override;
@@ -42,6 +43,7 @@ class ModelTree : public TypeTree {
   QString describe(const MoleculeType& type) const;
   QString describe(const Counts& count) const;
   QString numberOf(const Row& row) const;
+  QString heldText(const std::string& path) const;
 
   const Equalizer& mEqualizer;
   BarScale mScale;

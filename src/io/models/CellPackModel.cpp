@@ -150,7 +150,10 @@ class CellPackReader {
     std::string name = type.name;
     bool isStrand = type.kind == MoleculeKind::NucleicAcid;
     std::uint32_t index = mBuilder.addType(std::move(type));
-    isApart ? placeApart(entity, index) : placeTogether(entity, index, isStrand);
+    if (isStrand && mAtoms.areBeads)
+      placeBeads(entity, index);
+    else
+      isApart ? placeApart(entity, index) : placeTogether(entity, index, isStrand);
     if (mAtoms.areBeads && !isStrand) mDetailed.push_back({name, index, mMolecule});
   }
 
@@ -164,15 +167,37 @@ class CellPackReader {
     std::map<std::uint32_t, std::uint32_t> moleculeOf;
     for (const Placing& placing : entity.placings)
       for (std::uint32_t asym : placing.asyms) {
-        if (!moleculeOf.count(asym)) moleculeOf[asym] = addMolecule(type, {asym}, false);
+        if (!moleculeOf.count(asym)) moleculeOf[asym] = addMolecule(type, {asym});
         std::uint32_t molecule = moleculeOf[asym];
         mOperators.forEach(placing.expression, [&](const Pose& pose) { place(mBuilder, mPath, molecule, pose); });
       }
     mMolecule = moleculeOf.begin()->second;
   }
 
+  /// A strand of beads is cut bead by bead, whatever the file makes one molecule: each bead is an instance.
+  void placeBeads(const Entity& entity, std::uint32_t type) {
+    std::vector<glm::vec3> points;
+    for (const Placing& placing : entity.placings)
+      mOperators.forEach(placing.expression, [&](const Pose& pose) {
+        for (std::uint32_t asym : placing.asyms)
+          for (std::uint32_t row : mAtoms.ofAsym[asym])
+            points.push_back(pose.rotation * mAtoms.atoms[row].position + pose.position);
+        if (points.size() > kMostInstances) refuse(mPath, fmt::format("names more than {} instances", kMostInstances));
+      });
+    float radius = 0.5f * medianStep(points);
+    if (!(radius > 0.0f)) radius = kBeadRadius;
+    std::uint32_t bead = mBuilder.addMolecule(type, {}, {{glm::vec4(0.0f, 0.0f, 0.0f, radius)}});
+    MoleculeType& of = mBuilder.type(type);
+    if (of.massSource == MassSource::File) of.mass /= double(points.size());  // the file's is of the whole strand
+    forStrands(points, [&](std::size_t first, std::size_t end) {
+      mBuilder.beginFibre();
+      for (std::size_t i = first; i < end; ++i) place(mBuilder, mPath, bead, {{1.0f, 0.0f, 0.0f, 0.0f}, points[i]});
+      mBuilder.addFibre(type, {points.begin() + std::ptrdiff_t(first), points.begin() + std::ptrdiff_t(end)});
+    });
+  }
+
   void placeTogether(const Entity& entity, std::uint32_t type, bool isStrand) {
-    mMolecule = addMolecule(type, entity.placings.front().asyms, isStrand);
+    mMolecule = addMolecule(type, entity.placings.front().asyms);
     std::vector<Pose> poses;
     for (const Placing& placing : entity.placings)
       mOperators.forEach(placing.expression, [&](const Pose& pose) { poses.push_back(pose); });
@@ -197,7 +222,7 @@ class CellPackReader {
     if (mCount > kMostInstances) refuse(mPath, fmt::format("names more than {} instances", kMostInstances));
   }
 
-  std::uint32_t addMolecule(std::uint32_t type, const std::vector<std::uint32_t>& asyms, bool isStrand) {
+  std::uint32_t addMolecule(std::uint32_t type, const std::vector<std::uint32_t>& asyms) {
     std::vector<Atom> atoms;
     std::map<std::uint32_t, std::uint16_t> chains;
     for (std::size_t chain = 0; chain < asyms.size(); ++chain)
@@ -208,17 +233,8 @@ class CellPackReader {
         atoms.back().chain = chains.try_emplace(own, std::uint16_t(chains.size())).first->second;
       }
     if (!mAtoms.areBeads) return mBuilder.addMolecule(type, std::move(atoms));
-    std::vector<glm::vec3> points;
-    for (const Atom& atom : atoms) points.push_back(atom.position);
-    float radius = isStrand ? 0.5f * medianStep(points) : kBeadRadius;
-    if (!(radius > 0.0f)) radius = kBeadRadius;
     std::vector<glm::vec4> beads;
-    for (glm::vec3 p : points) beads.emplace_back(p, radius);
-    if (isStrand)  // the points of one molecule: no instances
-      forStrands(points, [&](std::size_t first, std::size_t end) {
-        mBuilder.beginFibre();
-        mBuilder.addFibre(type, {points.begin() + std::ptrdiff_t(first), points.begin() + std::ptrdiff_t(end)});
-      });
+    for (const Atom& atom : atoms) beads.emplace_back(atom.position, kBeadRadius);
     return mBuilder.addMolecule(type, {}, {std::move(beads)});
   }
 

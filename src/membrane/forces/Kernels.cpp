@@ -220,6 +220,7 @@ PotentialSource sourceOf(const scene::Scene& scene) {
   } else {
     source.model = scene.model.data;
     source.copies = scene.model.copies;
+    source.frame = scene::modelFrame(scene);
     source.unit = scene.unit;
   }
   return source;
@@ -231,7 +232,7 @@ Potential::Potential(const scene::Scene& scene) : mData(std::make_unique<Data>()
   PotentialSource& source = mData->source;
   source = sourceOf(scene);
   if (!source.model) return;
-  source.labels = Shared<LabelVolume>(makeTypeGrid(scene.model, scene.unit));
+  source.labels = Shared<LabelVolume>(makeTypeGrid(scene.model, source.frame, scene.unit));
   source.dims = source.labels->dims();
   source.worldFromVoxel = source.labels->worldFromVoxel();
 }
@@ -242,7 +243,8 @@ Potential& Potential::operator=(Potential&&) noexcept = default;
 bool Potential::matches(const scene::Scene& scene) const {
   PotentialSource other = sourceOf(scene);
   const PotentialSource& own = mData->source;
-  bool isSameModel = own.model == other.model && (!own.model || (own.copies == other.copies && own.unit == other.unit));
+  bool isSameModel = own.model == other.model &&
+                     (!own.model || (own.copies == other.copies && own.frame == other.frame && own.unit == other.unit));
   bool isSameLabels = own.model || own.labels == other.labels;  // a model's are made of it
   return own.volume == other.volume && isSameModel && isSameLabels && own.timeStep == other.timeStep &&
          own.channel == other.channel;

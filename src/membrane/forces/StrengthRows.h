@@ -11,6 +11,7 @@
 #include "membrane/forces/Gradients.h"
 #include "membrane/forces/Pieces.h"
 #include "scene/Membrane.h"
+#include "scene/ModelLayer.h"
 
 namespace velum::membrane {
 
@@ -19,8 +20,9 @@ struct PotentialSource {
   Shared<Volume> volume;
   int timeStep = 0, channel = 0;
   Shared<LabelVolume> labels;
-  Shared<Model> model;  ///< only where there is nothing else; then `labels` are its types
-  int copies = 1;       ///< copies of the model
+  Shared<Model> model;      ///< only where there is nothing else; then `labels` are its types
+  int copies = 1;           ///< copies of the model
+  scene::ModelFrame frame;  ///< how it lies in the world
   LengthUnit unit = LengthUnit::Millimetre;
   glm::ivec3 dims{0};
   glm::dmat4 worldFromVoxel{1.0};

@@ -112,7 +112,7 @@ std::vector<glm::vec3> shiftsOf(const scene::CopyGrid& copies, int count) {
 
 }  // namespace
 
-LabelVolume makeTypeGrid(const scene::ModelLayer& layer, LengthUnit unit) {
+LabelVolume makeTypeGrid(const scene::ModelLayer& layer, const scene::ModelFrame& frame, LengthUnit unit) {
   const Model& model = *layer.data;
   scene::ModelBox box = scene::modelBox(layer);
   glm::dvec3 edges = box.high - box.low;
@@ -135,9 +135,8 @@ LabelVolume makeTypeGrid(const scene::ModelLayer& layer, LengthUnit unit) {
     }
     filling.finish(std::uint16_t(t + 1));
   }
-  double length = unitsPer(LengthUnit::Angstrom, unit);
-  glm::dmat4 worldFromVoxel(voxel * length);
-  worldFromVoxel[3] = glm::dvec4((box.low + 0.5 * voxel) * length, 1.0);
+  glm::dmat4 worldFromVoxel(voxel * frame.length);
+  worldFromVoxel[3] = glm::dvec4(frame.worldOf(box.low + 0.5 * voxel), 1.0);
   LabelVolume grid(dims, worldFromVoxel, unit);
   grid.write(glm::ivec3(0), dims, filling.ids());
   return grid;

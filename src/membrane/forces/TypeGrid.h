@@ -8,6 +8,6 @@ namespace velum::membrane {
 /// The types of a model as labels for a sheet: each voxel gets the type whose instances fill most of it, as the type's
 /// number in the model, counted from 1; 0 where instances fill less than a quarter of the voxel. Shows all copies, as
 /// if there were no cuts. Some tenths of a second. @param unit  of the world that the grid stands in
-LabelVolume makeTypeGrid(const scene::ModelLayer& layer, LengthUnit unit);
+LabelVolume makeTypeGrid(const scene::ModelLayer& layer, const scene::ModelFrame& frame, LengthUnit unit);
 
 }  // namespace velum::membrane

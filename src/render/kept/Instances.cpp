@@ -16,10 +16,10 @@ Instances::Instances(const scene::Scene& of, const SheetIndices& live)
       spares(model::makeTypeSpareRows(of)),
       whole(model::wholeInstanceBits(of)),
       states(model.instances.size() * std::size_t(scene::copyCount(of.model)), InstanceState::Kept) {
-  scene::ModelBox box = scene::modelBox(of.model);
-  scale = unitsPer(LengthUnit::Angstrom, of.unit);
-  origin = 0.5 * (box.low + box.high) * scale;
-  radius = 0.5 * glm::length(box.high - box.low) * scale;
+  scene::ModelBox box = scene::worldBoxOfModel(of);
+  frame = scene::modelFrame(of);
+  origin = 0.5 * (box.low + box.high);
+  radius = 0.5 * glm::length(box.high - box.low);
   cuts = makeCutData(of, origin, sheets.plans);
 }
 
@@ -31,7 +31,7 @@ glm::vec3 Instances::middleOf(std::size_t i) const {
                 copy / (copies.counts.x * copies.counts.y));
   glm::dvec3 middle = glm::dvec3(instance.position) + glm::dvec3(instance.rotation * moleculeOf(i).centre) +
                       copies.step * glm::dvec3(at);
-  return glm::vec3(middle * scale - origin);
+  return glm::vec3(frame.worldOf(middle) - origin);
 }
 
 }  // namespace velum::render

@@ -14,7 +14,7 @@ namespace velum::render {
 struct Instances {
   const scene::Scene& scene;
   const Model& model;
-  double scale = 1.0;  ///< Length of an angstrom in the scene's unit.
+  scene::ModelFrame frame;
   glm::dvec3 origin{0.0};
   double radius = 0.0;
   scene::CopyGrid copies;
@@ -29,7 +29,7 @@ struct Instances {
   const Molecule& moleculeOf(std::size_t i) const {
     return model.molecules[model.instances[i % model.instances.size()].molecule];
   }
-  float radiusOf(std::size_t i) const { return float(double(moleculeOf(i).radius) * scale); }
+  float radiusOf(std::size_t i) const { return float(double(moleculeOf(i).radius) * frame.length); }
   glm::vec3 middleOf(std::size_t i) const;
   const shared::TypeSpareRow& spareOf(std::size_t i, std::size_t cut) const {
     return spares[moleculeOf(i).type * cuts.size() + cut];

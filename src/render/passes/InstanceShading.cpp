@@ -19,7 +19,7 @@ shared::InstanceShade shadeOf(const FrameData& data, int sample, const InstanceS
   scene::ModelBox box = scene::modelBox(scene.model);
   glm::dvec3 forward(data.params.forward), eye = glm::dvec3(glm::vec3(data.params.eye));
   double scale = angstromOf(data);
-  glm::dvec3 low = box.low * scale - sceneOrigin(data.grid), high = box.high * scale - sceneOrigin(data.grid);
+  glm::dvec3 low = box.low * scale + modelOrigin(data), high = box.high * scale + modelOrigin(data);
   double middle = glm::dot(0.5 * (low + high) - eye, forward);
   double half = 0.5 * glm::dot(glm::abs(forward), high - low);
   bool hasPaper = scene.finish.paper != scene::Paper::None;

@@ -42,7 +42,7 @@ shared::InstanceView eyeViewOf(const FrameData& data, int sample) {
   glm::dvec3 low = glm::dvec3(model.data->low) * scale, high = glm::dvec3(model.data->high) * scale;
   // Balls of coarse levels reach a little beyond the spheres of the atoms.
   view.copySphere =
-      glm::vec4(glm::vec3(0.5 * (low + high) - sceneOrigin(data.grid)), 0.55f * float(glm::length(high - low)));
+      glm::vec4(glm::vec3(0.5 * (low + high) + modelOrigin(data)), 0.55f * float(glm::length(high - low)));
   view.copiesX = copies.counts.x;
   view.copiesY = copies.counts.y;
   view.copies = scene::copyCount(model);
@@ -59,7 +59,7 @@ shared::InstanceView eyeViewOf(const FrameData& data, int sample) {
 shared::InstanceView lightViewOf(const FrameData& data, const shared::InstanceView& eye) {
   scene::ModelBox box = scene::modelBox(data.frame.scene.model);
   double scale = angstromOf(data);
-  glm::dvec3 low = box.low * scale - sceneOrigin(data.grid), high = box.high * scale - sceneOrigin(data.grid);
+  glm::dvec3 low = box.low * scale + modelOrigin(data), high = box.high * scale + modelOrigin(data);
   glm::dvec3 middle = 0.5 * (low + high);
   double radius = 0.5 * glm::length(high - low);
   glm::dvec3 forward(eye.forward), towards = glm::dvec3(glm::vec3(eye.eye));

@@ -42,7 +42,7 @@ void ModelPass::prepare(FrameData& data) {
   }
   checkCount(layer);
   Shared<LevelSet> levels = levelsOf(layer);
-  Key key{layer.data.id(), levels.id(), {sceneOrigin(data.grid), angstromOf(data)}};
+  Key key{layer.data.id(), levels.id(), {-modelOrigin(data), angstromOf(data)}};
   if (!mKey || !(*mKey == key)) {
     mKey.reset();
     mSet = {};

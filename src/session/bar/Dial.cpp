@@ -34,6 +34,7 @@ DialGap gapFor(const Dial& dial, std::uint64_t staying) {
 std::string wordsFor(const Solved& solved, const CountRange& range, const std::string& left, const std::string& wanted,
                      const DialReasons& reasons) {
   if (solved.wanted == solved.reached) return left;
+  if (solved.wanted > range.total && solved.reached == range.total) return fmt::format("{}: there are no more", left);
   if (solved.cuts.empty()) return fmt::format("{}: {}", left, reasons.noCut);
   if (solved.wanted < range.least) return fmt::format("{}, not fewer: {}", left, reasons.notFewer);
   if (solved.wanted > range.most) return fmt::format("{}, not more: {}", left, reasons.notMore);

@@ -9,6 +9,8 @@
 #include "session/membrane/MembraneEdit.h"
 #include "session/model/ClipState.h"
 #include "session/model/CountPictures.h"
+#include "session/model/InstanceNumber.h"
+#include "session/model/RenderedSolver.h"
 #include "session/model/TargetSolver.h"
 #include "session/model/TypesAt.h"
 #include "session/model/WhatHides.h"
@@ -67,6 +69,25 @@ void leaveBy(Scene& scene, const LeaveTypesBy& a) {
   if (a.field == "type") throw ArgumentError("model.leaveBy type: say what is left of the types");
   for (const auto& path : a.types)
     scene::detail::assignMember(ownTypeSpare(cutOf(scene, a.cut), path), a.field, a.value, "model.spares");
+  if (a.field == "share" || a.field == "viewShare")
+    for (const auto& path : a.types) dropTargets(scene, path);
+}
+
+std::vector<int> cutIds(const Scene& scene, const std::vector<std::string>& keys) {
+  std::vector<int> ids;
+  for (const std::string& key : keys) ids.push_back(cutOf(scene, key).id);
+  return ids;
+}
+
+std::vector<std::string> setDrawn(Scene& scene, const SetDrawn& a) {
+  typeNumbers(scene, {a.type});  // says where there is none
+  double wanted = instanceNumber(scene, a.type, a.drawn);
+  RenderedSolver solver =
+      a.cuts.empty() ? RenderedSolver::ofAllCuts(scene, a.type) : RenderedSolver(scene, cutIds(scene, a.cuts), a.type);
+  Solved solved = solver.solve(wanted);
+  scene = std::move(solved.scene);
+  holdDrawn(scene, solver.path(), double(solved.reached));
+  return {solved.words};
 }
 
 void solo(Scene& scene, const SoloTypes& a) {
@@ -101,11 +122,10 @@ std::vector<std::string> meetTargets(Scene& scene, const MeetTargets& a, Progres
 
 std::vector<std::string> letSee(Scene& scene, const LetSee& a, Progress& progress) {
   typeNumbers(scene, {a.type});  // says where there is none
-  std::vector<int> cuts;
-  for (const std::string& key : a.cuts) cuts.push_back(cutOf(std::as_const(scene), key).id);
-  if (cuts.empty()) cuts = cutsToSet(scene);
-  Solved solved = findVisible(scene, cuts, a.type, a.visible, parsePictureSize(a.size, 0), progress);
+  double wanted = instanceNumber(scene, a.type, a.visible);
+  Solved solved = findVisible(scene, cutIds(scene, a.cuts), a.type, wanted, parsePictureSize(a.size, 0), progress);
   scene = std::move(solved.scene);
+  setVisibleTarget(scene, a.type, wanted);
   return {solved.words};
 }
 
@@ -122,6 +142,14 @@ std::vector<Command> lookRows() {
           "Shows the model, or hides it.", "model.showModel false",
           [](const Scene&, const ShowModel& a) { return std::string(a.visible ? "Show model" : "Hide model"); },
           [](Scene& scene, const ShowModel& a) { scene.model.visible = a.visible; }),
+      editRow<BringToSize>(
+          "Enlarges the model, or makes it smaller, so that it is seen beside the other data, at their right.",
+          "model.bringToSize", "Bring model to size",
+          [](Scene& scene, const BringToSize&) {
+            if (othersByModel(scene) == 1.0)
+              throw ArgumentError("model.bringToSize: there is no other data beside a model");
+            bringModelToSize(scene);
+          }),
       editRow<ColorTypes>(
           "Gives types a colour of their own.", "model.color root.capsid 0.9,0.7,0.2",
           stepOfTypes<ColorTypes>("Colour"),
@@ -165,7 +193,8 @@ std::vector<Command> numberRows() {
             return fmt::format("Number of {} to be seen", shortName(a.type));
           },
           [](Scene& scene, const SetTypeTarget& a) {
-            setVisibleTarget(scene, a.type, a.isAny ? std::nullopt : std::optional(a.visible));
+            if (a.isAny) return setVisibleTarget(scene, a.type, std::nullopt);
+            setVisibleTarget(scene, a.type, instanceNumber(scene, a.type, a.visible));
           }),
       editRow<MeetTargets>("Lets cuts leave as many instances as are to be seen of all types that have such a number.",
                            "model.meetTargets 1920x1080", "Meet numbers to be seen", meetTargets),
@@ -173,6 +202,19 @@ std::vector<Command> numberRows() {
           "Lets cuts leave so many instances of a type that a number of them is seen.", "model.letSee root.capsid 200",
           [](const Scene&, const LetSee& a) { return fmt::format("Number of {} to be seen", shortName(a.type)); },
           letSee),
+      editRow<SetDrawn>(
+          "Lets cuts leave so many instances of a type or compartment; its number stays when that of its group is set.",
+          "model.setDrawn root.capsid 20%",
+          [](const Scene&, const SetDrawn& a) { return fmt::format("Set number of {}", shortName(a.type)); }, setDrawn),
+      editRow<LetFollow>(
+          "Forgets the numbers of types: they follow those of their group.", "model.letFollow root.capsid",
+          [](const Scene& scene, const LetFollow& a) {
+            return typesLabel(scene, "Let follow the group:", typeNumbers(scene, a.types));
+          },
+          [](Scene& scene, const LetFollow& a) {
+            typeNumbers(scene, a.types);  // says which are none
+            for (const auto& path : a.types) dropTargets(scene, path);
+          }),
       editRow<LeaveTypes>(
           "Lets a cut leave a share of the instances of types.", "model.leave root.blood 0.25",
           [](const Scene& scene, const LeaveTypes& a) {
@@ -180,7 +222,10 @@ std::vector<Command> numberRows() {
           },
           [](Scene& scene, const LeaveTypes& a) {
             typeNumbers(scene, a.types);  // says which are none
-            for (const auto& path : a.types) setTypeShare(cutOf(scene, a.cut), path, a.share);
+            for (const auto& path : a.types) {
+              setTypeShare(cutOf(scene, a.cut), path, a.share);
+              dropTargets(scene, path);
+            }
           }),
       editRow<LeaveTypesBy>(
           "Sets how a cut leaves the instances of types.", "model.leaveBy root.blood falloff 20",
@@ -194,7 +239,10 @@ std::vector<Command> numberRows() {
           [](const Scene&, const LeaveAsAbove& a) { return "Leave " + rowsLabel(a.types) + " as above"; },
           [](Scene& scene, const LeaveAsAbove& a) {
             typeNumbers(scene, a.types);  // says which are none
-            for (const auto& path : a.types) removeTypeSpare(cutOf(scene, a.cut), path);
+            for (const auto& path : a.types) {
+              removeTypeSpare(cutOf(scene, a.cut), path);
+              dropTargets(scene, path);
+            }
           }),
       editRow<ShowUncut>("Turns all cuts off: no instance is removed.", "model.showUncut", "Show whole",
                          [](Scene& scene, const ShowUncut&) { showWhole(scene); }),
@@ -208,10 +256,10 @@ std::vector<Command> numberRows() {
             return a.kept ? "Keep " + name + " in view" : "Let " + name + " be hidden";
           },
           [](Scene& scene, const KeepInView& a) {
-            if (a.kept)
-              clearTheWay(scene, a.type);
-            else
-              endKeepInView(scene, a.type);
+            std::vector<std::string> told;
+            a.kept ? clearTheWay(scene, a.type) : endKeepInView(scene, a.type);
+            if (std::string words = clearingWords(scene); a.kept && !words.empty()) told.push_back(words);
+            return told;
           }),
   };
 }

@@ -40,6 +40,11 @@ struct ShowModel {
   }
 };
 
+struct BringToSize {
+  static constexpr std::string_view kName = "model.bringToSize";
+  static void fields(auto&, auto&) {}
+};
+
 struct ColorTypes {
   static constexpr std::string_view kName = "model.color";
   std::vector<std::string> types;
@@ -98,11 +103,12 @@ struct ProtectTypes {
 struct SetTypeTarget {
   static constexpr std::string_view kName = "model.target";
   std::string type;
-  double visible = 0.0;
+  std::string visible;
   bool isAny = false;
   static void fields(auto& o, auto& visit) {
     visit("type", o.type, FieldInfo{"", {}, "Path of a type or compartment."});
-    visit("visible", o.visible, FieldInfo{"", {0, 1e9}, "So many of its instances are to be seen."});
+    visit("visible", o.visible,
+          FieldInfo{"", {}, "So many of its instances are to be seen: 400, or a share such as 20%."});
     visit("isAny", o.isAny, FieldInfo{"", {}, "On: any number will do again."});
   }
 };
@@ -118,15 +124,33 @@ struct MeetTargets {
 struct LetSee {
   static constexpr std::string_view kName = "model.letSee";
   std::string type;
-  double visible = 0.0;
+  std::string visible;
   std::vector<std::string> cuts;
   std::string size = "1280x960";
   static void fields(auto& o, auto& visit) {
     visit("type", o.type, FieldInfo{"", {}, "Path of a type or compartment."});
-    visit("visible", o.visible, FieldInfo{"", {0, 1e9}, "So many of its instances are to be seen."});
+    visit("visible", o.visible,
+          FieldInfo{"", {}, "So many of its instances are to be seen: 400, or a share such as 20%."});
     visit("cuts", o.cuts, FieldInfo{"", {}, "Cuts that leave more or fewer; nothing: all that are on."});
     visit("size", o.size, FieldInfo{"", {}, "Of the pictures in which instances are counted, WIDTHxHEIGHT in pixels."});
   }
+};
+
+struct SetDrawn {
+  static constexpr std::string_view kName = "model.setDrawn";
+  std::string type, drawn;
+  std::vector<std::string> cuts;
+  static void fields(auto& o, auto& visit) {
+    visit("type", o.type, FieldInfo{"", {}, "Path of a type or compartment."});
+    visit("drawn", o.drawn, FieldInfo{"", {}, "Cuts leave so many of its instances: 400, or a share such as 20%."});
+    visit("cuts", o.cuts, FieldInfo{"", {}, "Cuts that leave more or fewer; nothing: all that are on."});
+  }
+};
+
+struct LetFollow {
+  static constexpr std::string_view kName = "model.letFollow";
+  std::vector<std::string> types;
+  static void fields(auto& o, auto& visit) { visit("types", o.types, kTypesInfo); }
 };
 
 struct LeaveTypes {

@@ -9,6 +9,7 @@
 #include "io/kinds/FileKind.h"
 #include "scene/VisibleFrame.h"
 #include "session/document/Open.h"
+#include "session/model/ModelEdit.h"
 
 namespace velum::session {
 
@@ -40,6 +41,12 @@ void tell(const std::vector<std::string>& lines, std::vector<std::string>* notes
   for (const auto& line : lines) notes ? notes->push_back(line) : log::warning(line);
 }
 
+/// Nobody finds a virion beside a head.
+void tellScale(const scene::Scene& scene, std::vector<std::string>* notes) {
+  if (std::string words = scaleWords(scene); !words.empty())
+    tell({words + "; \"Bring to size\" on the page Model enlarges it, or the command model.bringToSize"}, notes);
+}
+
 }  // namespace
 
 std::vector<scene::Source> sourcesOf(const std::vector<std::string>& paths) {
@@ -66,6 +73,7 @@ Opened openAll(std::vector<scene::Source> sources, Progress& progress, const Dat
   });
   tell(refused, notes);
   const scene::Scene& scene = opened.scene;
+  if (sources.size() > 1) tellScale(scene, notes);
   bool hasCamera = io::holdsScene(io::kindOf(fs::path(opened.path)));
   if (sources.size() > 1 && !hasCamera && (!scene.surfaces.empty() || scene.model.data))
     opened.scene.camera = scene::firstCamera(scene, 4.0 / 3.0);
@@ -77,6 +85,7 @@ void addAll(scene::Scene& scene, const std::vector<std::string>& paths, Progress
   auto refused =
       openEach(sourcesOf(paths), false, [&](const scene::Source& source) { add(scene, source, progress, notes); });
   tell(refused, notes);
+  tellScale(scene, notes);
 }
 
 }  // namespace velum::session

@@ -34,7 +34,8 @@ DataKey dataKeyOf(const scene::Scene& scene) {
           .model = scene.model.data.id(),
           .timeStep = scene.volume.timeStep,
           .channel = scene.volume.channel,
-          .copies = scene.model.copies};
+          .copies = scene.model.copies,
+          .frame = scene::modelFrame(scene)};
 }
 
 LiveSheet::LiveSheet(std::uint64_t id, const scene::Cut& cut, DataKey data, MembraneMover::Purpose purpose)

@@ -22,6 +22,7 @@ namespace velum::session {
 struct DataKey {
   std::uint64_t volume = 0, labels = 0, model = 0;
   int timeStep = 0, channel = 0, copies = 1;
+  scene::ModelFrame frame;  ///< how the model lies in the world
   bool operator==(const DataKey&) const = default;
 };
 DataKey dataKeyOf(const scene::Scene& scene);

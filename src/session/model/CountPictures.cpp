@@ -11,6 +11,8 @@
 #include "render/Renderer.h"
 #include "session/model/CountFiles.h"
 #include "session/model/PictureCounter.h"
+#include "session/model/TypeDials.h"
+#include "session/model/TypesAt.h"
 
 namespace velum::session {
 
@@ -45,10 +47,30 @@ Solved findVisible(const scene::Scene& scene, const std::vector<int>& cuts, std:
   return solveVisible(scene, cuts, path, wanted, std::ref(counting), {}, counting.aspect());
 }
 
-TargetsReport findTargets(scene::Scene scene, glm::ivec2 size, Progress& progress) {
+TargetsReport findTargets(const scene::Scene& scene, glm::ivec2 size, Progress& progress) {
   Counting counting(size, kMostPictures, progress);
-  std::vector<int> cuts = cutsToSet(scene);
-  return solveTargets(scene, cuts, scene.model.targets, std::ref(counting), {}, counting.aspect());
+  return solveTargets(scene, scene.model.targets, std::ref(counting), {}, counting.aspect());
+}
+
+SeenRange findSeenRange(scene::Scene scene, std::string_view path, glm::ivec2 size, Progress& progress) {
+  if (!scene.model.data) throw InputError("there is no model to count in");
+  TypeNumbers types = typesAt(*scene.model.data, path).types;
+  Counting counting(size, 2, progress);
+  auto seen = [&] {
+    Counts sum;
+    std::vector<Counts> counts = render::countTypes(*scene.model.data, counting(scene));
+    for (std::uint32_t type : types) sum += counts[type];
+    return sum;
+  };
+  Counts now = seen();
+  std::vector<int> cuts = enabledCuts(scene);
+  for (std::uint32_t type : types) {
+    std::string of = pathOf(*scene.model.data, scene.model.data->types[type]);
+    setDial(scene, cuts, of, DialField::Share, 1.0);
+    setDial(scene, cuts, of, DialField::ViewShare, 1.0);
+  }
+  setTypesVisible(scene, types, true);
+  return {now.visible(), seen().visible(), now.total()};
 }
 
 void writeBars(const scene::Scene& scene, glm::ivec2 size, const std::filesystem::path& path, Progress& progress) {

@@ -17,8 +17,17 @@ Solved findVisible(const scene::Scene& scene, const std::vector<int>& cuts, std:
                    glm::ivec2 size, Progress& progress);
 
 /// As solveTargets(), for the numbers that a scene's model asks for (scene::ModelLayer::targets), by all cuts that are
-/// on, or by a new cut everywhere, see cutsToSet(). @throw as findVisible()
-TargetsReport findTargets(scene::Scene scene, glm::ivec2 size, Progress& progress);
+/// on, or by a new cut everywhere. @throw as findVisible()
+TargetsReport findTargets(const scene::Scene& scene, glm::ivec2 size, Progress& progress);
+
+/// How many instances of a type or compartment are seen, and how many can be.
+struct SeenRange {
+  std::uint64_t now = 0;   ///< with the cuts as they are
+  std::uint64_t most = 0;  ///< where cuts leave all of them, and all else as it is
+  std::uint64_t total = 0;
+};
+/// Counts both in pictures. @throw as findVisible()
+SeenRange findSeenRange(scene::Scene scene, std::string_view path, glm::ivec2 size, Progress& progress);
 
 /// Writes the bars of a picture to a file: countsSvg() or countsCsv(), by extension. @throw as findVisible();
 /// InputError where there is no model, or the extension is another

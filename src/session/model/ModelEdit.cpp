@@ -101,19 +101,68 @@ void setTypesColor(scene::Scene& scene, const TypeNumbers& types, std::optional<
   changeLooks(scene, types, [&](scene::TypeLook& look) { look.color = color; });
 }
 
-void setVisibleTarget(scene::Scene& scene, std::string_view path, std::optional<double> visible) {
+bool isWithin(std::string_view path, std::string_view compartment) {
+  return path.size() > compartment.size() && path.starts_with(compartment) && path[compartment.size()] == '.';
+}
+
+namespace {
+
+/// The numbers of drawn instances of what a path is in are no longer true.
+void dropDrawnAbove(std::vector<scene::TypeTarget>& targets, std::string_view path) {
+  for (scene::TypeTarget& target : targets)
+    if (isWithin(path, target.type)) target.rendered.reset();
+  std::erase_if(targets, [](const scene::TypeTarget& target) { return !target.rendered && !target.visible; });
+}
+
+void setTarget(scene::Scene& scene, const scene::TypeTarget& target) {
   std::vector<scene::TypeTarget>& targets = scene.model.targets;
-  auto isIt = [path](const scene::TypeTarget& target) { return target.type == path; };
-  auto found = std::find_if(targets.begin(), targets.end(), isIt);
-  if (found == targets.end()) found = targets.insert(found, {std::string(path), std::nullopt, std::nullopt});
-  found->visible = visible;
-  if (!found->visible && !found->rendered) targets.erase(found);
+  auto found = std::find_if(targets.begin(), targets.end(), [&](const auto& one) { return one.type == target.type; });
+  if (found == targets.end())
+    targets.push_back(target);
+  else
+    *found = target;
+  dropDrawnAbove(targets, target.type);
+}
+
+}  // namespace
+
+void setVisibleTarget(scene::Scene& scene, std::string_view path, std::optional<double> visible) {
+  if (visible) return setTarget(scene, {std::string(path), std::nullopt, visible});
+  std::erase_if(scene.model.targets, [path](const scene::TypeTarget& target) { return target.type == path; });
+}
+
+const scene::TypeTarget* targetOf(const scene::ModelLayer& layer, std::string_view path) {
+  for (const scene::TypeTarget& target : layer.targets)
+    if (target.type == path) return &target;
+  return nullptr;
+}
+
+void holdDrawn(scene::Scene& scene, std::string_view path, double drawn) {
+  setTarget(scene, {std::string(path), drawn, std::nullopt});
+}
+
+void dropTargets(scene::Scene& scene, std::string_view path) {
+  std::vector<scene::TypeTarget>& targets = scene.model.targets;
+  std::erase_if(targets, [path](const auto& target) { return target.type == path || isWithin(target.type, path); });
+  dropDrawnAbove(targets, path);
+}
+
+std::vector<std::string> heldWithin(const scene::Scene& scene, std::string_view path) {
+  std::vector<std::string> within;
+  for (const scene::TypeTarget& target : scene.model.targets)
+    if (isWithin(target.type, path)) within.push_back(target.type);
+  auto isInner = [&](const std::string& one) {
+    return std::any_of(within.begin(), within.end(), [&](const std::string& other) { return isWithin(one, other); });
+  };
+  std::vector<std::string> outer;
+  for (const std::string& one : within)
+    if (!isInner(one)) outer.push_back(one);
+  return outer;
 }
 
 std::optional<double> visibleTarget(const scene::Scene& scene, std::string_view path) {
-  for (const scene::TypeTarget& target : scene.model.targets)
-    if (target.type == path) return target.visible;
-  return std::nullopt;
+  const scene::TypeTarget* target = targetOf(scene.model, path);
+  return target ? target->visible : std::nullopt;
 }
 
 void resetTypes(scene::Scene& scene, const TypeNumbers& types) {
@@ -158,9 +207,9 @@ std::optional<InstancePlace> instancePlace(const scene::Scene& scene, std::uint3
   const Molecule& molecule = model.molecules[one.molecule];
   int copy = int(place.copy);
   glm::dvec3 cell(copy % grid.counts.x, copy / grid.counts.x % grid.counts.y, copy / (grid.counts.x * grid.counts.y));
-  double length = unitsPer(LengthUnit::Angstrom, scene.unit);
-  place.middle = (glm::dvec3(one.rotation * molecule.centre + one.position) + grid.step * cell) * length;
-  place.radius = molecule.radius * length;
+  scene::ModelFrame frame = scene::modelFrame(scene);
+  place.middle = frame.worldOf(glm::dvec3(one.rotation * molecule.centre + one.position) + grid.step * cell);
+  place.radius = molecule.radius * frame.length;
   place.type = molecule.type;
   place.ofType = instance % count - model.types[molecule.type].firstInstance;
   return place;
@@ -190,9 +239,9 @@ InstancePlace ballAround(const scene::Scene& scene, const TypeNumbers& types) {
   forInstances([&](glm::dvec3 at, double radius) { reach = std::max(reach, glm::distance(at, middle) + radius); });
   scene::CopyGrid grid = scene::copyGrid(scene.model);
   glm::dvec3 last = grid.step * glm::dvec3(glm::max(grid.counts - 1, 0));
-  double length = unitsPer(LengthUnit::Angstrom, scene.unit);
-  ball.middle = (middle + last * 0.5) * length;
-  ball.radius = (reach + glm::length(last) * 0.5) * length;
+  scene::ModelFrame frame = scene::modelFrame(scene);
+  ball.middle = frame.worldOf(middle + last * 0.5);
+  ball.radius = (reach + glm::length(last) * 0.5) * frame.length;
   return ball;
 }
 

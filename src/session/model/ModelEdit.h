@@ -35,10 +35,26 @@ void setTypesVisible(scene::Scene& scene, const TypeNumbers& types, bool visible
 void setTypesColor(scene::Scene& scene, const TypeNumbers& types, std::optional<glm::vec3> color);
 /// How the types' instances are shown where cuts have removed them. @param ghosts  none: as the layer says
 void setTypesGhosts(scene::Scene& scene, const TypeNumbers& types, std::optional<scene::Ghosts> ghosts);
-/// Sets how many instances of a type or compartment are to be seen. @param visible  none: any number
+/// Sets how many instances of a type or compartment are to be seen, in the place of a number that was to be drawn.
+/// @param visible  none: any number will do, drawn or seen
 void setVisibleTarget(scene::Scene& scene, std::string_view path, std::optional<double> visible);
 /// How many instances are to be seen; none where any number will do.
 std::optional<double> visibleTarget(const scene::Scene& scene, std::string_view path);
+/// The number, of drawn or of seen instances, that is set for a type or compartment; null where none is.
+const scene::TypeTarget* targetOf(const scene::ModelLayer& layer, std::string_view path);
+inline bool isHeld(const scene::ModelLayer& layer, std::string_view path) { return targetOf(layer, path) != nullptr; }
+/// Notes that a hand has set how many instances of a type or compartment are drawn: numbers of its compartment hold it
+/// from now on. The number of its instances to be seen is no more, nor are numbers of drawn ones of the compartments
+/// that it is in, as they are others now.
+void holdDrawn(scene::Scene& scene, std::string_view path, double drawn);
+/// Forgets the numbers of a type or compartment, of all that is in it, and the drawn numbers of what it is in:
+/// something else says now how many are drawn.
+void dropTargets(scene::Scene& scene, std::string_view path);
+/// True where a path is that of a type or compartment within a compartment, at any depth.
+bool isWithin(std::string_view path, std::string_view compartment);
+/// The types and compartments within a compartment whose numbers a hand has set, without those that are within another
+/// of these; in the order of the scene's list.
+std::vector<std::string> heldWithin(const scene::Scene& scene, std::string_view path);
 /// Forgets what the scene says of the types: they are shown, in the palette's colours.
 void resetTypes(scene::Scene& scene, const TypeNumbers& types);
 
@@ -53,6 +69,16 @@ bool isSolo(const scene::Scene& scene, const TypeNumbers& types);
 /// known. When some types are alone and others are to be, what was shown before the first is kept.
 /// @return the memory for the next call
 TypeSoloMemory toggleSoloTypes(scene::Scene& scene, const TypeSoloMemory& memory, TypeNumbers types);
+
+/// How many times longer the longest edge of all other data is than the model's; 1 where there is no other.
+double othersByModel(const scene::Scene& scene);
+/// True where a model is too small to be seen beside what else is in the scene, or so large that the rest is.
+bool isOutOfScale(const scene::Scene& scene);
+/// "virion is 0.13 um across and the other data 180 mm: ...", where they do not fit; else empty.
+std::string scaleWords(const scene::Scene& scene);
+/// Enlarges the model, or makes it smaller, to a third of the other data's longest edge, and puts it beside these, to
+/// the camera's right. Does nothing where there is no other data.
+void bringModelToSize(scene::Scene& scene);
 
 /// Where an instance stands, and which one of its type it is.
 struct InstancePlace {

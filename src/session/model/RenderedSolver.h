@@ -22,9 +22,11 @@ std::vector<int> enabledCuts(const scene::Scene& scene);
 /// one, so that rounding changes nothing.
 ///
 /// To be made when a handle is taken hold of, and asked at every step of the pointer. Several cuts get the same share.
-/// The number for a compartment is split among its types in proportion to what each type can have, by largest
-/// remainders. Instances that cuts clear for a view count as removed, unless the handle sets the share of just these
-/// (DialField::ViewShare). Any thread; all cores.
+/// The number for a compartment is split among its types by splitAmong(): none gets more when it goes down. Types and
+/// compartments within it whose numbers a hand has set (scene::ModelLayer::targets) keep what is drawn of them; where
+/// the number is too small for that they go down, too, in proportion, and their numbers with them. Instances that cuts
+/// clear for a view count as removed, unless the handle sets the share of just these (DialField::ViewShare). Any
+/// thread; all cores.
 class RenderedSolver {
  public:
   /// @param cuts  ids of the cuts whose shares are set; where none of them is enabled, nothing can be changed

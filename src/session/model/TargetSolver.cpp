@@ -19,16 +19,23 @@ using Count = std::uint64_t;
 
 Count apart(Count a, Count b) { return a > b ? a - b : b - a; }
 
+/// The dials of a goal in cuts whose numbers are one.
+struct Tier {
+  std::vector<int> cuts;
+  std::vector<TypeDial> dials;            ///< with the candidates in the order in which they begin to stay
+  std::vector<std::vector<bool>> showed;  ///< whether each candidate showed when it was last drawn
+  Count all = 0;                          ///< how many candidates there are
+};
+
 /// A target, and what pictures have told about it.
 struct Goal {
   TypesAt place;
   std::optional<Count> rendered, visible;
   TypeNumbers own;  ///< the types that no target further down in the tree has
   DialField field = DialField::Share;
-  std::vector<TypeDial> dials;  ///< of what shows: with the candidates in the order in which they begin to stay
-  std::vector<std::vector<bool>> showed;  ///< whether each candidate showed when it was last drawn
-  Count staying = 0;                      ///< how many of the candidates are to stay, all dials together
-  Count all = 0;                          ///< how many candidates there are
+  std::vector<Tier> tiers;  ///< of what shows: those first whose candidates begin to stay first
+  Count staying = 0;        ///< how many of the candidates are to stay, all tiers together
+  Count all = 0;            ///< how many candidates there are
   // Where a goal is alone: numbers of staying candidates with which too few, and too many, instances showed.
   std::optional<Count> tooFew, tooMany;
 };
@@ -39,15 +46,31 @@ struct Reached {
   std::optional<Count> visible;
 };
 
-void sortCandidates(Goal& goal) {
-  for (TypeDial& dial : goal.dials) {
+Tier makeTier(std::vector<int> cuts, std::vector<TypeDial> dials) {
+  Tier tier{std::move(cuts), std::move(dials), {}, 0};
+  for (TypeDial& dial : tier.dials) {
     std::sort(dial.candidates.begin(), dial.candidates.end(), [](const Candidate& a, const Candidate& b) {
       return a.from != b.from ? a.from < b.from : a.thing < b.thing;
     });
-    goal.showed.emplace_back(dial.candidates.size(), false);
-    goal.all += dial.candidates.size();
+    tier.showed.emplace_back(dial.candidates.size(), false);
+    tier.all += dial.candidates.size();
+  }
+  return tier;
+}
+
+/// Calls visit(tier, how many of its candidates stay) for all tiers of a goal, of whose candidates so many are to stay.
+template <class Visit>
+void forTiers(const Goal& goal, Count staying, Visit&& visit) {
+  for (const Tier& tier : goal.tiers) {
+    Count here = std::min(staying, tier.all);
+    visit(tier, here);
+    staying -= here;
   }
 }
+
+/// How many of a goal's types stay at least and at most, over all numbers of its dials.
+Count leastOf(const Goal& goal) { return goal.tiers.empty() ? 0 : rangeOf(goal.tiers.front().dials).least; }
+Count mostOf(const Goal& goal) { return goal.tiers.empty() ? 0 : rangeOf(goal.tiers.back().dials).most; }
 
 Count totalOf(const scene::Scene& scene, const TypeNumbers& types) {
   Count total = 0;
@@ -78,15 +101,22 @@ Reached reachedIn(const scene::Scene& scene, const TypeNumbers& types, const ren
 /// The least number of candidates that must stay so that `wanted` of them show, by what is known of each candidate.
 Count stayingFor(const Goal& goal, std::int64_t wanted) {
   if (wanted <= 0) return 0;
-  std::vector<std::vector<Count>> showing;  // of the first so many of each dial
-  for (const std::vector<bool>& showed : goal.showed) {
-    std::vector<Count>& sums = showing.emplace_back(1, 0);
-    for (bool shows : showed) sums.push_back(sums.back() + shows);
+  std::vector<std::vector<std::vector<Count>>> showing;  // of the first so many of each dial of each tier
+  for (const Tier& tier : goal.tiers) {
+    auto& ofTier = showing.emplace_back();
+    for (const std::vector<bool>& showed : tier.showed) {
+      std::vector<Count>& sums = ofTier.emplace_back(1, 0);
+      for (bool shows : showed) sums.push_back(sums.back() + shows);
+    }
   }
   auto show = [&](Count staying) {
-    std::vector<Count> parts = splitAmong(goal.dials, staying);
     Count sum = 0;
-    for (std::size_t i = 0; i < parts.size(); ++i) sum += showing[i][parts[i]];
+    std::size_t at = 0;
+    forTiers(goal, staying, [&](const Tier& tier, Count here) {
+      std::vector<Count> parts = splitAmong(tier.dials, here);
+      for (std::size_t i = 0; i < parts.size(); ++i) sum += showing[at][i][parts[i]];
+      ++at;
+    });
     return sum;
   };
   Count low = 0, high = goal.all;
@@ -117,7 +147,9 @@ struct TargetSolver::Impl {
 
   void addGoal(const scene::Scene& from, const scene::TypeTarget& target);
   void share();
+  void makeTiers(Goal& goal);
   void turn();
+  void turnDrawn(const Goal& goal);
   std::vector<Reached> reached(const render::InstanceBits& bits) const;
   bool keepIfBest(const std::vector<Reached>& reached);
   void learn(const render::InstanceBits& bits);
@@ -156,26 +188,56 @@ void TargetSolver::Impl::share() {
       if (taken.insert(type).second) goal.own.push_back(type);
 }
 
+/// The dials of a goal's shares: first those of the cuts that are everywhere, which take away last, then those of the
+/// cuts with regions.
+void TargetSolver::Impl::makeTiers(Goal& goal) {
+  goal.tiers.clear();
+  goal.all = 0;
+  auto add = [&](const std::vector<int>& of, const scene::Scene& in) {
+    goal.tiers.push_back(makeTier(of, makeDials(in, of, goal.own, goal.field, sheets, aspect)));
+  };
+  CutKinds kinds = goal.field == DialField::Share ? cutKinds(scene, cuts) : CutKinds{};
+  if (!kinds.everywhere.empty()) add(kinds.everywhere, withNoneInRegions(scene, kinds, goal.own));
+  if (!kinds.regions.empty()) add(kinds.regions, withAllEverywhere(scene, kinds, goal.own));
+  if (goal.tiers.empty()) add(cuts, scene);
+  for (const Tier& tier : goal.tiers) goal.all += tier.all;
+}
+
+/// Lets as many be drawn of a goal's own types as its number leaves for them.
+void TargetSolver::Impl::turnDrawn(const Goal& goal) {
+  TypeNumbers others;
+  std::set_difference(goal.place.types.begin(), goal.place.types.end(), goal.own.begin(), goal.own.end(),
+                      std::back_inserter(others));
+  Count elsewhere = others.empty() ? 0 : countRendered(scene, others, sheets, aspect);
+  Count wanted = *goal.rendered > elsewhere ? *goal.rendered - elsewhere : 0;
+  CutKinds kinds = cutKinds(scene, cuts);
+  auto turnBy = [&](const std::vector<int>& of, scene::Scene in, const std::vector<TypeDial>& dials) {
+    Count least = rangeOf(dials).least;
+    turnDials(in, of, dials, DialField::Share, wanted > least ? wanted - least : 0, sheets, aspect);
+    scene = std::move(in);
+  };
+  if (!kinds.regions.empty()) {
+    scene::Scene above = withAllEverywhere(scene, kinds, goal.own);
+    std::vector<TypeDial> dials = makeDials(above, kinds.regions, goal.own, DialField::Share, sheets, aspect);
+    if (kinds.everywhere.empty() || wanted >= rangeOf(dials).least)
+      return turnBy(kinds.regions, std::move(above), dials);
+  }
+  scene::Scene below = withNoneInRegions(scene, kinds, goal.own);
+  turnBy(kinds.everywhere, below, makeDials(below, kinds.everywhere, goal.own, DialField::Share, sheets, aspect));
+}
+
 /// Puts the numbers of all goals into the scene.
 void TargetSolver::Impl::turn() {
   for (const Goal& goal : goals) {
     if (goal.rendered || !goal.visible) continue;
-    std::vector<Count> parts = splitAmong(goal.dials, goal.staying);
-    for (std::size_t i = 0; i < goal.dials.size(); ++i)
-      setDial(scene, cuts, goal.dials[i].path, goal.field, settingFor(goal.dials[i], parts[i]).number);
+    forTiers(goal, goal.staying, [&](const Tier& tier, Count staying) {
+      std::vector<Count> parts = splitAmong(tier.dials, staying);
+      for (std::size_t i = 0; i < tier.dials.size(); ++i)
+        setDial(scene, tier.cuts, tier.dials[i].path, goal.field, settingFor(tier.dials[i], parts[i]).number);
+    });
   }
-  for (const Goal& goal : goals) {
-    if (!goal.rendered) continue;
-    std::vector<TypeDial> dials = makeDials(scene, cuts, goal.own, DialField::Share, sheets, aspect);
-    TypeNumbers others;
-    std::set_difference(goal.place.types.begin(), goal.place.types.end(), goal.own.begin(), goal.own.end(),
-                        std::back_inserter(others));
-    Count elsewhere = others.empty() ? 0 : countRendered(scene, others, sheets, aspect);
-    CountRange range = rangeOf(dials);
-    Count fixed = elsewhere + range.least;
-    turnDials(scene, cuts, dials, DialField::Share, *goal.rendered > fixed ? *goal.rendered - fixed : 0, sheets,
-              aspect);
-  }
+  for (const Goal& goal : goals)
+    if (goal.rendered) turnDrawn(goal);
 }
 
 std::vector<Reached> TargetSolver::Impl::reached(const render::InstanceBits& bits) const {
@@ -211,10 +273,11 @@ bool TargetSolver::Impl::keepIfBest(const std::vector<Reached>& reached) {
 /// Notes which candidates show; for candidates that are not drawn the last note stays.
 void TargetSolver::Impl::learn(const render::InstanceBits& bits) {
   for (Goal& goal : goals)
-    for (std::size_t i = 0; i < goal.showed.size(); ++i)
-      for (std::size_t c = 0; c < goal.showed[i].size(); ++c)
-        if (std::uint32_t instance = goal.dials[i].candidates[c].thing; !bits.isRemoved(instance))
-          goal.showed[i][c] = bits.isShown(instance);
+    for (Tier& tier : goal.tiers)
+      for (std::size_t i = 0; i < tier.showed.size(); ++i)
+        for (std::size_t c = 0; c < tier.showed[i].size(); ++c)
+          if (std::uint32_t instance = tier.dials[i].candidates[c].thing; !bits.isRemoved(instance))
+            tier.showed[i][c] = bits.isShown(instance);
 }
 
 /// Where all instances that hide a focus are gone and still too many show, sets the share of all instances in the
@@ -223,17 +286,17 @@ void TargetSolver::Impl::learn(const render::InstanceBits& bits) {
 bool TargetSolver::Impl::leaveView(Goal& goal, Count visible, const render::InstanceBits& bits) {
   if (goal.rendered || !goal.visible || goal.field != DialField::ViewShare) return false;
   if (goal.staying > 0 || visible <= *goal.visible) return false;
-  std::vector<TypeDial> dials = makeDials(scene, cuts, goal.own, DialField::Share, sheets, aspect);
-  CountRange range = rangeOf(dials);
-  if (range.least == range.most) return false;
+  Goal before = goal;
   goal.field = DialField::Share;
-  goal.dials = std::move(dials);
-  goal.showed.clear();
-  goal.all = 0;
+  makeTiers(goal);
+  if (goal.all == 0) {
+    goal = std::move(before);
+    return false;
+  }
   goal.tooFew.reset(), goal.tooMany.reset();
-  sortCandidates(goal);
-  for (const TypeDial& dial : goal.dials)
-    for (const Candidate& candidate : dial.candidates) goal.staying += !bits.isRemoved(candidate.thing);
+  for (const Tier& tier : goal.tiers)
+    for (const TypeDial& dial : tier.dials)
+      for (const Candidate& candidate : dial.candidates) goal.staying += !bits.isRemoved(candidate.thing);
   return true;
 }
 
@@ -243,8 +306,9 @@ Count TargetSolver::Impl::stepOf(Goal& goal, Count visible, const render::Instan
   if (visible == wanted) return now;
   // Instances that show and about which the goal's dials do not decide.
   auto others = std::int64_t(visible);
-  for (const TypeDial& dial : goal.dials)
-    for (const Candidate& candidate : dial.candidates) others -= bits.isShown(candidate.thing);
+  for (const Tier& tier : goal.tiers)
+    for (const TypeDial& dial : tier.dials)
+      for (const Candidate& candidate : dial.candidates) others -= bits.isShown(candidate.thing);
   Count next = stayingFor(goal, std::int64_t(wanted) - others);
   bool isUp = visible < wanted;
   if (next == now || (next > now) != isUp)
@@ -264,10 +328,10 @@ TargetSolver::TargetSolver(const scene::Scene& scene, std::vector<int> cuts,
     : mImpl(std::make_unique<Impl>()) {
   if (!scene.model.data) throw InputError("there is no model: open one first");
   Impl& my = *mImpl;
+  my.scene = scene;
   std::vector<int> enabled = enabledCuts(scene);
   std::erase_if(cuts, [&](int cut) { return std::find(enabled.begin(), enabled.end(), cut) == enabled.end(); });
   my.cuts = std::move(cuts), my.sheets = sheets, my.aspect = aspect, my.mostPictures = mostPictures;
-  my.scene = scene;
   for (const scene::TypeTarget& target : targets)
     if (target.rendered || target.visible) my.addGoal(scene, target);
   // Targets further down first: theirs are not among those that the targets above move.
@@ -289,16 +353,12 @@ TargetSolver::TargetSolver(const scene::Scene& scene, std::vector<int> cuts,
   // The first picture has all that can be had of what is to show: it tells most.
   for (Goal& goal : my.goals) {
     if (goal.rendered || !goal.visible) continue;
-    if (isCleared(scene, my.cuts, goal.own)) {
-      goal.field = DialField::ViewShare;
-      goal.dials = makeDials(scene, my.cuts, goal.own, goal.field, sheets, aspect);
-    }
-    CountRange range = rangeOf(goal.dials);
-    if (range.least == range.most) {
+    if (isCleared(scene, my.cuts, goal.own)) goal.field = DialField::ViewShare;
+    my.makeTiers(goal);
+    if (goal.all == 0 && goal.field == DialField::ViewShare) {
       goal.field = DialField::Share;
-      goal.dials = makeDials(scene, my.cuts, goal.own, goal.field, sheets, aspect);
+      my.makeTiers(goal);
     }
-    sortCandidates(goal);
     goal.staying = goal.all;
   }
   my.turn();
@@ -352,7 +412,9 @@ std::string TargetSolver::Impl::wordsOf(const Goal& goal, const TargetReport& re
   auto add = [&](const std::string& more) { words += (words.empty() ? "" : "; ") + more; };
   if (goal.rendered) {
     std::string drawn = fmt::format("{} of {} {} drawn", countText(report.rendered), countText(report.total), name);
-    if (report.rendered < *goal.rendered)
+    if (report.rendered < *goal.rendered && report.rendered == report.total)
+      drawn += fmt::format(", not {}: there are no more", countText(*goal.rendered));
+    else if (report.rendered < *goal.rendered)
       drawn += fmt::format(", not {}: {}", countText(*goal.rendered),
                            cuts.empty() ? "no cut is on whose share could be set" : "other cuts take the rest");
     if (report.rendered > *goal.rendered)
@@ -362,13 +424,13 @@ std::string TargetSolver::Impl::wordsOf(const Goal& goal, const TargetReport& re
   }
   if (goal.visible && report.visible) {
     std::string seen = fmt::format("{} of {} {} seen", countText(*report.visible), countText(report.total), name);
-    Count least = rangeOf(goal.dials).least;
+    Count least = leastOf(goal);
     if (goal.rendered && *report.visible != *goal.visible)
       seen += fmt::format(", not {}, as so many are drawn", countText(*goal.visible));
     else if (*report.visible < *goal.visible && report.rendered == report.total)
       seen += fmt::format(", not {}: all are drawn, and {} are behind others or outside the picture",
                           countText(*goal.visible), countText(report.rendered - *report.visible));
-    else if (*report.visible < *goal.visible && report.rendered >= rangeOf(goal.dials).most)
+    else if (*report.visible < *goal.visible && report.rendered >= mostOf(goal))
       seen += fmt::format(", not {}: all {} that can be drawn are, and {} are behind others or outside the picture",
                           countText(*goal.visible), countText(report.rendered),
                           countText(report.rendered - *report.visible));
@@ -403,10 +465,32 @@ TargetsReport solveTargets(const scene::Scene& scene, const std::vector<int>& cu
   return solver.report();
 }
 
+TargetsReport solveTargets(const scene::Scene& scene, const std::vector<scene::TypeTarget>& targets,
+                           const CountPicture& picture, const render::SheetIndices& sheets, double aspect,
+                           int mostPictures) {
+  scene::Scene from = scene;
+  std::vector<int> cuts = enabledCuts(from);
+  int added = 0;
+  if (cutKinds(from, cuts).everywhere.empty()) cuts.push_back(added = addCutEverywhere(from));
+  TargetsReport report = solveTargets(from, cuts, targets, picture, sheets, aspect, mostPictures);
+  std::erase_if(report.scene.cuts, [added](const scene::Cut& cut) {
+    return cut.id == added &&
+           std::ranges::all_of(cut.model.spares, [](const auto& spare) { return spare.share == 1.0; });
+  });
+  return report;
+}
+
 Solved solveVisible(const scene::Scene& scene, const std::vector<int>& cuts, std::string_view path, double wanted,
                     const CountPicture& picture, const render::SheetIndices& sheets, double aspect) {
-  scene::TypeTarget target{std::string(path), std::nullopt, wanted};
-  TargetsReport report = solveTargets(scene, cuts, {target}, picture, sheets, aspect, kMostPicturesOfOne);
+  if (!scene.model.data) throw InputError("there is no model: open one first");
+  std::string whole = typesAt(*scene.model.data, path).path;
+  std::vector<scene::TypeTarget> targets{{whole, std::nullopt, wanted}};
+  for (const std::string& held : heldWithin(scene, whole)) {
+    TypeNumbers types = typesAt(*scene.model.data, held).types;
+    targets.push_back({held, double(countRendered(scene, types, sheets, aspect)), std::nullopt});
+  }
+  TargetsReport report = cuts.empty() ? solveTargets(scene, targets, picture, sheets, aspect, kMostPicturesOfOne)
+                                      : solveTargets(scene, cuts, targets, picture, sheets, aspect, kMostPicturesOfOne);
   const TargetReport& of = report.targets.front();
   return {std::move(report.scene), cuts, *of.wantedVisible, *of.visible, of.words};
 }
@@ -415,11 +499,6 @@ int addCutEverywhere(scene::Scene& scene) {
   scene::Cut cut = makeCut(scene, scene::CutShape::Everywhere);
   cut.name = newCutName(scene, scene::CutShape::Everywhere);
   return scene::addCut(scene, std::move(cut));
-}
-
-std::vector<int> cutsToSet(scene::Scene& scene) {
-  std::vector<int> cuts = enabledCuts(scene);
-  return cuts.empty() ? std::vector<int>{addCutEverywhere(scene)} : cuts;
 }
 
 }  // namespace velum::session

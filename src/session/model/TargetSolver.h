@@ -52,7 +52,8 @@ struct TargetsReport {
 /// A window asks for pictures as they come: next(), take(), next() ... @throw InputError as of typesAt(). Any thread.
 class TargetSolver {
  public:
-  /// @param cuts  ids of the cuts whose shares are set, see RenderedSolver  @param aspect  of the pictures, width by
+  /// @param cuts  ids of the cuts whose shares are set, see RenderedSolver; of cuts with regions and cuts that are
+  /// everywhere the former take away first  @param aspect  of the pictures, width by
   /// height
   TargetSolver(const scene::Scene& scene, std::vector<int> cuts, const std::vector<scene::TypeTarget>& targets,
                const render::SheetIndices& sheets = {}, double aspect = render::kUsualAspect,
@@ -83,17 +84,20 @@ TargetsReport solveTargets(const scene::Scene& scene, const std::vector<int>& cu
                            const render::SheetIndices& sheets = {}, double aspect = render::kUsualAspect,
                            int mostPictures = kMostPictures);
 
+/// The same by all cuts that are on: what lies in their regions goes first and comes back last, and where that is not
+/// enough, a cut that is everywhere thins the rest; where there is none, one is added to the result's scene.
+TargetsReport solveTargets(const scene::Scene& scene, const std::vector<scene::TypeTarget>& targets,
+                           const CountPicture& picture, const render::SheetIndices& sheets = {},
+                           double aspect = render::kUsualAspect, int mostPictures = kMostPictures);
+
 /// The scene in which so many instances of a type or compartment show, or the nearest number that was found in
-/// kMostPicturesOfOne pictures.
+/// kMostPicturesOfOne pictures. Numbers that hands have set within the compartment stay. @param cuts  none: all that
+/// are on, as above
 Solved solveVisible(const scene::Scene& scene, const std::vector<int>& cuts, std::string_view path, double wanted,
                     const CountPicture& picture, const render::SheetIndices& sheets = {},
                     double aspect = render::kUsualAspect);
 
 /// Adds a cut that is everywhere and removes nothing until shares say so. @return its id
 int addCutEverywhere(scene::Scene& scene);
-
-/// Adds a cut everywhere, which removes nothing until shares say so, where no cut is on whose share could be set.
-/// @return the ids of the cuts that are on
-std::vector<int> cutsToSet(scene::Scene& scene);
 
 }  // namespace velum::session

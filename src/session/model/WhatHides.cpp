@@ -149,4 +149,10 @@ void endKeepInView(scene::Scene& scene, std::string_view path) {
   std::erase_if(scene.cuts, isIdle);
 }
 
+std::string clearingWords(const scene::Scene& scene) {
+  if (!scene.volume.data) return {};
+  return "Only instances are cleared: what the volume shows before them stays; cut it, or choose a look that one sees "
+         "through";
+}
+
 }  // namespace velum::session

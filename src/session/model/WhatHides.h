@@ -51,4 +51,7 @@ bool isKeptInView(const scene::Scene& scene, std::string_view path);
 /// removed.
 void endKeepInView(scene::Scene& scene, std::string_view path);
 
+/// Says that only instances are cleared where a volume could hide them, too; empty without one.
+std::string clearingWords(const scene::Scene& scene);
+
 }  // namespace velum::session

@@ -18,7 +18,7 @@ struct Crossing {
   const scene::SectionPlane& plane;
   const Model& model;
   const std::vector<char>& isShown;  ///< by type
-  double length;                     ///< of an angstrom in the scene's unit
+  scene::ModelFrame frame;
 };
 
 void addPiece(const Crossing& crossing, glm::dvec3 shift, std::uint32_t first, std::uint32_t end,
@@ -27,8 +27,8 @@ void addPiece(const Crossing& crossing, glm::dvec3 shift, std::uint32_t first, s
     const Instance& one = crossing.model.instances[i];
     const Molecule& molecule = crossing.model.molecules[one.molecule];
     if (!crossing.isShown[molecule.type]) continue;
-    glm::dvec3 middle = (glm::dvec3(one.rotation * molecule.centre + one.position) + shift) * crossing.length;
-    double radius = molecule.radius * crossing.length, height = scene::heightOverSection(crossing.plane, middle);
+    glm::dvec3 middle = crossing.frame.worldOf(glm::dvec3(one.rotation * molecule.centre + one.position) + shift);
+    double radius = molecule.radius * crossing.frame.length, height = scene::heightOverSection(crossing.plane, middle);
     if (std::abs(height) >= radius) continue;
     double shown = std::sqrt(radius * radius - height * height) / crossing.plane.lengthPerPixel;
     glm::dvec2 at = scene::sectionPixelFromWorld(crossing.plane, middle);
@@ -47,7 +47,7 @@ InstanceOutlines outlineInstances(const scene::Scene& scene, const scene::Sectio
   std::vector<char> isShown;
   for (const MoleculeType& type : model.types)
     isShown.push_back(scene.model.types.empty() || scene::typeLook(scene.model, pathOf(model, type)).visible);
-  Crossing crossing{plane, model, isShown, unitsPer(LengthUnit::Angstrom, scene.unit)};
+  Crossing crossing{plane, model, isShown, scene::modelFrame(scene)};
   scene::CopyGrid grid = scene::copyGrid(scene.model);
   auto count = std::uint32_t(model.instances.size());
   int pieces = int((count + kPiece - 1) / kPiece), copies = std::clamp(scene.model.copies, 1, scene::kMostCopies);

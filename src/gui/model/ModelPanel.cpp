@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "gui/kit/Text.h"
+#include "gui/rows/CountKey.h"
 #include "session/command/Command.h"
 #include "session/command/ModelCommands.h"
 #include "session/model/TypesAt.h"
@@ -29,6 +30,10 @@ ModelPanel::ModelPanel(ModelCommands& commands, Equalizer& equalizer, QWidget* p
   mHiders = new HidersBox(list);
   rows->addWidget(mBar);
   rows->addWidget(makeSearch());
+  rows->addWidget(new CountKey(tr("Of the instances of a row: those that the picture shows; those that are drawn, but "
+                                  "hidden behind others or outside the picture; those that cuts remove or that are "
+                                  "not shown"),
+                               list));
   rows->addWidget(mList, 1);
   rows->addWidget(mHiders);
   rows->addWidget(makeFoot());

@@ -30,7 +30,12 @@ StructurePanel::StructurePanel(StructureCommands& commands, AreaMeter& areas, Se
   auto* list = new QWidget(mFull);
   auto* rows = makeColumn(list, 6);
   mList = new StructureList(commands, areas, list);
+  mKey = new CountKey(tr("Of the pixels that a structure would take: those that show it, those where others are before "
+                         "it, those where cuts remove it"),
+                      list);
+  mKey->hide();
   rows->addWidget(makeSearch());
+  rows->addWidget(mKey);
   rows->addWidget(mList, 1);
   rows->addWidget(makeFoot());
   full->addWidget(list, 1);
@@ -235,6 +240,7 @@ void StructurePanel::showColumns(bool on) {
   }
   using Shown = StructureList::Shown;
   mList->setShown(mBars->isChecked() ? Shown::Bars : mValues->isChecked() ? Shown::Values : Shown::Opacity);
+  mKey->setVisible(mBars->isChecked());
   mAreas.setOn(mBars->isChecked());
   measureValues();
 }

@@ -226,7 +226,7 @@ void ModelPanel::refresh() {
   mList->showLayer(layer);
   if (isOther) {
     mCommands.selection().setType(-1);
-    QString name = layer.data ? QString::fromStdString(layer.data->name) : QString();
+    QString name = layer.data ? readableText(layer.data->name) : QString();
     mName->setText(name.isEmpty() ? tr("Model") : name);
     mName->setToolTip(QString::fromStdString(layer.source.path));
     if (layer.data) showNotes(*layer.data);

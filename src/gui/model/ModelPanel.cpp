@@ -30,10 +30,7 @@ ModelPanel::ModelPanel(ModelCommands& commands, Equalizer& equalizer, QWidget* p
   mHiders = new HidersBox(list);
   rows->addWidget(mBar);
   rows->addWidget(makeSearch());
-  rows->addWidget(new CountKey(tr("Of the instances of a row: those that the picture shows; those that are drawn, but "
-                                  "hidden behind others or outside the picture; those that cuts remove or that are "
-                                  "not shown"),
-                               list));
+  rows->addWidget(new CountKey(CountKey::Of::Instances, list));
   rows->addWidget(mList, 1);
   rows->addWidget(mHiders);
   rows->addWidget(makeFoot());

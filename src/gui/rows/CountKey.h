@@ -7,8 +7,8 @@ namespace velum::gui {
 class CountKey : public QWidget {
   Q_OBJECT
  public:
-  /// @param tip  says what the parts are of
-  CountKey(const QString& tip, QWidget* parent);
+  enum class Of { Instances, Pixels };  ///< what the bars count
+  CountKey(Of of, QWidget* parent);
 };
 
 }  // namespace velum::gui

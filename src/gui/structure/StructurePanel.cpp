@@ -30,12 +30,9 @@ StructurePanel::StructurePanel(StructureCommands& commands, AreaMeter& areas, Se
   auto* list = new QWidget(mFull);
   auto* rows = makeColumn(list, 6);
   mList = new StructureList(commands, areas, list);
-  mKey = new CountKey(tr("Of the pixels that a structure would take: those that show it, those where others are before "
-                         "it, those where cuts remove it"),
-                      list);
-  mKey->hide();
   rows->addWidget(makeSearch());
-  rows->addWidget(mKey);
+  rows->addWidget(mKey = new CountKey(CountKey::Of::Pixels, list));
+  mKey->hide();
   rows->addWidget(mList, 1);
   rows->addWidget(makeFoot());
   full->addWidget(list, 1);
@@ -234,10 +231,7 @@ QWidget* StructurePanel::makeDetail() {
 /// Values or bars: there is no room for both.
 void StructurePanel::showColumns(bool on) {
   QToolButton* other = sender() == mBars ? mValues : mBars;
-  if (on && other->isChecked()) {
-    const QSignalBlocker quiet(other);
-    other->setChecked(false);
-  }
+  if (const QSignalBlocker quiet(other); on) other->setChecked(false);
   using Shown = StructureList::Shown;
   mList->setShown(mBars->isChecked() ? Shown::Bars : mValues->isChecked() ? Shown::Values : Shown::Opacity);
   mKey->setVisible(mBars->isChecked());

@@ -40,7 +40,6 @@ StatusLine::StatusLine(const WindowParts& parts, QStatusBar& bar)
   mReduction->setProperty("role", "alarm");
   mRefine->setObjectName("refined");
   mRefine->setToolTip(tr("How far the picture is refined"));
-  mPick->setToolTip(tr("Under the pointer: value, position in patient coordinates (L, P, S), structure"));
   bar.addWidget(mData);
   bar.addWidget(mReduction);
   bar.addPermanentWidget(mPick);
@@ -66,6 +65,9 @@ void StatusLine::showProgress(double fraction, const QString& stage) {
 
 void StatusLine::refresh(const session::Session& session) {
   const scene::Scene& scene = session.scene();
+  mPick->setToolTip(hasPatientLetters(scene)
+                        ? tr("Under the pointer: value, position in patient coordinates (L, P, S), structure")
+                        : tr("Under the pointer: position along x, y and z, and what is there"));
   if (const auto& v = scene.volume.data) {
     glm::dvec3 shown = spacingOf(*v) * Length(scene).shownPerLength();
     QString times = QString::fromUtf8(" \u00d7 ");

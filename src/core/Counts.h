@@ -24,8 +24,8 @@ enum class CountOf : std::size_t { Visible, Hidden, Clipped };
 /// All kinds; each instance or pixel is of exactly one of them. A bar shows their parts in this order: the kinds that
 /// cuts leave come first, and of these the kinds that are seen. The colours are those of [VE]: dark what is seen, light
 /// what is hidden, grey what is removed, in files and in windows dark and light, so that a bar means the same wherever
-/// it stands. They differ in lightness, so that people who cannot tell red from green, and prints without colours, still
-/// show the parts apart; and each stands out from white paper and from a dark window.
+/// it stands. They differ in lightness, so that people who cannot tell red from green, and prints without colours,
+/// still show the parts apart; and each stands out from white paper and from a dark window.
 inline constexpr std::array kCountKinds{
     CountKind{"visible", "seen", "#14805f", "#ffffff", true, true, "Seen", "%1 % show it"},
     CountKind{"hidden", "hidden", "#84cbb2", "#0b2b22", false, true,

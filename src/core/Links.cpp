@@ -53,8 +53,8 @@ std::optional<Mark> markdownAt(std::string_view text) {
 
 /// "<a href=...>", "</a>", "<br/>" and the like, or an address in such brackets; other things behind a "<" are no tags.
 std::optional<Mark> tagAt(std::string_view text) {
-  static constexpr std::string_view kTags[] = {"a",  "b",   "br", "code", "div",  "em",     "font", "i",
-                                               "li", "p",   "s",  "span", "strong", "sub", "sup",  "u", "ul"};
+  static constexpr std::string_view kTags[] = {"a", "b", "br",   "code",   "div", "em",  "font", "i", "li",
+                                               "p", "s", "span", "strong", "sub", "sup", "u",    "ul"};
   static constexpr std::string_view kApart[] = {"br", "div", "li", "p", "ul"};  // they part words
   std::size_t end = text.substr(0, kMostLink).find('>');
   if (!text.starts_with('<') || end == kNowhere) return std::nullopt;

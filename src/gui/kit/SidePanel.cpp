@@ -25,8 +25,9 @@ class SideHandle : public QWidget {
     setCursor(Qt::SplitHCursor);
     setFocusPolicy(Qt::TabFocus);
     setAccessibleName(SidePanel::tr("Width of the side panel"));
-    setToolTip(SidePanel::tr("Drag to make the panel wider or narrower (Left, Right). Double-click: as wide as suits "
-                             "what is open (Home)"));
+    setToolTip(
+        SidePanel::tr("Drag to make the panel wider or narrower (Left, Right). Double-click: as wide as suits "
+                      "what is open (Home)"));
     setFixedWidth(kHandleWidth);
   }
 

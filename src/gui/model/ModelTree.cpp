@@ -3,9 +3,9 @@
 #include <QLocale>
 #include <algorithm>
 
-#include "scene/Shown.h"
 #include "gui/kit/Text.h"
 #include "gui/rows/CountBar.h"
+#include "scene/Shown.h"
 #include "session/model/ModelEdit.h"
 
 namespace velum::gui {
@@ -87,7 +87,8 @@ QString ModelTree::numberOf(const Row& row) const {
 int ModelTree::widestNumber(const QFontMetrics& metrics) const {
   int widest = metrics.horizontalAdvance(headerData(Count, Qt::Horizontal, Qt::DisplayRole).toString());
   auto take = [&](const QString& text) { widest = std::max(widest, metrics.horizontalAdvance(text)); };
-  for (std::uint64_t number : widestOf(int(std::to_string(std::uint64_t(mScale.most)).size()))) take(numberText(number));
+  for (std::uint64_t number : widestOf(int(std::to_string(std::uint64_t(mScale.most)).size())))
+    take(numberText(number));
   for (std::uint64_t number : widestOf(3)) {
     take(tr("> %1 %").arg(QLocale().toString(double(number) / 10.0, 'f', 1)));
     take(tr("< %1 %").arg(QLocale().toString(double(number) / 10.0, 'f', 1)));

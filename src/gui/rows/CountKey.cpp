@@ -28,11 +28,12 @@ class KeyPatch : public QWidget {
 
 CountKey::CountKey(Of of, QWidget* parent) : QWidget(parent) {
   setObjectName("countKey");
-  setToolTip(of == Of::Instances
-                 ? tr("Of the instances of a row: those that the picture shows; those that are drawn, but hidden behind "
-                      "others or outside the picture; those that cuts remove or that are not shown")
-                 : tr("Of the pixels that a structure would take: those that show it, those where others are before it, "
-                      "those where cuts remove it"));
+  setToolTip(
+      of == Of::Instances
+          ? tr("Of the instances of a row: those that the picture shows; those that are drawn, but hidden behind "
+               "others or outside the picture; those that cuts remove or that are not shown")
+          : tr("Of the pixels that a structure would take: those that show it, those where others are before it, "
+               "those where cuts remove it"));
   setAccessibleName(tr("Colours of the bars: %1").arg(countTitle()));
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(2, 0, 2, 0);

@@ -23,7 +23,7 @@ constexpr int kLeastView = 220;     // a smaller view is all picture
 constexpr double kHalfEdge = 28.0;  // pixels: its corners stay within the widget however it is turned
 constexpr double kInner = 0.62;     // half the middle of a face; what is about it belongs to edges and corners
 constexpr double kLegible = 0.22;   // of a face's width, from which on its name can be read
-constexpr double kClickPixels = 4.0;
+constexpr double kCubeClickPixels = 4.0;
 constexpr double kTurn = 1.0 / 220;                     // of half a turn, a pixel of a drag
 constexpr double kNameHeight = 0.44, kNameWidth = 1.7;  // of half an edge
 const QColor kFaceDark(0x2c, 0x32, 0x3a, 0xe6), kFaceLight(0x4a, 0x54, 0x60, 0xe6), kLine(0xf0, 0xf3, 0xf7, 0x78);
@@ -207,7 +207,7 @@ void ViewCube::mouseMoveEvent(QMouseEvent* event) {
     setHover(partAt(event->position()));
     return mHover ? event->accept() : event->ignore();
   }
-  mIsDragged = mIsDragged || (event->position() - mFrom).manhattanLength() > kClickPixels;
+  mIsDragged = mIsDragged || (event->position() - mFrom).manhattanLength() > kCubeClickPixels;
   if (!mIsDragged) return;
   QPointF way = (event->position() - mLast) * kTurn;
   mLast = event->position();

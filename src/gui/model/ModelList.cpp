@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gui/kit/Text.h"
+
 namespace velum::gui {
 
 namespace {
@@ -51,7 +53,8 @@ void ModelList::showCounts() {
 void ModelList::sayWords(const QString& words) {
   QModelIndex row = mHeldBar.isValid() ? QModelIndex(mHeldBar) : currentIndex();
   QRect cell = visualRect(row.siblingAtColumn(ModelTree::Bar));
-  QToolTip::showText(viewport()->mapToGlobal(cell.bottomLeft()), words, viewport(), {}, kWordsMs);
+  QToolTip::showText(viewport()->mapToGlobal(cell.bottomLeft()), readableText(words.toStdString()), viewport(), {},
+                     kWordsMs);
 }
 
 void ModelList::setPercent(bool percent) {

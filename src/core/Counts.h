@@ -11,8 +11,7 @@ namespace velum {
 struct CountKind {
   std::string_view name;          ///< name of the kind's column in tables, files and JSON
   std::string_view adjective;     ///< in the window: "By share that is seen"
-  std::string_view role;          ///< which colour its part of a bar has in the window, see gui/kit/Theme.h
-  std::string_view fill, letter;  ///< its colours in files of bars, sRGB
+  std::string_view fill, letter;  ///< colours of its part of a bar and of letters on that, sRGB; the same everywhere
   bool isSeen;                    ///< some pixel shows instances or pixels of this kind
   bool isLeft;                    ///< instances or pixels of this kind are left by cuts
   std::string_view instances;     ///< names the counted instances in the window: "Seen: 12"
@@ -23,13 +22,15 @@ struct CountKind {
 enum class CountOf : std::size_t { Visible, Hidden, Clipped };
 
 /// All kinds; each instance or pixel is of exactly one of them. A bar shows their parts in this order: the kinds that
-/// cuts leave come first, and of these the kinds that are seen. The colours differ in lightness, so that people who
-/// cannot tell red from green, and prints without colours, still show the parts apart.
+/// cuts leave come first, and of these the kinds that are seen. The colours are those of [VE]: dark what is seen, light
+/// what is hidden, grey what is removed, in files and in windows dark and light, so that a bar means the same wherever
+/// it stands. They differ in lightness, so that people who cannot tell red from green, and prints without colours,
+/// still show the parts apart; and each stands out from white paper and from a dark window.
 inline constexpr std::array kCountKinds{
-    CountKind{"visible", "seen", "seen", "#0f6b52", "#ffffff", true, true, "Seen", "%1 % show it"},
-    CountKind{"hidden", "hidden", "hidden", "#84cbb2", "#0b2b22", false, true,
+    CountKind{"visible", "seen", "#14805f", "#ffffff", true, true, "Seen", "%1 % show it"},
+    CountKind{"hidden", "hidden", "#84cbb2", "#0b2b22", false, true,
               "Drawn, but hidden behind others or outside the picture", "on %1 % it is behind others"},
-    CountKind{"clipped", "removed", "removed", "#dedede", "#4a4a4a", false, false, "Removed by cuts or not shown",
+    CountKind{"clipped", "removed", "#969ca4", "#14181d", false, false, "Removed by cuts or not shown",
               "on %1 % cuts remove it"},
 };
 

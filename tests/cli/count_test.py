@@ -9,6 +9,7 @@ from velum_cli import CliTest
 SMALL = ["--size", "160x120"]
 BALL = ["--set", 'cuts=[{"id": 1, "shape": "sphere", "size": [700, 700, 700]}]']
 STATES = ("visible", "hidden", "clipped")
+WORDS = {"visible": "seen", "hidden": "hidden", "clipped": "removed"}  # in pictures
 
 
 class Count(CliTest):
@@ -53,7 +54,7 @@ class Count(CliTest):
         told = [title.text for title in svg.iter("{http://www.w3.org/2000/svg}title")]
         for row in self.rows(report):
             for state in STATES:
-                self.assertEqual(f"{row['path']}: {row[state]:,} {state}" in told, row[state] > 0)
+                self.assertEqual(f"{row['path']}: {row[state]:,} {WORDS[state]}" in told, row[state] > 0)
 
     def test_counts_are_set(self):
         before = self.report("count", "v.cif.gz", *SMALL, *BALL)

@@ -3,6 +3,7 @@
 #include <QSlider>
 #include <algorithm>
 
+#include "ModelFixture.h"
 #include "Shots.h"
 #include "WindowFixture.h"
 #include "gui/look/FinishPanel.h"
@@ -54,6 +55,29 @@ TEST_F(FinishPage, ItsPicturesShowTheData) {
   click(*list, "plate");
   ASSERT_TRUE(settle());
   takeShot(*mWindow, "finish");
+}
+
+TEST_F(FinishPage, ItsPicturesShowAModel) {
+  scene::Scene scene;
+  scene.unit = LengthUnit::Angstrom;
+  scene.model.data = Shared<Model>(ModelMaker{.types = 5, .instances = 400, .moleculeRadius = 20.0f}.make());
+  mWindow->showScene(scene, "made");
+  drawSoon();
+  ASSERT_TRUE(mWindow->tabs().showPage("Finish"));
+  auto* panel = mWindow->findChild<FinishPanel*>();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return mWindow->isSettled() && panel->isComplete(); }, kPatience));
+  auto* list = child<QListWidget>("finish");
+  QSet<QByteArray> different;
+  for (int i = 0; i < list->count(); ++i) {
+    QImage picture = list->item(i)->data(Qt::UserRole + 1).value<QPixmap>().toImage();
+    ASSERT_FALSE(picture.isNull()) << list->item(i)->text().toStdString();
+    QSet<QRgb> colors;
+    for (int x = 0; x < picture.width(); ++x) colors.insert(picture.pixel(x, picture.height() / 2));
+    EXPECT_GT(colors.size(), 3) << "something is seen: " << list->item(i)->text().toStdString();
+    different.insert(QByteArray(reinterpret_cast<const char*>(picture.constBits()), picture.sizeInBytes()));
+  }
+  EXPECT_EQ(different.size(), list->count()) << "each is its own";
+  takeShot(*mWindow, "finish-model");
 }
 
 TEST_F(FinishPage, ADragOfASliderIsOneStep) {

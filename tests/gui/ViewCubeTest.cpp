@@ -53,13 +53,13 @@ TEST_F(Cube, AClickOnEachFaceEdgeAndCornerLooksFromThere) {
   EXPECT_FALSE(mWindow->document().isModified());
 }
 
-TEST_F(Cube, SaysTheSidesOfAPatientAndTheAxesOfAModel) {
+TEST_F(Cube, SaysTheSidesOfAPatientAndOfAModel) {
   openPhantom();
   EXPECT_EQ(cube().nameOf({0, -1, 0}), "anterior");
   EXPECT_EQ(cube().nameOf({1, 1, -1}), "posterior, left, inferior");
   takeShot(*mWindow, "cube");
   openModel();
-  EXPECT_EQ(cube().nameOf({0, -1, 1}), "-y, +z");
+  EXPECT_EQ(cube().nameOf({0, -1, 1}), "front, top");
   takeShot(*mWindow, "cube-model");
 }
 

@@ -8,6 +8,7 @@
 #include "gui/kit/Length.h"
 #include "gui/rows/FieldRow.h"
 #include "gui/service/SelectedCut.h"
+#include "gui/view/SideNames.h"
 #include "session/command/Command.h"
 #include "session/command/CutCommands.h"
 #include "session/cut/CutEdit.h"
@@ -19,6 +20,13 @@ namespace velum::gui {
 namespace {
 
 constexpr double kFar = 1e9;
+
+/// Says what a control is for, to eyes and ears.
+void nameIt(QWidget* control, const QString& words) {
+  control->setToolTip(words);
+  control->setAccessibleName(words);
+}
+
 void setQuietly(NumberField* spin, double value) {
   const QSignalBlocker quiet(spin);
   spin->setValue(value);
@@ -43,11 +51,11 @@ CutForm::CutForm(session::Document& document, Selection& selection, JobRunner& j
   mForm.setGrid(mGrid);
   makePlace();
   makeDirection();
-  mAlignRow = makeAlign();
-  mAlignLabel = addRow(tr("Align to"), mAlignRow);
+  makeAlign();
   makeSize();
   makeFace();
   mOfPlace.insert(mOfPlace.end(), {mCentreRow, mCentreLabel, mAxisRow, mAxisLabel, mAlignRow, mAlignLabel});
+  showDirections();
 }
 
 QLabel* CutForm::addRow(const QString& name, QWidget* control) {
@@ -100,35 +108,26 @@ void CutForm::makePlace() {
   QWidget* row = makeTriple(mCentre, "Centre", [this](int i, double length) {
     editCut("Move cut", [&](scene::Cut& cut) { cut.centre[i] = length; });
   });
-  const QString tips[] = {tr("Centre: towards the patient's left"), tr("Centre: towards posterior"),
-                          tr("Centre: towards superior")};
-  for (int i = 0; i < 3; ++i) {
-    mCentre[i]->setToolTip(tips[i]);
-    mCentre[i]->setAccessibleName(tips[i]);
-  }
   mCentreRow = row;
   mCentreLabel = addRow(tr("Centre"), row);
-  mCentreLabel->setToolTip(tr("In the patient's axes"));
 }
 
 void CutForm::makeDirection() {
   auto* row = new QWidget(this);
   auto* layout = new FieldRow(row);
   QString degrees = QString::fromUtf8("\u00b0");
-  auto add = [&](double limit, const QString& prefix, const QString& tip, const char* name) {
+  auto add = [&](double limit, const QString& prefix, const char* name) {
     auto* spin = makeSpin(row, -limit, limit, degrees);
     spin->setPrefix(prefix);
-    spin->setToolTip(tip);
-    spin->setAccessibleName(tip);
     spin->setObjectName(name);
     layout->addWidget(spin);
     return spin;
   };
-  mAzimuth = add(180, tr("az "), tr("Azimuth of the axis, degrees: 0 anterior, 90 left, -90 right, 180 posterior"),
-                 "cutAzimuth");
+  mAzimuth = add(180, tr("az "), "cutAzimuth");
   mAzimuth->setWrapping(true);
-  mElevation = add(90, tr("el "), tr("Elevation of the axis, degrees: 90 superior, -90 inferior"), "cutElevation");
-  mSpin = add(360, tr("turn "), tr("Turn of the box about its axis, degrees"), "cutSpin");
+  mElevation = add(90, tr("el "), "cutElevation");
+  mSpin = add(360, tr("turn "), "cutSpin");
+  nameIt(mSpin, tr("Turn of the box about its axis, degrees"));
   mAxisRow = row;
   mAxisLabel = addRow(tr("Axis"), row);
   mAxisLabel->setToolTip(tr("Where the plane's normal or the shape's axis points"));
@@ -142,36 +141,14 @@ void CutForm::makeDirection() {
           [this](double deg) { editCut("Turn cut", [&](scene::Cut& cut) { cut.spinDeg = deg; }); });
 }
 
-QWidget* CutForm::makeAlign() {
-  auto* row = new QWidget(this);
-  auto* layout = makeTight(row);
-  struct Side {
-    QString letter, name;
-    glm::dvec3 axis;
-  };
-  const Side sides[] = {{tr("R"), tr("right"), {-1, 0, 0}},    {tr("L"), tr("left"), {1, 0, 0}},
-                        {tr("A"), tr("anterior"), {0, -1, 0}}, {tr("P"), tr("posterior"), {0, 1, 0}},
-                        {tr("S"), tr("superior"), {0, 0, 1}},  {tr("I"), tr("inferior"), {0, 0, -1}}};
-  for (const Side& side : sides) {
-    auto* button = new QPushButton(side.letter, row);
-    button->setObjectName("align" + side.letter);
-    button->setProperty("role", "small");
-    button->setToolTip(tr("Point the axis to the patient's %1; a plane takes away what lies there").arg(side.name));
-    button->setAccessibleName(tr("Align to %1").arg(side.name));
-    button->setMinimumWidth(24);
-    connect(button, &QPushButton::clicked, this, [this, axis = side.axis] { align(axis); });
-    layout->addWidget(button, 1);
-  }
-  auto* nearest = new QPushButton(tr("Nearest"), row);
-  nearest->setObjectName("alignNearest");
-  nearest->setProperty("role", "small");
-  nearest->setToolTip(tr("Turn the axis to the patient's axis that is nearest"));
-  connect(nearest, &QPushButton::clicked, this, [this] {
+void CutForm::makeAlign() {
+  mAlignRow = new AlignRow(this);
+  mAlignLabel = addRow(tr("Align to"), mAlignRow);
+  connect(mAlignRow, &AlignRow::aligned, this, &CutForm::align);
+  connect(mAlignRow, &AlignRow::nearestAsked, this, [this] {
     glm::dvec3 axis = mShown.axis * (mShown.shape == scene::CutShape::Plane && mShown.invert ? -1.0 : 1.0);
     align(session::nearestAxis(axis));
   });
-  layout->addWidget(nearest, 2);
-  return row;
 }
 
 void CutForm::align(glm::dvec3 axis) {
@@ -244,6 +221,25 @@ void CutForm::showDirections() {
     mCentre[i]->setDirections(known ? positive[i] : QString(), known ? negative[i] : QString());
     mCentre[i]->setPrefix(known ? QString() : axes[i]);
   }
+  if (mNamesPatient == known) return;
+  mNamesPatient = known;
+  nameSides();
+}
+
+/// Words of the clinic stand where there is a patient; all else has a front and a top.
+void CutForm::nameSides() {
+  const scene::Scene& scene = mDocument.scene();
+  bool isPatient = *mNamesPatient;
+  auto side = [&](int axis, bool isPlus) { return sideName(scene, axis, isPlus); };
+  for (int i = 0; i < 3; ++i) {
+    QString where = !isPatient ? tr("the %1").arg(side(i, true)) : i == 0 ? tr("the patient's left") : side(i, true);
+    nameIt(mCentre[i], tr("Centre: towards %1").arg(where));
+  }
+  mCentreLabel->setToolTip(isPatient ? tr("In the patient's axes") : tr("Along x, y and z"));
+  nameIt(mAzimuth, tr("Azimuth of the axis, degrees: 0 %1, 90 %2, -90 %3, 180 %4")
+                       .arg(side(1, false), side(0, true), side(0, false), side(1, true)));
+  nameIt(mElevation, tr("Elevation of the axis, degrees: 90 %1, -90 %2").arg(side(2, true), side(2, false)));
+  mAlignRow->nameSides(scene);
 }
 
 /// The numbers that the shape has, with names that fit.

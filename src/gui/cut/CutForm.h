@@ -3,8 +3,10 @@
 #include <QPushButton>
 #include <QWidget>
 #include <functional>
+#include <optional>
 #include <vector>
 
+#include "gui/cut/AlignRow.h"
 #include "gui/kit/Widgets.h"
 #include "gui/rows/FieldForm.h"
 #include "gui/service/JobRunner.h"
@@ -27,10 +29,11 @@ class CutForm : public QWidget {
   NumberField* makeSpin(QWidget* parent, double min, double max, const QString& suffix);
   void makePlace();
   void makeDirection();
-  QWidget* makeAlign();
+  void makeAlign();
   void makeSize();
   void makeFace();
   void showDirections();
+  void nameSides();
   void showSize(const scene::Cut& cut);
   void align(glm::dvec3 axis);
 
@@ -42,11 +45,13 @@ class CutForm : public QWidget {
   NumberRow* mPosition = nullptr;
   QLabel *mPositionLabel = nullptr, *mAxisLabel = nullptr, *mAlignLabel = nullptr, *mCentreLabel = nullptr,
          *mSizeLabel = nullptr;
-  QWidget *mCentreRow = nullptr, *mAxisRow = nullptr, *mAlignRow = nullptr;
+  QWidget *mCentreRow = nullptr, *mAxisRow = nullptr;
+  AlignRow* mAlignRow = nullptr;
   std::vector<QWidget*> mOfPlace;  ///< controls of the place, hidden for shapes without a place
   NumberField *mCentre[3] = {}, *mSize[3] = {}, *mAzimuth = nullptr, *mElevation = nullptr, *mSpin = nullptr;
   QWidget* mSizeRow = nullptr;
   QPushButton* mFlip = nullptr;
+  std::optional<bool> mNamesPatient;  ///< whether sides have the names of a patient's; nothing: they have none yet
   scene::Cut mShown;
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "gui/kit/Text.h"
 #include "gui/service/SelectedCut.h"
 #include "session/command/CutCommands.h"
 #include "session/command/ModelCommands.h"
@@ -107,10 +108,7 @@ void FocusForm::showCut(const scene::Cut& cut, const std::vector<std::string>& p
   for (QWidget* widget : {static_cast<QWidget*>(mFocus), static_cast<QWidget*>(mLock)}) widget->setVisible(hasFocus());
   if (!hasFocus()) return;
   QStringList names;
-  for (const scene::FocusType& type : cut.model.focus->types) {
-    std::string_view name = session::shortName(type.type);
-    names << QString::fromUtf8(name.data(), int(name.size())).replace('_', ' ');
-  }
+  for (const scene::FocusType& type : cut.model.focus->types) names << nameText(session::shortName(type.type));
   std::string words = session::clearingWords(mDocument.scene());
   mFocus->setText(tr("In view: %1").arg(names.join(", ")) +
                   (words.empty() ? "" : "\n" + QString::fromStdString(words)));

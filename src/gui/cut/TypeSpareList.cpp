@@ -7,6 +7,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "gui/kit/Text.h"
 #include "gui/rows/FieldRow.h"
 #include "gui/service/SelectedCut.h"
 #include "session/command/CutCommands.h"
@@ -169,8 +170,7 @@ void TypeSpareList::showMenu(QPoint place) {
 void TypeSpareList::showSelected() {
   std::vector<std::string> paths = mView->selectedPaths();
   bool any = !paths.empty();
-  mRow->setText(any ? QString::fromStdString(session::rowsLabel(paths)).replace('_', ' ')
-                    : tr("Select a row to say how"));
+  mRow->setText(any ? nameText(session::rowsLabel(paths)) : tr("Select a row to say how"));
   mForm.refresh();
   mFocus->showCut(mCut, paths);
 }

@@ -27,8 +27,7 @@ Colors colorsOf(ThemeKind kind) {
             {"chosenEdge", "#2a6b9e"},  {"onChosen", "#ffffff"},    {"main", "#2f78b0"},      {"mainHover", "#28699c"},
             {"accent", "#1f74b5"},      {"groove", "#cdd3da"},      {"white", "#2b3037"},     {"errorFill", "#fbe4e1"},
             {"errorEdge", "#e0a39b"},   {"noteFill", "#e1edf7"},    {"noteEdge", "#a9c7df"},  {"emptyTop", "#f7f8fa"},
-            {"emptyBottom", "#dfe3e8"}, {"alarm", "#8a5a00"},       {"control", "#828b97"},   {"seen", "#0f6b52"},
-            {"hidden", "#84cbb2"},      {"removed", "#d0d5db"}};
+            {"emptyBottom", "#dfe3e8"}, {"alarm", "#8a5a00"},       {"control", "#828b97"}};
   return {{"ground", "#1d2025"},      {"panel", "#25292f"},       {"deep", "#16181c"},      {"popup", "#282c33"},
           {"tip", "#30363e"},         {"line", "#3a4049"},        {"edge", "#444c57"},      {"hover", "#343a43"},
           {"text", "#e3e7ec"},        {"soft", "#b4bdc8"},        {"muted", "#9ba5b1"},     {"faint", "#8e98a4"},
@@ -36,8 +35,7 @@ Colors colorsOf(ThemeKind kind) {
           {"chosenEdge", "#4f8ab5"},  {"onChosen", "#ffffff"},    {"main", "#34719f"},      {"mainHover", "#3b79a8"},
           {"accent", "#5fb0ea"},      {"groove", "#14161a"},      {"white", "#ffffff"},     {"errorFill", "#4a2a2a"},
           {"errorEdge", "#7d4540"},   {"noteFill", "#2c3a46"},    {"noteEdge", "#44637a"},  {"emptyTop", "#292e35"},
-          {"emptyBottom", "#141619"}, {"alarm", "#ffb85c"},       {"control", "#6d7681"},   {"seen", "#84d6b4"},
-          {"hidden", "#3d7d66"},      {"removed", "#434a54"}};
+          {"emptyBottom", "#141619"}, {"alarm", "#ffb85c"},       {"control", "#6d7681"}};
 }
 
 constexpr const char* kSheet = R"(

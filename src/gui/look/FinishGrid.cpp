@@ -24,10 +24,12 @@ void FinishGrid::refresh() {
   const scene::Scene& scene = document().scene();
   setEnabled(scene::hasData(scene));
   list().mark(textOf(scene::finishName(scene.finish)));
-  Key key{scene.volume.data, scene.volume.channel, scene::currentTransfer(scene.volume)};
+  Key key{scene.volume.data, scene.volume.channel, scene::currentTransfer(scene.volume), {}};
+  if (!key.volume) key.model = scene.model;
+  key.model.targets.clear();  // they change nothing that is seen
   if (key == mKey) return;
   mKey = key;
-  renew(bool(key.volume));
+  renew(key.volume || key.model.data);
 }
 
 }  // namespace velum::gui

@@ -17,6 +17,7 @@ class FinishGrid : public PictureGrid {
     Shared<Volume> volume;  ///< Kept alive, so that no other volume can get its id.
     int channel = 0;
     scene::TransferFunction transfer;
+    scene::ModelLayer model;  ///< Where there is no volume.
     bool operator==(const Key&) const = default;
   };
   Key mKey;

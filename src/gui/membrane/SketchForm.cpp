@@ -15,7 +15,7 @@ namespace velum::gui {
 
 namespace {
 
-constexpr int kMostRows = 4, kSwatch = 12;
+constexpr int kMostSketchRows = 4, kSketchSwatch = 12;
 
 QPushButton* makeButton(QWidget* parent, const char* name, const QString& text, const QString& tip) {
   auto* button = new QPushButton(text, parent);
@@ -25,13 +25,13 @@ QPushButton* makeButton(QWidget* parent, const char* name, const QString& text, 
 }
 
 QIcon swatchOf(const QColor& color) {
-  QPixmap pixmap(2 * kSwatch, 2 * kSwatch);
+  QPixmap pixmap(2 * kSketchSwatch, 2 * kSketchSwatch);
   pixmap.setDevicePixelRatio(2.0);
   pixmap.fill(Qt::transparent);
   QPainter painter(&pixmap);
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setPen(QPen(color, 5.0, Qt::SolidLine, Qt::RoundCap));
-  painter.drawLine(QPointF(3, kSwatch - 3.5), QPointF(kSwatch - 3, 3.5));
+  painter.drawLine(QPointF(3, kSketchSwatch - 3.5), QPointF(kSketchSwatch - 3, 3.5));
   return pixmap;
 }
 
@@ -69,7 +69,7 @@ SketchForm::SketchForm(QWidget* parent)
   mList->setObjectName("sketchList");
   mList->setAccessibleName(tr("Strokes"));
   mList->setToolTip(tr("The strokes to which the curve is fitted; Del removes one"));
-  mList->setIconSize(QSize(kSwatch, kSwatch));
+  mList->setIconSize(QSize(kSketchSwatch, kSketchSwatch));
   mList->installEventFilter(this);
   layout->addWidget(mList);
   mRemove->setProperty("role", "quiet");
@@ -101,7 +101,7 @@ void SketchForm::fillList() {
   int rows = int(mStrokes.size());
   if (row < rows) mList->setCurrentRow(row);
   int height = rows > 0 ? mList->sizeHintForRow(0) + 2 * mList->spacing() : 0;
-  mList->setFixedHeight(std::min(rows, kMostRows) * height + 2 * mList->frameWidth() + 6);
+  mList->setFixedHeight(std::min(rows, kMostSketchRows) * height + 2 * mList->frameWidth() + 6);
   mList->setVisible(rows > 0);
   mRemove->setVisible(rows > 0);
   mRemove->setEnabled(mList->currentRow() >= 0);

@@ -4,6 +4,7 @@
 #include <QPushButton>
 #include <algorithm>
 
+#include "gui/kit/Text.h"
 #include "scene/Scene.h"
 #include "session/model/ModelEdit.h"
 #include "session/model/TypesAt.h"
@@ -40,11 +41,6 @@ QPushButton* makeSmall(const QString& text, const QString& tip, QWidget* parent)
   button->setProperty("role", "quiet");
   button->setToolTip(tip);
   return button;
-}
-
-QString nameOf(const std::string& path) {
-  std::string_view name = session::shortName(path);
-  return QString::fromUtf8(name.data(), int(name.size())).replace('_', ' ');
 }
 
 }  // namespace
@@ -96,7 +92,8 @@ void HidersBox::addRow(const session::Hider& hider, const scene::ModelLayer& lay
   share->setToolTip(tr("Of the pixels that it would take, %1 are taken by this").arg(hider.pixels));
   line->addWidget(share);
   QString path = QString::fromStdString(hider.path);
-  auto* name = makeSmall(isType ? nameOf(hider.path) : tr("What is no model"), isType ? path : QString(), row);
+  auto* name = makeSmall(isType ? nameText(session::shortName(hider.path)) : tr("What is no model"),
+                         isType ? readableText(hider.path) : QString(), row);
   name->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   name->setStyleSheet("text-align: left;");
   name->setEnabled(isType);
@@ -112,7 +109,7 @@ void HidersBox::addRow(const session::Hider& hider, const scene::ModelLayer& lay
 
 void HidersBox::showHiding(const session::Hiding& hiding, const scene::ModelLayer& layer) {
   mHiding = hiding;
-  mWords->setText(QString::fromStdString(hiding.words));
+  mWords->setText(readableText(hiding.words));
   while (QLayoutItem* item = mRows->takeAt(0)) {
     item->widget()->deleteLater();
     delete item;

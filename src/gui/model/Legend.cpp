@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "gui/kit/Text.h"
+
 namespace velum::gui {
 
 namespace {
@@ -36,7 +38,7 @@ bool Legend::count() {
   mTypes = order;
   mModel = model;
   mNames.clear();
-  for (std::uint32_t type : mTypes) mNames.push_back(QString::fromStdString(model->types[type].name).replace('_', ' '));
+  for (std::uint32_t type : mTypes) mNames.push_back(nameText(model->types[type].name));
   return true;
 }
 

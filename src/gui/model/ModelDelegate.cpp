@@ -20,13 +20,13 @@ void paintColor(QPainter& painter, const QStyleOptionViewItem& option, const QMo
 
 void paintText(QPainter& painter, const QStyleOptionViewItem& option, const QModelIndex& index, bool strong,
                Qt::Alignment alignment) {
-  QRect box = option.rect.adjusted(4, 0, -4, 0);
+  QRect box = option.rect.adjusted(ModelDelegate::kTextMargin, 0, -ModelDelegate::kTextMargin, 0);
   QFont font = option.font;
   if (alignment == Qt::AlignLeft && !index.data(TypeTree::IsTypeRole).toBool()) font.setWeight(QFont::DemiBold);
+  font.setUnderline(index.column() == ModelTree::Count && index.data(ModelTree::HeldRole).toBool());
   painter.setFont(font);
-  QString text = QFontMetrics(font).elidedText(index.data().toString(), Qt::ElideMiddle, box.width());
   painter.setPen(rowTextColor(option, strong));
-  painter.drawText(box, alignment | Qt::AlignVCenter, text);
+  painter.drawText(box, alignment | Qt::AlignVCenter, ModelDelegate::textOf(index, QFontMetrics(font), box.width()));
 }
 
 QModelIndex sourceOf(const QModelIndex& index) {
@@ -35,6 +35,11 @@ QModelIndex sourceOf(const QModelIndex& index) {
 }
 
 }  // namespace
+
+QString ModelDelegate::textOf(const QModelIndex& index, const QFontMetrics& metrics, int width) {
+  QString text = index.data().toString();
+  return index.column() == ModelTree::Count ? text : metrics.elidedText(text, Qt::ElideMiddle, width);
+}
 
 CountBar ModelDelegate::barOf(const TypeTree::Row& row, QRect cell) const {
   return layCountBar(cell, mTree.scale(), mTree.countOf(row));

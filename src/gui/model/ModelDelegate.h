@@ -16,6 +16,9 @@ class ModelDelegate : public QStyledItemDelegate {
       : QStyledItemDelegate(parent), mTree(tree), mRowHeight(rowHeight) {}
   QSize sizeHint(const QStyleOptionViewItem&, const QModelIndex&) const override { return {40, mRowHeight}; }
   void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
+  /// What a cell of the columns Name and Count says in a width: names are shortened in their middle, numbers never are.
+  static QString textOf(const QModelIndex& index, const QFontMetrics& metrics, int width);
+  static constexpr int kTextMargin = 4;  ///< pixels left and right of a cell's text
   /// @param cell  of the column Bar
   CountBar barOf(const TypeTree::Row& row, QRect cell) const;
   /// Sets the type that is under the pointer in the picture, whose row is marked; -1: none.

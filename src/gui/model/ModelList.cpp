@@ -7,11 +7,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gui/kit/Text.h"
+
 namespace velum::gui {
 
 namespace {
 
 constexpr int kWidths[ModelTree::kColumns] = {26, 20, 0, 100, 46};
+constexpr int kFieldRoom = 10;  // pixels that the field for a number takes beside its text
 constexpr int kWordsMs = 4000;
 constexpr std::size_t kMostOpen = 80;  // types of a tree that is opened whole
 
@@ -50,7 +53,8 @@ void ModelList::showCounts() {
 void ModelList::sayWords(const QString& words) {
   QModelIndex row = mHeldBar.isValid() ? QModelIndex(mHeldBar) : currentIndex();
   QRect cell = visualRect(row.siblingAtColumn(ModelTree::Bar));
-  QToolTip::showText(viewport()->mapToGlobal(cell.bottomLeft()), words, viewport(), {}, kWordsMs);
+  QToolTip::showText(viewport()->mapToGlobal(cell.bottomLeft()), readableText(words.toStdString()), viewport(), {},
+                     kWordsMs);
 }
 
 void ModelList::setPercent(bool percent) {
@@ -77,9 +81,21 @@ void ModelList::openSome() {
   isSmall || mOrder->isSearching() ? expandAll() : expandToDepth(1);
 }
 
+/// Makes the column of numbers as wide as its widest number, whatever is counted: it does not move with the counts.
+void ModelList::fitNumbers() {
+  int width = mTree->widestNumber(fontMetrics()) + 2 * ModelDelegate::kTextMargin + kFieldRoom;
+  header()->resizeSection(ModelTree::Count, std::max(kWidths[ModelTree::Count], width));
+}
+
+void ModelList::changeEvent(QEvent* event) {
+  BarList::changeEvent(event);
+  if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange) fitNumbers();
+}
+
 void ModelList::showLayer(const scene::ModelLayer& layer) {
   bool isOther = mTree->model() != layer.data;
   mTree->showLayer(layer);
+  fitNumbers();
   if (isOther) openSome();
 }
 

@@ -54,6 +54,7 @@ class ModelList : public BarList {
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseDoubleClickEvent(QMouseEvent* event) override;
   void leaveEvent(QEvent* event) override;
+  void changeEvent(QEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   void contextMenuEvent(QContextMenuEvent* event) override;
   void currentChanged(const QModelIndex& current, const QModelIndex& previous) override;
@@ -62,6 +63,7 @@ class ModelList : public BarList {
   const TypeTree::Row& rowOf(const QModelIndex& shown) const;
   session::TypeNumbers typesFor(const QModelIndex& shown) const;
   void openSome();
+  void fitNumbers();
   void showCounts();
   void sayWords(const QString& words);
   Equalizer::Handle handleAt(const QModelIndex& index, double x) const;

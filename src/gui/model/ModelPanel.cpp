@@ -5,6 +5,7 @@
 #include <bit>
 
 #include "gui/kit/Text.h"
+#include "gui/rows/CountKey.h"
 #include "session/command/Command.h"
 #include "session/command/ModelCommands.h"
 #include "session/model/TypesAt.h"
@@ -30,6 +31,7 @@ ModelPanel::ModelPanel(ModelCommands& commands, Equalizer& equalizer, QWidget* p
   mHiders = new HidersBox(list);
   rows->addWidget(mBar);
   rows->addWidget(makeSearch());
+  rows->addWidget(new CountKey(CountKey::Of::Instances, list));
   rows->addWidget(mList, 1);
   rows->addWidget(mHiders);
   rows->addWidget(makeFoot());
@@ -252,7 +254,7 @@ void ModelPanel::refresh() {
   mList->showLayer(layer);
   if (isOther) {
     mCommands.selection().setType(-1);
-    QString name = layer.data ? QString::fromStdString(layer.data->name) : QString();
+    QString name = layer.data ? readableText(layer.data->name) : QString();
     mName->setText(name.isEmpty() ? tr("Model") : name);
     mName->setToolTip(QString::fromStdString(layer.source.path));
     if (layer.data) showNotes(*layer.data);

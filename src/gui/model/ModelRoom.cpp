@@ -8,6 +8,7 @@
 #include <memory>
 #include <numeric>
 
+#include "gui/kit/Text.h"
 #include "session/command/Command.h"
 #include "session/command/ModelCommands.h"
 #include "session/model/CountPictures.h"
@@ -35,18 +36,10 @@ void ModelRoom::refresh(const session::Session& session) {
     mHadModel = hasModel;
     mParts.tabs.setPageShown(mPanel, hasModel);
     if (hasModel) mParts.tabs.showPage(mPanel);
-    makeRoom(hasModel);
+    mParts.side.setRoomy(hasModel);
   }
   mEqualizer->refresh();
   mPanel->refresh();
-}
-
-/// Names, bars and numbers of a model want more of a wide window than other pages do.
-void ModelRoom::makeRoom(bool hasModel) {
-  constexpr int kWide = 1200, kForModels = 430;
-  auto* side = mParts.window.findChild<QWidget*>("sidePanel");
-  if (!mUsualWidth) mUsualWidth = side->minimumWidth();
-  side->setFixedWidth(hasModel && mParts.window.width() >= kWide ? kForModels : mUsualWidth);
 }
 
 void ModelRoom::connectEqualizer() {
@@ -108,13 +101,16 @@ void ModelRoom::connectViews() {
     const Model& model = *mParts.session.scene().model.data;
     QMenu menu(&mParts.window);
     const MoleculeType& type = model.types[std::size_t(pick.type)];
-    mCommands->fillMenu(menu, {std::uint32_t(pick.type)}, QString::fromStdString(type.name), pathOf(model, type));
+    mCommands->fillMenu(menu, {std::uint32_t(pick.type)}, nameText(type.name), pathOf(model, type));
     menu.exec(place);
   });
   connect(&viewport, &Viewport::instanceWanted, this,
           [this](const render::Pick& pick) { mCommands->goToInstance(pick.modelInstance); });
   connect(&viewport, &Viewport::refined, this, [this, &viewport](double, const QString& stage) {
-    if (!stage.isEmpty()) return;
+    if (!stage.isEmpty()) {
+      if (mHighlight.leave()) mParts.toolbox.repaint(viewport);
+      return;
+    }
     bool isOther = mLegend.count();
     if (mHighlight.look() || isOther) mParts.toolbox.repaint(viewport);
     if (mParts.session.scene().model.data) mPanel->looks().drawPictures();

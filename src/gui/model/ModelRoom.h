@@ -29,7 +29,6 @@ class ModelRoom : public Room {
   void addActions();
   void showLegend(bool shown);
   void connectEqualizer();
-  void makeRoom(bool hasModel);
   void takeStep(EqualizeSteps::Step step);
   void findHiding(const QString& path);
   void findSeenRange(const QString& path);
@@ -44,7 +43,6 @@ class ModelRoom : public Room {
   TypeHighlight mHighlight;
   QAction* mLegendAction = nullptr;
   bool mHadModel = false;
-  int mUsualWidth = 0;  ///< The side panel's width without a model, pixels; 0: not known yet.
 };
 
 }  // namespace velum::gui

@@ -19,11 +19,16 @@ constexpr int kMostTip = 400;  // letters of a description
 
 QString numberText(std::uint64_t number) { return QLocale().toString(qulonglong(number)); }
 
-/// With as many digits as there is room for in a narrow column.
-QString shortCount(std::uint64_t count) {
-  if (count < 100000) return numberText(count);
-  if (count < 1000000) return ModelTree::tr("%1k").arg(QString::number(double(count) * 1e-3, 'f', 0));
-  return ModelTree::tr("%1M").arg(QString::number(double(count) * 1e-6, 'f', count < 100000000 ? 1 : 0));
+/// The numbers of so many digits that may be the widest: 11..1 to 99..9, and 10..0 to 90..0 where the nought is wide.
+std::vector<std::uint64_t> widestOf(int digits) {
+  std::uint64_t tens = 1, ones = 1;
+  for (int i = 1; i < digits; ++i) tens *= 10, ones = 10 * ones + 1;
+  std::vector<std::uint64_t> numbers;
+  for (std::uint64_t digit = 1; digit < 10; ++digit) {
+    numbers.push_back(digit * ones);
+    numbers.push_back(digit * tens);
+  }
+  return numbers;
 }
 
 }  // namespace
@@ -66,14 +71,33 @@ Counts ModelTree::countOf(const Row& row) const {
   return row.isType ? counts.types()[row.number] : counts.compartments()[row.number];
 }
 
-QString ModelTree::numberOf(const Row& row) const {
-  Counts count = countOf(row);
-  if (count.total() == 0) return shortCount(row.instances * std::uint64_t(scene::copyCount(mLayer)));
-  if (!mScale.isPercent) return shortCount(count.left());
-  double percent = 100.0 * double(count.left()) / double(count.total());
+QString ModelTree::drawnText(std::uint64_t drawn, std::uint64_t total, bool isPercent) {
+  if (!isPercent) return numberText(drawn);
   // What is a little is not nothing, and what is nearly all is not all.
+  if (drawn > 0 && drawn < total && drawn * 1000 < total) return tr("< %1 %").arg(QLocale().toString(0.1, 'f', 1));
+  if (drawn < total && drawn * 1000 > total * 999) return tr("> %1 %").arg(QLocale().toString(99.9, 'f', 1));
+  double percent = total > 0 ? 100.0 * double(drawn) / double(total) : 0.0;
   bool isEdge = (percent > 0.0 && percent < 1.0) || (percent > 99.0 && percent < 100.0);
   return tr("%1 %").arg(QLocale().toString(percent, 'f', isEdge ? 1 : 0));
+}
+
+QString ModelTree::numberOf(const Row& row) const {
+  Counts count = countOf(row);
+  if (count.total() > 0) return drawnText(count.left(), count.total(), mScale.isPercent);
+  return numberText(row.instances * std::uint64_t(scene::copyCount(mLayer)));
+}
+
+int ModelTree::widestNumber(const QFontMetrics& metrics) const {
+  int widest = metrics.horizontalAdvance(headerData(Count, Qt::Horizontal, Qt::DisplayRole).toString());
+  auto take = [&](const QString& text) { widest = std::max(widest, metrics.horizontalAdvance(text)); };
+  for (std::uint64_t number : widestOf(int(std::to_string(std::uint64_t(mScale.most)).size())))
+    take(numberText(number));
+  for (std::uint64_t number : widestOf(3)) {
+    take(tr("> %1 %").arg(QLocale().toString(double(number) / 10.0, 'f', 1)));
+    take(tr("< %1 %").arg(QLocale().toString(double(number) / 10.0, 'f', 1)));
+  }
+  take(drawnText(1, 1, true));
+  return widest;
 }
 
 std::optional<double> ModelTree::readNumber(const QString& text, double total) {
@@ -119,11 +143,11 @@ QString ModelTree::describe(const MoleculeType& type) const {
     lines << tr("%1 each, %2").arg(massText(type.mass), from);
   }
   if (type.moleculeCount > 1) lines << tr("%1 shapes").arg(type.moleculeCount);
-  if (!type.function.empty()) lines << tr("Function: %1").arg(toText(type.function));
-  if (!type.structure.empty()) lines << tr("Structure: %1").arg(toText(type.structure));
+  if (!type.function.empty()) lines << tr("Function: %1").arg(readableText(type.function));
+  if (!type.structure.empty()) lines << tr("Structure: %1").arg(readableText(type.structure));
   if (type.origin == Origin::Curves) lines << tr("Put along curves of the file");
   if (type.origin == Origin::Added) lines << tr("Not in the file: made to complete the model");
-  QString description = toText(type.description).simplified();
+  QString description = readableText(type.description).simplified();
   if (description.size() > kMostTip) description = description.left(kMostTip) + QString::fromUtf8("\u2026");
   if (!description.isEmpty()) lines << description;
   return lines.join("\n");
@@ -143,9 +167,9 @@ QString ModelTree::tipOf(const Row& row, int column) const {
     Counts count = countOf(row);
     return (count.total() > 0 ? describe(count) + "\n" + how : how) + held;
   }
-  if (row.isType) return QString("%1\n%2").arg(toText(row.path), describe(model()->types[row.number]));
+  if (row.isType) return QString("%1\n%2").arg(readableText(row.path), describe(model()->types[row.number]));
   return QString("%1\n%2\n%3")
-      .arg(toText(row.path), tr("%1 instances of %2 types").arg(numberText(row.instances)).arg(row.types.size()),
+      .arg(readableText(row.path), tr("%1 instances of %2 types").arg(numberText(row.instances)).arg(row.types.size()),
            row.mass > 0.0 ? tr("%1 in all").arg(massText(row.mass)) : tr("mass unknown"));
 }
 

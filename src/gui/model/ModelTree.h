@@ -1,5 +1,6 @@
 #pragma once
 #include <QColor>
+#include <QFontMetrics>
 #include <optional>
 #include <vector>
 
@@ -29,6 +30,11 @@ class ModelTree : public TypeTree {
   void setPercent(bool percent);
   /// The counts of a row's instances; before there are counts the sum, total(), is 0.
   Counts countOf(const Row& row) const;
+  /// How many of a row's instances are drawn, as the column Count says it: the whole number, or in percent, where
+  /// neither a few are said to be none nor nearly all to be all.
+  static QString drawnText(std::uint64_t drawn, std::uint64_t total, bool isPercent);
+  /// The width of the widest text that the column Count can come to have for this model, pixels.
+  int widestNumber(const QFontMetrics& metrics) const;
   /// The number that was typed into a row's field: "50", or "20 %" of `total`, in the language's digits; nothing where
   /// the text is no whole number and no share.
   static std::optional<double> readNumber(const QString& text, double total);

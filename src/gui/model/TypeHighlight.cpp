@@ -13,13 +13,20 @@ constexpr QRgb kVeil = qRgba(8, 10, 14, 165);
 bool TypeHighlight::show(const session::TypeNumbers& types) {
   if (types == mTypes) return false;
   mTypes = types;
-  return look();
+  return mIsStill ? look() : false;
+}
+
+bool TypeHighlight::leave() {
+  mIsStill = false;
+  bool was = isSeen();
+  mVeil = {};
+  mPixels = 0;
+  return was;
 }
 
 bool TypeHighlight::look() {
-  bool was = !mVeil.isNull();
-  mVeil = {};
-  mPixels = 0;
+  bool was = leave();
+  mIsStill = true;
   if (mTypes.empty()) return was;
   Viewport::TypePixels picture = mViewport.typesOfPixels();
   if (picture.types.empty()) return was;

@@ -13,8 +13,13 @@ class TypeHighlight : public Manipulator {
   explicit TypeHighlight(Viewport& viewport) : mViewport(viewport) {}
   /// Sets the types; none: nothing is darkened. @return true when the views must be painted anew
   bool show(const session::TypeNumbers& types);
-  /// To be called when the picture is another one. @return as show()
+  /// To be called when the picture begins to change: what is darkened belongs to the picture before, and nothing is
+  /// until look(). @return as show()
+  bool leave();
+  /// To be called when the picture is another one, and complete. @return as show()
   bool look();
+  /// Something is darkened.
+  bool isSeen() const { return !mVeil.isNull(); }
   /// How many pixels of the picture show the types.
   int pixels() const { return mPixels; }
 
@@ -22,6 +27,7 @@ class TypeHighlight : public Manipulator {
 
  private:
   Viewport& mViewport;
+  bool mIsStill = true;  ///< the picture is complete
   session::TypeNumbers mTypes;
   QImage mVeil;
   int mPixels = 0;

@@ -12,6 +12,8 @@ namespace {
 
 constexpr double kGrip = 5.0;  // pixels about a knob
 
+bool isEnter(const QKeyEvent& event) { return event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter; }
+
 /// Ctrl+Right, Ctrl+Left: a step; else 0.
 int stepOf(const QKeyEvent& event) {
   if (!(event.modifiers() & Qt::ControlModifier)) return 0;
@@ -70,6 +72,10 @@ void BarList::mouseReleaseEvent(QMouseEvent* event) {
 }
 
 bool BarList::event(QEvent* event) {
+  if (event->type() == QEvent::KeyPress && state() == EditingState && isEnter(static_cast<const QKeyEvent&>(*event))) {
+    event->accept();
+    return true;
+  }
   if (event->type() == QEvent::ShortcutOverride && hasKeys()) {
     const auto& stroke = static_cast<const QKeyEvent&>(*event);
     constexpr int kOwn[] = {Qt::Key_Space, Qt::Key_Return, Qt::Key_Enter, Qt::Key_F2,

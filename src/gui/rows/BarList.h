@@ -6,7 +6,8 @@ namespace velum::gui {
 
 /// A list whose rows have cells that are pressed rather than selected: eyes, colours, bars. A bar's knob is dragged,
 /// and moved by Ctrl+Left and Ctrl+Right; Esc gives up a drag in lists that can do so. A press that a cell takes does
-/// not change the selection.
+/// not change the selection. Enter in a row's field enters what was typed there, and is no key of the list: a field
+/// passes it on to whatever it stands in.
 class BarList : public QTreeView {
   Q_OBJECT
  public:

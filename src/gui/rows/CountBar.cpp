@@ -22,6 +22,8 @@ QString countTitle() {
   return title.left(1).toUpper() + title.mid(1);
 }
 
+QColor countColor(CountOf kind) { return QColor(toText(kCountKinds[std::size_t(kind)].fill)); }
+
 QRectF countBarBox(QRect cell) {
   QRectF box = QRectF(cell).adjusted(kMargin, 0, -kMargin, 0);
   return {box.left(), box.center().y() - kHeight / 2.0, box.width(), double(kHeight)};
@@ -43,7 +45,6 @@ CountBar layCountBar(QRect cell, const BarScale& scale, const Counts& counts) {
 
 void paintCountBar(QPainter& painter, const QStyleOptionViewItem& option, const CountBar& bar, bool hasSeenKnob) {
   if (bar.box.isEmpty()) return;
-  ThemeKind theme = themeOf(option.palette);
   painter.setPen(Qt::NoPen);
   painter.setRenderHint(QPainter::Antialiasing, false);
   if (option.state & QStyle::State_Selected)
@@ -53,18 +54,18 @@ void paintCountBar(QPainter& painter, const QStyleOptionViewItem& option, const 
     double from = i > 0 ? bar.ends[i - 1] : 0.0, to = bar.ends[i];
     if (to <= from) continue;
     QRectF part(bar.box.left() + from, bar.box.top(), std::max(1.0, to - from), bar.box.height());
-    painter.fillRect(part, themeColor(theme, toText(kCountKinds[i].role)));
+    painter.fillRect(part, countColor(CountOf(i)));
   }
   painter.setRenderHint(QPainter::Antialiasing, true);
-  auto knob = [&](double at, const char* color, double grow) {
+  auto knob = [&](double at, const QColor& color, double grow) {
     QRectF box(bar.box.left() + at - kKnob / 2.0, bar.box.top() - grow, kKnob, bar.box.height() + 2.0 * grow);
     painter.setPen(QPen(option.palette.color(QPalette::Window), 1.0));
-    painter.setBrush(themeColor(theme, color));
+    painter.setBrush(color);
     painter.drawRoundedRect(box.adjusted(-0.5, 0, 0.5, 0), 1.5, 1.5);
   };
   bool isHot = option.state & (QStyle::State_MouseOver | QStyle::State_Selected);
-  if (hasSeenKnob && isHot && bar.seen < bar.left) knob(bar.seen, "seen", 2.0);
-  knob(bar.left, "white", isHot ? 4.0 : 2.5);
+  if (hasSeenKnob && isHot && bar.seen < bar.left) knob(bar.seen, countColor(CountOf::Visible), 2.0);
+  knob(bar.left, themeColor(themeOf(option.palette), "white"), isHot ? 4.0 : 2.5);
 }
 
 void paintBarRuler(QPainter& painter, QRect cell, const BarScale& scale) {

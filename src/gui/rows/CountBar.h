@@ -25,6 +25,8 @@ struct CountBar {
 CountBar layCountBar(QRect cell, const BarScale& scale, const Counts& counts);
 /// The title of a column of such bars: "Seen, hidden, removed".
 QString countTitle();
+/// The colour of a kind's part of a bar, in both themes.
+QColor countColor(CountOf kind);
 /// Where the box of a bar lies in its cell.
 QRectF countBarBox(QRect cell);
 /// @param hasSeenKnob  the bar has a second knob, by which the number that is seen is dragged

@@ -3,6 +3,8 @@
 #include <QLocale>
 #include <algorithm>
 
+#include "gui/kit/Text.h"
+
 namespace velum::gui {
 
 QString massText(double dalton) {
@@ -54,7 +56,7 @@ void TypeTree::makeRows() {
     row.number = i;
     row.parent = one.parent < 0 ? -1 : rowOf[std::size_t(one.parent)];
     row.path = one.name;
-    row.name = one.parent < 0 ? tr("All types") : QString::fromStdString(one.name).replace('_', ' ');
+    row.name = one.parent < 0 ? tr("All types") : nameText(one.name);
     rowOf[i] = addRow(std::move(row));
   }
   for (std::uint32_t i = 0; i < model.types.size(); ++i) {
@@ -64,7 +66,7 @@ void TypeTree::makeRows() {
     row.number = i;
     row.parent = rowOf[type.compartment];
     row.path = type.name;
-    row.name = QString::fromStdString(type.name).replace('_', ' ');
+    row.name = nameText(type.name);
     row.mass = type.mass;
     mRowOfType.push_back(addRow(std::move(row)));
     for (int at = mRowOfType.back(); at >= 0; at = mRows[std::size_t(at)].parent) {

@@ -56,6 +56,13 @@ void ActionTable::showKeys(QAction* action) {
   action->setToolTip(keys.isEmpty() ? tip : QString("%1 (%2)").arg(tip, keys));
 }
 
+void ActionTable::rename(QAction* action, const QString& text, const QString& tip) {
+  if (action->text() == text && action->statusTip() == tip) return;
+  action->setText(text);
+  action->setStatusTip(tip);
+  showKeys(action);
+}
+
 QAction* ActionTable::withKey(const QKeySequence& key) const {
   for (QAction* action : mOrder)
     if (mKeys.value(action->objectName()).contains(key)) return action;

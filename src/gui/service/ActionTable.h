@@ -20,6 +20,8 @@ class ActionTable : public QObject {
   /// Adds a command that is enabled only while something is open.
   QAction* addForScene(QMenu* menu, const QString& id, const QString& text, const QString& tip,
                        std::function<void()> slot);
+  /// Says what a command does in other words, where these depend on what is open.
+  void rename(QAction* action, const QString& text, const QString& tip);
   /// Null for an unknown id.
   QAction* find(const QString& id) const { return mActions.value(id); }
   /// All commands in the order in which they were added.

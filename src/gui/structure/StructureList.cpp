@@ -273,7 +273,7 @@ void StructureList::keyPressEvent(QKeyEvent* event) {
     return mCommands.setVisible(ids, !visible);
   }
   bool isEnter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
-  if (!ids.empty() && isEnter && state() != EditingState) return mCommands.goTo(ids[0]);
+  if (!ids.empty() && isEnter) return mCommands.goTo(ids[0]);
   // The cursor stands on a row; a name is what it edits.
   if (event->key() == Qt::Key_F2 && currentIndex().isValid())
     return edit(currentIndex().siblingAtColumn(StructureModel::Name));

@@ -31,6 +31,8 @@ StructurePanel::StructurePanel(StructureCommands& commands, AreaMeter& areas, Se
   auto* rows = makeColumn(list, 6);
   mList = new StructureList(commands, areas, list);
   rows->addWidget(makeSearch());
+  rows->addWidget(mKey = new CountKey(CountKey::Of::Pixels, list));
+  mKey->hide();
   rows->addWidget(mList, 1);
   rows->addWidget(makeFoot());
   full->addWidget(list, 1);
@@ -229,12 +231,10 @@ QWidget* StructurePanel::makeDetail() {
 /// Values or bars: there is no room for both.
 void StructurePanel::showColumns(bool on) {
   QToolButton* other = sender() == mBars ? mValues : mBars;
-  if (on && other->isChecked()) {
-    const QSignalBlocker quiet(other);
-    other->setChecked(false);
-  }
+  if (const QSignalBlocker quiet(other); on) other->setChecked(false);
   using Shown = StructureList::Shown;
   mList->setShown(mBars->isChecked() ? Shown::Bars : mValues->isChecked() ? Shown::Values : Shown::Opacity);
+  mKey->setVisible(mBars->isChecked());
   mAreas.setOn(mBars->isChecked());
   measureValues();
 }

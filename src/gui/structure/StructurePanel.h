@@ -3,6 +3,7 @@
 #include <QWidget>
 
 #include "gui/kit/Widgets.h"
+#include "gui/rows/CountKey.h"
 #include "gui/rows/ListParts.h"
 #include "gui/structure/StructureCommands.h"
 #include "gui/structure/StructureList.h"
@@ -51,6 +52,7 @@ class StructurePanel : public QWidget {
   session::Document& mDocument;
   Selection& mSelection;
   StructureList* mList = nullptr;
+  CountKey* mKey = nullptr;  ///< of the bars, shown with them
   QWidget *mEmpty = nullptr, *mFull = nullptr, *mDetail = nullptr;
   QLabel *mName = nullptr, *mCount = nullptr, *mDetailName = nullptr;
   EyeButton* mShown = nullptr;

@@ -14,7 +14,7 @@ namespace {
 constexpr int kPatienceMs = 300;  // after which an older picture of the same data is dimmed
 constexpr int kPaintMs = 100;     // how long a paint is waited for: a window that is covered paints nothing
 const QColor kDim(10, 11, 13, 165), kClosed(18, 20, 23), kGround(16, 18, 21, 200);
-constexpr double kRound = 6.0, kAround = 12.0;
+constexpr double kRound = 6.0, kAroundWords = 12.0;
 
 /// Names the data of a scene, so that pictures of two patients are never taken for each other.
 std::string dataOf(const scene::Scene& scene) {
@@ -99,7 +99,7 @@ void PreparingVeil::paintEvent(QPaintEvent*) {
   painter.setRenderHint(QPainter::Antialiasing);
   painter.fillRect(rect(), mKind == Kind::Dim ? kDim : kClosed);
   QString text = mKind == Kind::Failed ? tr("No picture") : tr("Preparing");
-  QSizeF size = QSizeF(painter.fontMetrics().size(0, text)) + QSizeF(2.0 * kAround, kAround);
+  QSizeF size = QSizeF(painter.fontMetrics().size(0, text)) + QSizeF(2.0 * kAroundWords, kAroundWords);
   QRectF chip(QRectF(rect()).center() - QPointF(0.5 * size.width(), 0.5 * size.height()), size);
   painter.setPen(Qt::NoPen);
   painter.setBrush(kGround);

@@ -4,7 +4,7 @@
 
 #include "gui/kit/FloatingBars.h"
 #include "gui/kit/Messages.h"
-#include "gui/kit/SideTabs.h"
+#include "gui/kit/SidePanel.h"
 #include "gui/service/ActionTable.h"
 #include "gui/service/JobRunner.h"
 #include "gui/service/Selection.h"
@@ -31,6 +31,7 @@ struct WindowParts {
   JobRunner& jobs;
   ActionTable& actions;
   SideTabs& tabs;
+  SidePanel& side;  ///< holds the tabs
   Menus menus;
 
   QMenu* menu(MenuId id) const { return menus[std::size_t(id)]; }

@@ -10,6 +10,7 @@
 #include "gui/kit/Points.h"
 #include "gui/kit/Theme.h"
 #include "gui/view/GreyWindowCorner.h"
+#include "gui/view/SideNames.h"
 #include "render/section/SectionImage.h"
 #include "session/section/SectionTool.h"
 
@@ -146,9 +147,7 @@ void drawGaps(QPainter& painter, const Volume& volume, const scene::SectionPlane
 
 void drawTitle(QPainter& painter, const scene::Scene& scene, scene::SectionKind kind, bool hasFocus) {
   QColor color = kSectionColors[static_cast<int>(kind)];
-  static constexpr const char* kAxes[] = {"XY", "XZ", "YZ"};
-  bool known = hasPatientLetters(scene);
-  QString name = known ? sectionName(kind) : QString(kAxes[static_cast<int>(kind)]);
+  QString name = planeName(scene, kind);
   if (scene::isOblique(scene.sections, kind)) name += tr(" (turned)");
   double width = painter.fontMetrics().horizontalAdvance(name) + 30.0;
   QRectF chip(kMargin - 2, kMargin - 2, width, painter.fontMetrics().height() + 6.0);

@@ -8,9 +8,11 @@
 #include <cmath>
 
 #include "gui/kit/Icons.h"
+#include "gui/kit/Length.h"
 #include "gui/kit/Theme.h"
 #include "gui/kit/Widgets.h"
 #include "gui/view/GreyWindowCorner.h"
+#include "gui/view/SideNames.h"
 #include "gui/view/ViewChange.h"
 #include "session/command/Command.h"
 #include "session/command/LookCommands.h"
@@ -105,6 +107,7 @@ void SectionView::refresh() {
   if (!isVisible()) return;  // showEvent makes up for it
   GreyWindowCorner::of(*this).refresh();
   const scene::Scene& scene = mDocument.scene();
+  setAccessibleName(tr("%1 section").arg(planeName(scene, mKind)));
   scene::Scene wanted = scene::sectionScene(scene);
   wanted.background.transparent = false;  // a window has something behind
   auto wantedFrame = scene::makeSectionPlane(scene, mKind, glm::round(logicalSize() * devicePixelRatioF()));
@@ -262,7 +265,10 @@ void SectionView::showMenu(QPoint globalPlace) {
     connect(action, &QAction::triggered, this, std::move(run));
   };
   addCommand(tr("&Fit\tF"), tr("All of the data in this view"), [this] { fit(); });
-  addCommand(tr("&Patient's axes\tR"), tr("Axial, coronal and sagittal again, crosshair in the middle"),
+  bool isPatient = hasPatientLetters(mDocument.scene());
+  addCommand(isPatient ? tr("&Patient's axes\tR") : tr("A&xes\tR"),
+             isPatient ? tr("Axial, coronal and sagittal again, crosshair in the middle")
+                       : tr("Along the axes again, crosshair in the middle"),
              [this] { change(scene::resetSections); });
   addWindowMenu(menu, *this, mDocument);
   menu.exec(globalPlace);

@@ -10,6 +10,7 @@
 
 #include "gui/kit/Length.h"
 #include "gui/kit/Theme.h"
+#include "gui/view/SideNames.h"
 #include "scene/Navigate.h"
 #include "scene/Project.h"
 
@@ -22,7 +23,7 @@ constexpr int kLeastView = 220;     // a smaller view is all picture
 constexpr double kHalfEdge = 28.0;  // pixels: its corners stay within the widget however it is turned
 constexpr double kInner = 0.62;     // half the middle of a face; what is about it belongs to edges and corners
 constexpr double kLegible = 0.22;   // of a face's width, from which on its name can be read
-constexpr double kClickPixels = 4.0;
+constexpr double kCubeClickPixels = 4.0;
 constexpr double kTurn = 1.0 / 220;                     // of half a turn, a pixel of a drag
 constexpr double kNameHeight = 0.44, kNameWidth = 1.7;  // of half an edge
 const QColor kFaceDark(0x2c, 0x32, 0x3a, 0xe6), kFaceLight(0x4a, 0x54, 0x60, 0xe6), kLine(0xf0, 0xf3, 0xf7, 0x78);
@@ -70,8 +71,10 @@ bool ViewCube::eventFilter(QObject* watched, QEvent* event) {
 }
 
 void ViewCube::refresh() {
-  if (mCamera == mDocument.scene().camera) return;
+  QString front = nameOf({0, -1, 0});
+  if (mCamera == mDocument.scene().camera && front == mFront) return;
   mCamera = mDocument.scene().camera;
+  mFront = front;
   update();
 }
 
@@ -116,16 +119,14 @@ std::optional<glm::ivec3> ViewCube::partAt(QPointF place) const {
 }
 
 QString ViewCube::nameOf(glm::ivec3 side) const {
-  const QString patient[3][2] = {{tr("right"), tr("left")},
-                                 {tr("anterior"), tr("posterior")},
-                                 {tr("inferior"), tr("superior")}},
-                plain[3][2] = {{"-x", "+x"}, {"-y", "+y"}, {"-z", "+z"}};
   QStringList names;
   for (int axis : {1, 0, 2})
-    if (side[axis] != 0)
-      names << (hasPatientLetters(mDocument.scene()) ? patient : plain)[axis][side[axis] > 0 ? 1 : 0];
+    if (side[axis] != 0) names << (hasWords() ? sideName : sideSign)(mDocument.scene(), axis, side[axis] > 0);
   return names.join(", ");
 }
+
+/// A scan whose file does not say how it lay has axes alone.
+bool ViewCube::hasWords() const { return hasPatientLetters(mDocument.scene()) || mDocument.scene().model.data; }
 
 // Painting.
 
@@ -158,7 +159,7 @@ void ViewCube::paintFace(QPainter& painter, glm::ivec3 face) const {
 /// As if it were written on the face.
 void ViewCube::paintName(QPainter& painter, glm::ivec3 face) const {
   QString name = nameOf(face);
-  if (hasPatientLetters(mDocument.scene())) name[0] = name[0].toUpper();
+  if (hasWords()) name[0] = name[0].toUpper();
   QFont letters = font();
   letters.setPixelSize(100);
   letters.setWeight(QFont::DemiBold);
@@ -206,7 +207,7 @@ void ViewCube::mouseMoveEvent(QMouseEvent* event) {
     setHover(partAt(event->position()));
     return mHover ? event->accept() : event->ignore();
   }
-  mIsDragged = mIsDragged || (event->position() - mFrom).manhattanLength() > kClickPixels;
+  mIsDragged = mIsDragged || (event->position() - mFrom).manhattanLength() > kCubeClickPixels;
   if (!mIsDragged) return;
   QPointF way = (event->position() - mLast) * kTurn;
   mLast = event->position();

@@ -22,7 +22,8 @@ class ViewCube : public QWidget {
   void setShown(bool shown);
   /// The face, edge or corner of the cube under a place: 1, 0 or -1 along each axis; nothing beside the cube.
   std::optional<glm::ivec3> partAt(QPointF place) const;
-  /// The name of a side: "anterior, left"; for data that is not of a patient "-y, +x".
+  /// The name of a side: "anterior, left"; of a model "front, left"; of a scan whose file does not
+  /// say how it lay "-y, +x".
   QString nameOf(glm::ivec3 side) const;
 
  protected:
@@ -47,11 +48,13 @@ class ViewCube : public QWidget {
   void paintName(QPainter& painter, glm::ivec3 face) const;
   void setHover(std::optional<glm::ivec3> side);
   void place();
+  bool hasWords() const;
 
   session::Document& mDocument;
   QWidget& mView;
   CameraFlight mFlight;
   scene::Camera mCamera;  ///< the camera for which the cube is painted
+  QString mFront;         ///< what its front was called then
   bool mIsShown = true;
   std::optional<glm::ivec3> mHover, mPressed;
   QPointF mFrom, mLast;

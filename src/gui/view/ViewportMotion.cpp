@@ -6,7 +6,7 @@ namespace velum::gui {
 namespace {
 
 constexpr double kSheetMs = 8.0;  // beside a coarse picture's 28: events are still answered within 50
-constexpr int kTellMs = 200;
+constexpr int kTellSheetsMs = 200;
 
 }  // namespace
 
@@ -41,7 +41,7 @@ void Viewport::tellSheets() {
   }
   bool settled = membranes().isSettled();
   if (settled && mSheetsWereSettled) return;
-  if (settled == mSheetsWereSettled && mSinceSheetsTold.isValid() && mSinceSheetsTold.elapsed() < kTellMs) return;
+  if (settled == mSheetsWereSettled && mSinceSheetsTold.isValid() && mSinceSheetsTold.elapsed() < kTellSheetsMs) return;
   mSheetsWereSettled = settled;
   mSinceSheetsTold.start();
   emit sheetsTold();

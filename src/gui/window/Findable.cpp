@@ -82,7 +82,7 @@ void addStructures(const WindowParts& parts, Findables& found) {
 void addTypes(const WindowParts& parts, Findables& found) {
   const auto& model = parts.session.scene().model.data;
   for (int i = 0; model && i < int(model->types.size()); ++i)
-    found.push_back({Room::tr("Type") + " > " + QString::fromStdString(model->types[std::size_t(i)].name),
+    found.push_back({Room::tr("Type") + " > " + readableText(model->types[std::size_t(i)].name),
                      {},
                      Room::tr("Select this molecular type"),
                      true,

@@ -25,8 +25,8 @@ MainWindow::MainWindow()
       mToolbox(mSession.document(), *this),
       mViews(new ViewGrid(mSession, mSelection, mToolbox, mFrame.pages)),
       mJobs(mSession, *mFrame.progress, *mFrame.messages, this),
-      mParts{*this, mSession, mSelection,   mToolbox,    *mViews, *mFrame.messages, *mFrame.floating,
-             mJobs, mActions, *mFrame.tabs, mFrame.menus} {
+      mParts{*this, mSession, mSelection,   mToolbox,     *mViews,     *mFrame.messages, *mFrame.floating,
+             mJobs, mActions, *mFrame.tabs, *mFrame.side, mFrame.menus} {
   session::giveWayToTheWindow();
   mSession.borrowContext();  // that of the 3D view
   setAcceptDrops(true);

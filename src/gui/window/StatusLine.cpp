@@ -5,6 +5,7 @@
 
 #include "core/Text.h"
 #include "gui/kit/Length.h"
+#include "gui/kit/Text.h"
 #include "scene/GreyWindows.h"
 #include "scene/Shown.h"
 #include "session/model/ModelEdit.h"
@@ -19,8 +20,8 @@ QString instanceText(const scene::Scene& scene, const render::Pick& pick) {
   if (!place) return {};
   const MoleculeType& type = scene.model.data->types[place->type];
   const Compartment& compartment = scene.model.data->compartments[type.compartment];
-  QString text = "    " + QString::fromStdString(type.name);
-  if (compartment.parent >= 0) text += StatusLine::tr(" in %1").arg(QString::fromStdString(compartment.name));
+  QString text = "    " + readableText(type.name);
+  if (compartment.parent >= 0) text += StatusLine::tr(" in %1").arg(readableText(compartment.name));
   return text + StatusLine::tr(", %1 of %2").arg(place->ofType + 1).arg(type.instanceCount);
 }
 
@@ -39,7 +40,6 @@ StatusLine::StatusLine(const WindowParts& parts, QStatusBar& bar)
   mReduction->setProperty("role", "alarm");
   mRefine->setObjectName("refined");
   mRefine->setToolTip(tr("How far the picture is refined"));
-  mPick->setToolTip(tr("Under the pointer: value, position in patient coordinates (L, P, S), structure"));
   bar.addWidget(mData);
   bar.addWidget(mReduction);
   bar.addPermanentWidget(mPick);
@@ -65,6 +65,9 @@ void StatusLine::showProgress(double fraction, const QString& stage) {
 
 void StatusLine::refresh(const session::Session& session) {
   const scene::Scene& scene = session.scene();
+  mPick->setToolTip(hasPatientLetters(scene)
+                        ? tr("Under the pointer: value, position in patient coordinates (L, P, S), structure")
+                        : tr("Under the pointer: position along x, y and z, and what is there"));
   if (const auto& v = scene.volume.data) {
     glm::dvec3 shown = spacingOf(*v) * Length(scene).shownPerLength();
     QString times = QString::fromUtf8(" \u00d7 ");
@@ -90,7 +93,7 @@ void StatusLine::refresh(const session::Session& session) {
     std::uint64_t instances = scene::instanceCount(scene.model);
     mData->setText(
         tr("%1 instances of %2 types").arg(QLocale().toString(qulonglong(instances))).arg(model->types.size()));
-    mData->setToolTip(QString::fromStdString(model->name));
+    mData->setToolTip(readableText(model->name));
   } else {
     mData->setText(scene.surfaces.empty() ? tr("Nothing is open")
                                           : tr("%n surface(s)", nullptr, int(scene.surfaces.size())));

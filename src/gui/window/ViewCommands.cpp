@@ -3,8 +3,10 @@
 #include <algorithm>
 
 #include "core/Assert.h"
+#include "gui/kit/Length.h"
 #include "gui/kit/Preferences.h"
 #include "gui/view/GreyWindowCorner.h"
+#include "gui/view/SideNames.h"
 #include "gui/view/ViewChange.h"
 #include "scene/VisibleFrame.h"
 
@@ -13,6 +15,19 @@ namespace velum::gui {
 namespace {
 
 constexpr const char* kCubeKey = "view/cube";
+constexpr const char* kFourViews = "&Four views";
+
+struct DirectionRow {
+  const char *id, *ofPatient, *ofThing;
+  scene::StandardView view;
+};
+constexpr DirectionRow kDirections[] = {{"view.anterior", "&Anterior", "Fr&ont", scene::StandardView::Anterior},
+                                        {"view.posterior", "P&osterior", "B&ack", scene::StandardView::Posterior},
+                                        {"view.left", "&Left", "&Left", scene::StandardView::Left},
+                                        {"view.right", "Ri&ght", "Ri&ght", scene::StandardView::Right},
+                                        {"view.superior", "&Superior", "Top", scene::StandardView::Superior},
+                                        {"view.inferior", "&Inferior", "Botto&m", scene::StandardView::Inferior},
+                                        {"view.oblique", "O&blique", "O&blique", scene::StandardView::Oblique}};
 
 void resetCamera(session::Document& document, const QWidget& view) {
   double aspect = double(std::max(1, view.width())) / std::max(1, view.height());
@@ -41,25 +56,29 @@ ViewCommands::ViewCommands(const WindowParts& parts)
   menu->addSeparator();
   addSections(menu);
   addGreyWindows(menu->addMenu(tr("Grey &window")));
+  nameSides(parts.session.scene());
 }
 
 void ViewCommands::addDirections(QMenu* menu) {
-  using scene::StandardView;
-  struct Row {
-    const char *id, *name;
-    StandardView view;
-  };
-  static constexpr Row kRows[] = {{"view.anterior", "&Anterior", StandardView::Anterior},
-                                  {"view.posterior", "P&osterior", StandardView::Posterior},
-                                  {"view.left", "&Left", StandardView::Left},
-                                  {"view.right", "Ri&ght", StandardView::Right},
-                                  {"view.superior", "&Superior", StandardView::Superior},
-                                  {"view.inferior", "&Inferior", StandardView::Inferior},
-                                  {"view.oblique", "O&blique", StandardView::Oblique}};
-  for (const Row& row : kRows) {
-    mParts.actions.addForScene(menu, row.id, tr(row.name), tr("Look from: %1").arg(tr(row.name).remove('&').toLower()),
-                               [this, view = row.view] { mParts.views.viewport().lookFrom(view); });
+  for (const DirectionRow& row : kDirections)
+    mDirections << mParts.actions.addForScene(menu, row.id, tr(row.ofPatient), {},
+                                              [this, view = row.view] { mParts.views.viewport().lookFrom(view); });
+}
+
+/// Words of the clinic stand where there is a patient; all else has a front and a top.
+void ViewCommands::nameSides(const scene::Scene& scene) {
+  bool isPatient = hasPatientLetters(scene);
+  ActionTable& actions = mParts.actions;
+  for (std::size_t i = 0; i < std::size(kDirections); ++i) {
+    const DirectionRow& row = kDirections[i];
+    actions.rename(mDirections[qsizetype(i)], isPatient ? tr(row.ofPatient) : tr(row.ofThing),
+                   tr("Look from: %1").arg(viewName(scene, row.view)));
   }
+  actions.rename(mLayouts->actions()[int(scene::Layout::FourUp)], tr(kFourViews),
+                 isPatient ? tr("Axial, coronal, sagittal and 3D") : tr("Three sections and 3D"));
+  actions.rename(mAxes, isPatient ? tr("Sections along the patient's a&xes") : tr("Sections along the a&xes"),
+                 isPatient ? tr("Axial, coronal and sagittal again, crosshair in the middle")
+                           : tr("XY, XZ and YZ again, crosshair in the middle"));
 }
 
 void ViewCommands::addLayouts(QMenu* menu) {
@@ -68,7 +87,7 @@ void ViewCommands::addLayouts(QMenu* menu) {
     const char *id, *name, *tip;
   };
   // In the order of scene::Layout.
-  static constexpr Row kRows[] = {{"layout.four", "&Four views", "Axial, coronal, sagittal and 3D"},
+  static constexpr Row kRows[] = {{"layout.four", kFourViews, "Three sections and 3D"},
                                   {"layout.volume", "3&D only", "The 3D view alone"},
                                   {"layout.beside", "3D and one s&ection", "The 3D view and the current section"},
                                   {"layout.section", "One se&ction", "The current section alone"}};
@@ -88,9 +107,8 @@ void ViewCommands::addSections(QMenu* menu) {
                       [this] { mParts.views.currentSection().scroll(1); });
   actions.addForScene(menu, "sections.previous", tr("Pre&vious section"), tr("Show the plane further away"),
                       [this] { mParts.views.currentSection().scroll(-1); });
-  actions.addForScene(menu, "sections.reset", tr("Sections along the patient's a&xes"),
-                      tr("Axial, coronal and sagittal again, crosshair in the middle"),
-                      [this] { changeSections(mParts.document(), scene::resetSections); });
+  mAxes = actions.addForScene(menu, "sections.reset", tr("Sections along the a&xes"), {},
+                              [this] { changeSections(mParts.document(), scene::resetSections); });
 }
 
 /// Each by its name, on while the values are of its unit.
@@ -131,6 +149,7 @@ void ViewCommands::refresh(const session::Session& session) {
   const scene::Scene& scene = session.scene();
   mLayouts->actions()[int(scene.sections.layout)]->setChecked(true);
   mCube->refresh();
+  nameSides(scene);
   const auto& volume = scene.volume.data;
   auto windows = volume ? scene::greyWindowsFor(*volume) : std::span<const scene::GreyWindow>();
   for (qsizetype i = 0; i < mWindows.size(); ++i) {

@@ -15,12 +15,14 @@ class ViewCommands : public Room {
 
  private:
   void addDirections(QMenu* menu);
+  void nameSides(const scene::Scene& scene);
   void addLayouts(QMenu* menu);
   void addSections(QMenu* menu);
   void addCube(QMenu* menu);
   void addGreyWindows(QMenu* menu);
 
-  QAction* mProjection = nullptr;
+  QAction *mProjection = nullptr, *mAxes = nullptr;
+  QList<QAction*> mDirections;  ///< in the order of their table
   QActionGroup* mLayouts;
   QList<QAction*> mWindows;  ///< In the order of scene::greyWindows().
   QAction* mTypeWindow = nullptr;

@@ -7,12 +7,6 @@
 
 namespace velum::gui {
 
-namespace {
-
-constexpr int kPanelWidth = 348;
-
-}  // namespace
-
 WindowFrame::WindowFrame(QMainWindow& window, session::Document& document) {
   auto* centre = new QWidget(&window);
   recovery = new RecoveryBar(centre);
@@ -45,13 +39,8 @@ void WindowFrame::buildSide(QMainWindow& window) {
   dock->setObjectName("sideDock");
   dock->setFeatures(QDockWidget::NoDockWidgetFeatures);
   dock->setTitleBarWidget(new QWidget(dock));
-  side = new QWidget(dock);
-  side->setObjectName("sidePanel");
-  side->setFixedWidth(kPanelWidth);
-  auto* outer = new QVBoxLayout(side);
-  outer->setContentsMargins(0, 0, 0, 0);
-  tabs = new SideTabs(side);
-  outer->addWidget(tabs);
+  side = new SidePanel(window, dock);
+  tabs = &side->tabs();
   dock->setWidget(side);
   window.addDockWidget(Qt::RightDockWidgetArea, dock);
 }

@@ -7,7 +7,7 @@
 
 #include "gui/kit/FloatingBars.h"
 #include "gui/kit/Messages.h"
-#include "gui/kit/SideTabs.h"
+#include "gui/kit/SidePanel.h"
 #include "gui/view/Room.h"
 #include "gui/view/TimeBar.h"
 #include "gui/window/EmptyState.h"
@@ -34,7 +34,7 @@ struct WindowFrame {
   TimeBar* time;
   ProgressStrip* progress;
   QDockWidget* dock;  ///< Holds the side panel; hidden while nothing is open.
-  QWidget* side;
+  SidePanel* side;
   SideTabs* tabs;
   ToolStrip* bar;
   Menus menus;

@@ -61,7 +61,7 @@ void addBar(std::string& svg, const CountRow& row, double y) {
     svg += fmt::format(
         "<rect x=\"{:.2f}\" y=\"{:.1f}\" width=\"{:.2f}\" height=\"{:.0f}\" fill=\"{}\"><title>{}: {} {}"
         "</title></rect>\n",
-        x, y, width, kBarHeight, kind.fill, xmlText(row.path), number, kind.name);
+        x, y, width, kBarHeight, kind.fill, xmlText(row.path), number, kind.adjective);
     if (width > kLetter * double(number.size()) + 6)
       addText(svg, x + width / 2, y + kBarHeight - 3.5, "middle", kind.letter, number);
     x += width;
@@ -118,7 +118,7 @@ std::string countsSvg(const std::vector<CountRow>& rows, const std::string& titl
   double x = kEdge + kNameWidth;
   for (const CountKind& kind : kCountKinds) {
     svg += fmt::format("<rect x=\"{:.1f}\" y=\"36\" width=\"12\" height=\"12\" fill=\"{}\"/>\n", x, kind.fill);
-    addText(svg, x + 17, 46, "start", "#202020", kind.name);
+    addText(svg, x + 17, 46, "start", "#202020", kind.adjective);
     x += 90;
   }
   addText(svg, width - kEdge, 46, "end", "#202020", "total");

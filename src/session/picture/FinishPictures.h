@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/Image.h"
+#include "core/Model.h"
 #include "core/Shared.h"
 #include "core/Task.h"
 #include "core/Volume.h"
@@ -16,8 +17,14 @@ namespace velum::session {
 /// and shadows.
 scene::Scene finishScene(const scene::Scene& scene, const Shared<Volume>& small, const std::string& finish);
 
-/// Draws finishes on the scene's volume, one after another, in a headless GL context of the function's own. Any thread
-/// in which no context of ours is current.
+/// A scene that shows a finish on a scene's model, in the colours and the light that it has: as it is seen now, with
+/// its cuts but without sheets; of a model so large that `small` is its middle alone, all of that. @param aspect  width
+/// / height
+scene::Scene finishModelScene(const scene::Scene& scene, const Shared<Model>& small, const std::string& finish,
+                              double aspect);
+
+/// Draws finishes on the scene's volume, or, where there is none, on its model, one after another, in a headless GL
+/// context of the function's own. Any thread in which no context of ours is current.
 /// @param done  called with the name of a finish and its picture (R, G, B), from this thread
 /// @throw Cancelled, gpu::GpuError
 void drawFinishPictures(const scene::Scene& scene, const std::vector<std::string>& finishes, glm::ivec2 size,

@@ -56,7 +56,6 @@ Shared<Model> middleOfModel(const Shared<Model>& model, std::size_t mostInstance
 
 scene::Scene modelLookScene(const scene::Scene& scene, const Shared<Model>& small, const std::string& look,
                             double aspect) {
-  constexpr double kPreviewDetail = 2.0;
   scene::Scene shown;
   shown.unit = scene.unit;
   shown.model = scene.model;

@@ -15,6 +15,9 @@ namespace velum::session {
 /// The most instances of which a small picture is drawn: of a larger model the middle is shown.
 constexpr std::size_t kPreviewInstances = 400000;
 
+/// How much of a pixel shapes may be off by in a small picture, see scene::ModelLayer::detail.
+constexpr double kPreviewDetail = 2.0;
+
 /// The instances of a model around its middle, at most so many: a ball that is as dense as the model. Types and
 /// molecules keep their places in the lists, so that colours and levels of detail still fit.
 /// @return the model itself where it is small enough

@@ -34,16 +34,6 @@ bool hasData(const Scene& scene) {
   return scene.volume.data || scene.labels.data || !scene.surfaces.empty() || scene.model.data;
 }
 
-ModelFrame modelFrame(const Scene& scene) {
-  return {unitsPer(LengthUnit::Angstrom, scene.unit) * scene.model.enlargement, scene.model.offset};
-}
-
-ModelBox worldBoxOfModel(const Scene& scene) {
-  ModelBox box = modelBox(scene.model);
-  ModelFrame frame = modelFrame(scene);
-  return {frame.worldOf(box.low), frame.worldOf(box.high)};
-}
-
 Bounds computeBounds(const Scene& scene) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   Bounds bounds{glm::dvec3(kInfinity), glm::dvec3(-kInfinity)};

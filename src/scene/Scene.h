@@ -140,9 +140,15 @@ struct Scene {
 bool hasData(const Scene& scene);
 
 /// A box in the world.
-ModelFrame modelFrame(const Scene& scene);
+inline ModelFrame modelFrame(const Scene& scene) {
+  return {unitsPer(LengthUnit::Angstrom, scene.unit) * scene.model.enlargement, scene.model.offset};
+}
 /// modelBox() in the world, scene units.
-ModelBox worldBoxOfModel(const Scene& scene);
+inline ModelBox worldBoxOfModel(const Scene& scene) {
+  ModelBox box = modelBox(scene.model);
+  ModelFrame frame = modelFrame(scene);
+  return {frame.worldOf(box.low), frame.worldOf(box.high)};
+}
 
 struct Bounds {
   glm::dvec3 min{0.0}, max{0.0};

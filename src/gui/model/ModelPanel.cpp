@@ -8,6 +8,7 @@
 #include "gui/rows/CountKey.h"
 #include "session/command/Command.h"
 #include "session/command/ModelCommands.h"
+#include "session/model/ModelScale.h"
 #include "session/model/TypesAt.h"
 
 namespace velum::gui {

@@ -218,10 +218,8 @@ PotentialSource sourceOf(const scene::Scene& scene) {
     source.dims = source.labels->dims();
     source.worldFromVoxel = source.labels->worldFromVoxel();
   } else {
-    source.model = scene.model.data;
-    source.copies = scene.model.copies;
-    source.frame = scene::modelFrame(scene);
-    source.unit = scene.unit;
+    source.model = scene.model.data, source.copies = scene.model.copies;
+    source.frame = scene::modelFrame(scene), source.unit = scene.unit;
   }
   return source;
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 namespace velum::session {
 
@@ -29,6 +30,23 @@ DialGap gapFor(const Dial& dial, std::uint64_t staying) {
   auto before = std::uint64_t(std::count_if(from.begin(), from.end(), [last](float f) { return f < last; }));
   auto upTo = std::uint64_t(std::count_if(from.begin(), from.end(), [last](float f) { return f <= last; }));
   return gapFor(dial, staying - before <= upTo - staying ? before : upTo);
+}
+
+std::vector<std::uint64_t> apportion(const std::vector<std::uint64_t>& weights, std::uint64_t count) {
+  std::vector<std::uint64_t> parts(weights.size(), 0), rests(weights.size(), 0);
+  std::uint64_t all = std::accumulate(weights.begin(), weights.end(), std::uint64_t(0)), given = 0;
+  count = std::min(count, all);
+  if (all == 0) return parts;
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    std::uint64_t product = count * weights[i];
+    parts[i] = product / all, rests[i] = product % all;
+    given += parts[i];
+  }
+  std::vector<std::size_t> order(weights.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return rests[a] > rests[b]; });
+  for (std::size_t i = 0; given < count; ++i, ++given) ++parts[order[i]];
+  return parts;
 }
 
 std::string wordsFor(const Solved& solved, const CountRange& range, const std::string& left, const std::string& wanted,

@@ -42,6 +42,9 @@ struct DialGap {
 };
 DialGap gapFor(const Dial& dial, std::uint64_t staying);
 
+/// Parts of a number in proportion to weights, by largest remainders. @param count  at most the sum of the weights
+std::vector<std::uint64_t> apportion(const std::vector<std::uint64_t>& weights, std::uint64_t count);
+
 /// What a solver has found.
 struct Solved {
   scene::Scene scene;     ///< with the numbers set that were found

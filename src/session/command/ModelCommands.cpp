@@ -10,6 +10,7 @@
 #include "session/model/ClipState.h"
 #include "session/model/CountPictures.h"
 #include "session/model/InstanceNumber.h"
+#include "session/model/ModelScale.h"
 #include "session/model/RenderedSolver.h"
 #include "session/model/TargetSolver.h"
 #include "session/model/TypesAt.h"
@@ -215,6 +216,12 @@ std::vector<Command> numberRows() {
             typeNumbers(scene, a.types);  // says which are none
             for (const auto& path : a.types) dropTargets(scene, path);
           }),
+  };
+}
+
+/// What cuts leave, and what stands before a focus.
+std::vector<Command> leaveRows() {
+  return {
       editRow<LeaveTypes>(
           "Lets a cut leave a share of the instances of types.", "model.leave root.blood 0.25",
           [](const Scene& scene, const LeaveTypes& a) {
@@ -267,8 +274,8 @@ std::vector<Command> numberRows() {
 }  // namespace
 
 std::vector<Command> modelCommands() {
-  std::vector<Command> rows = lookRows(), more = numberRows();
-  rows.insert(rows.end(), more.begin(), more.end());
+  std::vector<Command> rows = lookRows();
+  for (const auto& more : {numberRows(), leaveRows()}) rows.insert(rows.end(), more.begin(), more.end());
   return rows;
 }
 

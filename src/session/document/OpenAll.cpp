@@ -9,7 +9,7 @@
 #include "io/kinds/FileKind.h"
 #include "scene/VisibleFrame.h"
 #include "session/document/Open.h"
-#include "session/model/ModelEdit.h"
+#include "session/model/ModelScale.h"
 
 namespace velum::session {
 

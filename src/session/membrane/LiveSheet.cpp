@@ -1,6 +1,7 @@
 #include "session/membrane/LiveSheet.h"
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 #include "gpu/Program.h"
@@ -29,13 +30,9 @@ bool isHandsOnly(scene::Membrane a, scene::Membrane b) {
 }  // namespace
 
 DataKey dataKeyOf(const scene::Scene& scene) {
-  return {.volume = scene.volume.data.id(),
-          .labels = scene.labels.data.id(),
-          .model = scene.model.data.id(),
-          .timeStep = scene.volume.timeStep,
-          .channel = scene.volume.channel,
-          .copies = scene.model.copies,
-          .frame = scene::modelFrame(scene)};
+  const auto& [volume, labels, model] = std::tie(scene.volume, scene.labels, scene.model);
+  return {volume.data.id(), labels.data.id(), model.data.id(),         volume.timeStep,
+          volume.channel,   model.copies,     scene::modelFrame(scene)};
 }
 
 LiveSheet::LiveSheet(std::uint64_t id, const scene::Cut& cut, DataKey data, MembraneMover::Purpose purpose)

@@ -70,16 +70,6 @@ bool isSolo(const scene::Scene& scene, const TypeNumbers& types);
 /// @return the memory for the next call
 TypeSoloMemory toggleSoloTypes(scene::Scene& scene, const TypeSoloMemory& memory, TypeNumbers types);
 
-/// How many times longer the longest edge of all other data is than the model's; 1 where there is no other.
-double othersByModel(const scene::Scene& scene);
-/// True where a model is too small to be seen beside what else is in the scene, or so large that the rest is.
-bool isOutOfScale(const scene::Scene& scene);
-/// "virion is 0.13 um across and the other data 180 mm: ...", where they do not fit; else empty.
-std::string scaleWords(const scene::Scene& scene);
-/// Enlarges the model, or makes it smaller, to a third of the other data's longest edge, and puts it beside these, to
-/// the camera's right. Does nothing where there is no other data.
-void bringModelToSize(scene::Scene& scene);
-
 /// Where an instance stands, and which one of its type it is.
 struct InstancePlace {
   glm::dvec3 middle{0.0};    ///< of its sphere, world

@@ -1,9 +1,10 @@
+#include "session/model/ModelScale.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "scene/Scene.h"
-#include "session/model/ModelEdit.h"
 
 namespace velum::session {
 

@@ -9,6 +9,7 @@
 #include "core/Counts.h"
 #include "core/Error.h"
 #include "scene/Shown.h"
+#include "session/model/CutKinds.h"
 #include "session/model/TargetSolver.h"
 #include "session/model/TypesAt.h"
 

@@ -1,4 +1,5 @@
 #include "session/model/TargetSolver.h"
+#include "session/model/CutKinds.h"
 
 #include <fmt/format.h>
 
@@ -9,126 +10,16 @@
 #include "core/Error.h"
 #include "scene/Shown.h"
 #include "session/cut/CutEdit.h"
+#include "session/model/TargetGoals.h"
 #include "session/model/TypesAt.h"
 
 namespace velum::session {
 
+using namespace detail;
+
 namespace {
 
-using Count = std::uint64_t;
-
 Count apart(Count a, Count b) { return a > b ? a - b : b - a; }
-
-/// The dials of a goal in cuts whose numbers are one.
-struct Tier {
-  std::vector<int> cuts;
-  std::vector<TypeDial> dials;            ///< with the candidates in the order in which they begin to stay
-  std::vector<std::vector<bool>> showed;  ///< whether each candidate showed when it was last drawn
-  Count all = 0;                          ///< how many candidates there are
-};
-
-/// A target, and what pictures have told about it.
-struct Goal {
-  TypesAt place;
-  std::optional<Count> rendered, visible;
-  TypeNumbers own;  ///< the types that no target further down in the tree has
-  DialField field = DialField::Share;
-  std::vector<Tier> tiers;  ///< of what shows: those first whose candidates begin to stay first
-  Count staying = 0;        ///< how many of the candidates are to stay, all tiers together
-  Count all = 0;            ///< how many candidates there are
-  // Where a goal is alone: numbers of staying candidates with which too few, and too many, instances showed.
-  std::optional<Count> tooFew, tooMany;
-};
-
-/// A picture's numbers of a goal.
-struct Reached {
-  Count rendered = 0;
-  std::optional<Count> visible;
-};
-
-Tier makeTier(std::vector<int> cuts, std::vector<TypeDial> dials) {
-  Tier tier{std::move(cuts), std::move(dials), {}, 0};
-  for (TypeDial& dial : tier.dials) {
-    std::sort(dial.candidates.begin(), dial.candidates.end(), [](const Candidate& a, const Candidate& b) {
-      return a.from != b.from ? a.from < b.from : a.thing < b.thing;
-    });
-    tier.showed.emplace_back(dial.candidates.size(), false);
-    tier.all += dial.candidates.size();
-  }
-  return tier;
-}
-
-/// Calls visit(tier, how many of its candidates stay) for all tiers of a goal, of whose candidates so many are to stay.
-template <class Visit>
-void forTiers(const Goal& goal, Count staying, Visit&& visit) {
-  for (const Tier& tier : goal.tiers) {
-    Count here = std::min(staying, tier.all);
-    visit(tier, here);
-    staying -= here;
-  }
-}
-
-/// How many of a goal's types stay at least and at most, over all numbers of its dials.
-Count leastOf(const Goal& goal) { return goal.tiers.empty() ? 0 : rangeOf(goal.tiers.front().dials).least; }
-Count mostOf(const Goal& goal) { return goal.tiers.empty() ? 0 : rangeOf(goal.tiers.back().dials).most; }
-
-Count totalOf(const scene::Scene& scene, const TypeNumbers& types) {
-  Count total = 0;
-  for (std::uint32_t type : types)
-    total += Count(scene.model.data->types[type].instanceCount) * Count(scene::copyCount(scene.model));
-  return total;
-}
-
-/// Calls visit(instance) for all of some types.
-template <class Visit>
-void forInstancesOf(const scene::ModelLayer& layer, const TypeNumbers& types, Visit&& visit) {
-  for (std::size_t copy = 0; copy < std::size_t(scene::copyCount(layer)); ++copy)
-    for (std::uint32_t type : types) {
-      std::size_t first = copy * layer.data->instances.size() + layer.data->types[type].firstInstance;
-      for (std::size_t i = first; i < first + layer.data->types[type].instanceCount; ++i) visit(i);
-    }
-}
-
-Reached reachedIn(const scene::Scene& scene, const TypeNumbers& types, const render::InstanceBits& bits) {
-  Count rendered = 0, visible = 0;
-  forInstancesOf(scene.model, types, [&](std::size_t i) {
-    rendered += !bits.isRemoved(i);
-    visible += bits.isShown(i);
-  });
-  return {rendered, visible};
-}
-
-/// The least number of candidates that must stay so that `wanted` of them show, by what is known of each candidate.
-Count stayingFor(const Goal& goal, std::int64_t wanted) {
-  if (wanted <= 0) return 0;
-  std::vector<std::vector<std::vector<Count>>> showing;  // of the first so many of each dial of each tier
-  for (const Tier& tier : goal.tiers) {
-    auto& ofTier = showing.emplace_back();
-    for (const std::vector<bool>& showed : tier.showed) {
-      std::vector<Count>& sums = ofTier.emplace_back(1, 0);
-      for (bool shows : showed) sums.push_back(sums.back() + shows);
-    }
-  }
-  auto show = [&](Count staying) {
-    Count sum = 0;
-    std::size_t at = 0;
-    forTiers(goal, staying, [&](const Tier& tier, Count here) {
-      std::vector<Count> parts = splitAmong(tier.dials, here);
-      for (std::size_t i = 0; i < parts.size(); ++i) sum += showing[at][i][parts[i]];
-      ++at;
-    });
-    return sum;
-  };
-  Count low = 0, high = goal.all;
-  while (low < high) {
-    Count middle = (low + high) / 2;
-    if (show(middle) >= Count(wanted))
-      high = middle;
-    else
-      low = middle + 1;
-  }
-  return low;
-}
 
 }  // namespace
 

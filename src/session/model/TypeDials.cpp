@@ -142,23 +142,6 @@ CountRange rangeOf(const std::vector<TypeDial>& dials) {
   return range;
 }
 
-std::vector<std::uint64_t> apportion(const std::vector<std::uint64_t>& weights, std::uint64_t count) {
-  std::vector<std::uint64_t> parts(weights.size(), 0), rests(weights.size(), 0);
-  std::uint64_t all = std::accumulate(weights.begin(), weights.end(), std::uint64_t(0)), given = 0;
-  count = std::min(count, all);
-  if (all == 0) return parts;
-  for (std::size_t i = 0; i < weights.size(); ++i) {
-    std::uint64_t product = count * weights[i];
-    parts[i] = product / all, rests[i] = product % all;
-    given += parts[i];
-  }
-  std::vector<std::size_t> order(weights.size());
-  std::iota(order.begin(), order.end(), std::size_t(0));
-  std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return rests[a] > rests[b]; });
-  for (std::size_t i = 0; given < count; ++i, ++given) ++parts[order[i]];
-  return parts;
-}
-
 std::vector<std::uint64_t> splitAmong(const std::vector<TypeDial>& dials, std::uint64_t count) {
   std::vector<std::uint64_t> staying, going;
   for (const TypeDial& dial : dials) {
@@ -270,33 +253,6 @@ std::vector<std::uint64_t> turnTogether(scene::Scene& scene, const std::vector<i
 std::uint64_t countRendered(const scene::Scene& scene, const TypeNumbers& types, const render::SheetIndices& sheets,
                             double aspect) {
   return countDials(scene, {TypeDial{{}, {}, types}}, sheets, aspect).front();
-}
-
-namespace {
-
-/// The scene with one share of all of these types in some cuts.
-scene::Scene withShares(scene::Scene scene, const std::vector<int>& cuts, const TypeNumbers& types, double share) {
-  for (std::uint32_t type : types)
-    setDial(scene, cuts, pathOf(*scene.model.data, scene.model.data->types[type]), DialField::Share, share);
-  return scene;
-}
-
-}  // namespace
-
-CutKinds cutKinds(const scene::Scene& scene, const std::vector<int>& cuts) {
-  CutKinds kinds;
-  for (const scene::Cut& cut : scene.cuts)
-    if (isAmong(cuts, cut))
-      (cut.shape == scene::CutShape::Everywhere ? kinds.everywhere : kinds.regions).push_back(cut.id);
-  return kinds;
-}
-
-scene::Scene withAllEverywhere(const scene::Scene& scene, const CutKinds& cuts, const TypeNumbers& types) {
-  return withShares(scene, cuts.everywhere, types, 1.0);
-}
-
-scene::Scene withNoneInRegions(const scene::Scene& scene, const CutKinds& cuts, const TypeNumbers& types) {
-  return withShares(scene, cuts.regions, types, 0.0);
 }
 
 std::uint64_t turnDials(scene::Scene& scene, const std::vector<int>& cuts, const std::vector<TypeDial>& dials,

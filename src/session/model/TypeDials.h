@@ -34,9 +34,6 @@ std::vector<TypeDial> makeDials(const scene::Scene& scene, const std::vector<int
 /// The range of all dials together.
 CountRange rangeOf(const std::vector<TypeDial>& dials);
 
-/// Parts of a number in proportion to weights, by largest remainders. @param count  at most the sum of the weights
-std::vector<std::uint64_t> apportion(const std::vector<std::uint64_t>& weights, std::uint64_t count);
-
 /// How many candidates of each dial are to stay where `count` of all candidates are. Where these are fewer than stay
 /// now, each dial goes down in proportion to what it has; where they are more, each goes up in proportion to what it
 /// lacks. So no type gets more when the number of its compartment goes down, and none fewer when it goes up.
@@ -58,17 +55,6 @@ void setDial(scene::Scene& scene, const std::vector<int>& cuts, const std::strin
 /// @param field  the number that the dials are for  @return how many instances of the dials' types are drawn then
 std::uint64_t turnDials(scene::Scene& scene, const std::vector<int>& cuts, const std::vector<TypeDial>& dials,
                         DialField field, std::uint64_t count, const render::SheetIndices& sheets, double aspect);
-
-/// Cuts in the order in which they take instances away: first what lies in regions goes, then, by cuts that are
-/// everywhere, what is left.
-struct CutKinds {
-  std::vector<int> regions, everywhere;  ///< ids
-};
-CutKinds cutKinds(const scene::Scene& scene, const std::vector<int>& cuts);
-/// The scene for the dials of the cuts with regions: the cuts everywhere leave all of the types.
-scene::Scene withAllEverywhere(const scene::Scene& scene, const CutKinds& cuts, const TypeNumbers& types);
-/// The scene for the dials of the cuts everywhere: nothing of the types is left in the regions.
-scene::Scene withNoneInRegions(const scene::Scene& scene, const CutKinds& cuts, const TypeNumbers& types);
 
 /// How many instances of these types are drawn.
 std::uint64_t countRendered(const scene::Scene& scene, const TypeNumbers& types, const render::SheetIndices& sheets,

@@ -9,8 +9,7 @@ function(velum_module name)
   add_library(velum_${name} SHARED ${M_SOURCES})
   add_library(velum::${name} ALIAS velum_${name})
   set_target_properties(velum_${name} PROPERTIES EXPORT_NAME ${name} VERIFY_INTERFACE_HEADER_SETS ON OUTPUT_NAME velum-${name}
-    SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR} INSTALL_RPATH "$ORIGIN"
-    DEFINE_SYMBOL "")  # nothing that differs from module to module: they share their precompiled headers
+    SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR} INSTALL_RPATH "$ORIGIN")
   target_compile_options(velum_${name} PRIVATE ${VELUM_OWN_CALLS})
   target_sources(velum_${name} PUBLIC FILE_SET HEADERS
     BASE_DIRS "${PROJECT_SOURCE_DIR}/src" FILES ${M_HEADERS})
@@ -20,10 +19,8 @@ function(velum_module name)
   target_compile_features(velum_${name} PUBLIC cxx_std_20)
   if(M_BRIEF)
     velum_brief(velum_${name} 2)
-    velum_precompile(velum_${name} OF velum_scene <fmt/format.h>)
-  else()
-    velum_precompile(velum_${name} OF velum_core <fmt/format.h>)
   endif()
+  velum_precompile(velum_${name} <fmt/format.h>)
   foreach(room IN LISTS M_ROOMS)
     add_subdirectory(${room})
   endforeach()

@@ -7,7 +7,7 @@ set(VELUM_QT_HEADERS <QAction> <QApplication> <QBoxLayout> <QComboBox> <QDoubleS
   <QPainterPath> <QPushButton> <QSignalBlocker> <QTimer> <QToolButton> <QWidget>)
 
 # velum_precompile(<target> [OF <first>] [headers ...]): the headers above and these, parsed for the target alone; or those
-# that were parsed for the target <first>, where the two are compiled alike: with the same options and definitions.
+# that were parsed for the target <first>, where the two are compiled alike.
 function(velum_precompile target)
   cmake_parse_arguments(P "" "OF" "" ${ARGN})
   if(NOT CMAKE_DISABLE_PRECOMPILE_HEADERS)

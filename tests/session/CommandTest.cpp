@@ -173,10 +173,10 @@ TEST(Commands, AChannelIsShownAloneThenAllAgainAndHasAColour) {
 
 TEST(Commands, EachEditIsOneStepThatUndoTakesBackAndRedoBringsAgain) {
   const std::set<std::string_view> kOfModels{
-      "look.model",    "model.show",        "model.color",         "model.paletteColor",
-      "model.reset",   "model.ghosts",      "model.target",        "model.leave",
-      "model.leaveBy", "model.keepInView",  "model.showUnthinned", "model.solo",
-      "model.protect", "model.meetTargets", "model.letSee",        "model.leaveAsAbove"};
+      "look.model",          "model.show",        "model.color",    "model.paletteColor", "model.reset",
+      "model.ghosts",        "model.target",      "model.leave",    "model.leaveBy",      "model.keepInView",
+      "model.showUnthinned", "model.solo",        "model.protect",  "model.meetTargets",  "model.letSee",
+      "model.leaveAsAbove",  "model.bringToSize", "model.setDrawn", "model.letFollow"};
   const std::set<std::string_view> kOfChannels{"look.channelAlone", "look.channelColor"};
   int done = 0;
   for (const Command& command : commands()) {

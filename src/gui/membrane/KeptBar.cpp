@@ -11,7 +11,7 @@ namespace velum::gui {
 namespace {
 
 /// In percent, with a digit more where a whole number would say all or nothing.
-QString percent(double share) {
+QString shareText(double share) {
   bool isNearEnd = (share > 0.0 && share < 0.095) || (share > 0.905 && share < 1.0);
   return QLocale().toString(100.0 * share, 'f', isNearEnd ? 1 : 0);
 }
@@ -22,7 +22,7 @@ QString textOf(const session::MembraneStatus& status, bool attracts) {
     return KeptBar::tr("The sheet is drawn to what attracts it; nothing is protected from it.");
   if (!fate.isOfSomething) return KeptBar::tr("This membrane protects nothing: say what is to stay with Protect this.");
   QString what = KeptBar::tr("Of what the membrane protects %1 % is kept, %2 % is removed whole, %3 % is cut off.")
-                     .arg(percent(fate.kept), percent(fate.removed), percent(fate.cutOff));
+                     .arg(shareText(fate.kept), shareText(fate.removed), shareText(fate.cutOff));
   if (!status.advice.empty()) return what + " " + KeptBar::tr(session::reasonOf(status.advice.front().step).data());
   if (status.wantsAdvice && fate.kept < session::kEnoughKept)
     return what + " " + KeptBar::tr("No place along its axis, and no reach, keeps more.");
@@ -82,7 +82,7 @@ void KeptBar::showAdvice(const std::vector<session::Advice>& advice, const Lengt
                    : one.step == Step::MoveToKeep ? tr("Move to where it can be kept")
                                                   : tr("Protect less"));
     QString then = tr("Then about %1 % is kept; the sheet cuts %2 % of what its plane would cut")
-                       .arg(percent(one.fate.kept), percent(one.cutShare));
+                       .arg(shareText(one.fate.kept), shareText(one.cutShare));
     button.setToolTip(one.step == Step::MoveToKeep ? tr("Along its axis, with a reach of %1. %2").arg(reach, then)
                                                    : then);
   }

@@ -108,7 +108,7 @@ void ModelRoom::connectViews() {
           [this](const render::Pick& pick) { mCommands->goToInstance(pick.modelInstance); });
   connect(&viewport, &Viewport::refined, this, [this, &viewport](double, const QString& stage) {
     if (!stage.isEmpty()) {
-      if (mHighlight.leave()) mParts.toolbox.repaint(viewport);
+      if (mHighlight.takeAway()) mParts.toolbox.repaint(viewport);
       return;
     }
     bool isOther = mLegend.count();

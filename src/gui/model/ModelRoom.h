@@ -4,6 +4,7 @@
 #include "gui/model/ModelPanel.h"
 #include "gui/model/TypeHighlight.h"
 #include "gui/view/Room.h"
+#include "session/model/CountPictures.h"
 
 namespace velum::gui {
 

@@ -16,7 +16,7 @@ bool TypeHighlight::show(const session::TypeNumbers& types) {
   return mIsStill ? look() : false;
 }
 
-bool TypeHighlight::leave() {
+bool TypeHighlight::takeAway() {
   mIsStill = false;
   bool was = isSeen();
   mVeil = {};
@@ -25,7 +25,7 @@ bool TypeHighlight::leave() {
 }
 
 bool TypeHighlight::look() {
-  bool was = leave();
+  bool was = takeAway();
   mIsStill = true;
   if (mTypes.empty()) return was;
   Viewport::TypePixels picture = mViewport.typesOfPixels();

@@ -15,7 +15,7 @@ class TypeHighlight : public Manipulator {
   bool show(const session::TypeNumbers& types);
   /// To be called when the picture begins to change: what is darkened belongs to the picture before, and nothing is
   /// until look(). @return as show()
-  bool leave();
+  bool takeAway();
   /// To be called when the picture is another one, and complete. @return as show()
   bool look();
   /// Something is darkened.

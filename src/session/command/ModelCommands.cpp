@@ -264,7 +264,10 @@ std::vector<Command> leaveRows() {
           },
           [](Scene& scene, const KeepInView& a) {
             std::vector<std::string> told;
-            a.kept ? clearTheWay(scene, a.type) : endKeepInView(scene, a.type);
+            if (a.kept)
+              clearTheWay(scene, a.type);
+            else
+              endKeepInView(scene, a.type);
             if (std::string words = clearingWords(scene); a.kept && !words.empty()) told.push_back(words);
             return told;
           }),

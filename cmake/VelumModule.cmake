@@ -39,7 +39,7 @@ endif()
 # Where headers of the modules are installed: found from include/velum/*.h, and out of the way of everybody else's.
 set(VELUM_HEADERS "${CMAKE_INSTALL_INCLUDEDIR}/velum/detail")
 
-# velum_brief(<target> <level>): what users get of the target is optimised less, as nobody waits for its loops: that takes a third of
+# velum_brief(<target> <level>): what users get of the target is optimised less, as nobody waits for its loops: that takes a fifth of
 # the compiler's time off (level 2), or half of it (level 1).
 function(velum_brief target level)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O${level}>)

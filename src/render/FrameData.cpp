@@ -40,7 +40,7 @@ std::uint32_t firstModelInstance(const scene::Scene& scene) {
 double angstromOf(const FrameData& data) { return scene::modelFrame(data.frame.scene).length / data.unit; }
 
 glm::dvec3 modelOrigin(const FrameData& data) {
-  return scene::modelFrame(data.frame.scene).offset / data.unit - sceneOrigin(data.grid);
+  return scene::modelFrame(data.frame.scene).offset - sceneOrigin(data.grid);
 }
 
 Opaque opaqueOf(const scene::Scene& scene) {

@@ -11,7 +11,7 @@ const float kSurface = 0.12;
 /// How far something counts as a surface: what is thin has no edges, nor has a haze, however deep.
 float solidity(Sample s) { return clamp(3.0 * s.opacity - 0.8, 0.0, 1.0) * smoothstep(kHaze, kSurface, s.solid); }
 
-bool isSame(Sample a, Sample b) { return a.ids == b.ids; }
+bool isSame(Sample a, Sample b) { return a.ids == b.ids && a.moreIds == b.moreIds; }
 
 uint hashOf(uvec2 p) {
   uint h = p.x * 0x8da6b343u ^ p.y * 0xd8163841u;

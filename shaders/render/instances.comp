@@ -15,12 +15,18 @@ layout(binding = kBallKindUnit) uniform usamplerBuffer ballKindTexture;
 // What the surfaces were drawn into.
 layout(binding = kSurfaceColorImage, rgba16f) uniform writeonly image2D colorImage;
 layout(binding = kSurfaceAuxImage, rgba32f) uniform image2D auxImage;  // normal, distance along the ray
-layout(binding = kSurfaceIdImage, rgba32ui) uniform uimage2D idImage;  // structure, instance, what a contour goes around
+layout(binding = kSurfaceIdImage, rgba32ui) uniform uimage2D idImage;  // structure, instance, what a contour goes around, how large it is
 
 layout(location = 0) uniform int firstRow;  // of this dispatch
 
-// Radius in pixels from which on an instance has a line around it.
-const float kLeastOutlined = 4.5;
+// Sizes are in pixels of a picture of 1000 rows, so that pictures of any size look alike.
+float unitsPerLength(float depth) { return pixelsPerLength(depth) * 1000.0 / view.pictureSize.y; }
+
+// Radius from which on an instance has a line around it.
+const float kLeastOutlined = 1.5;
+// Radii between which molecules come to shade each other in full: what small ones do is grain.
+const float kLeastShading = 4.5;
+const float kFullShading = 18.0;
 
 /// A ball in its place, from the eye.
 struct Placed {
@@ -96,13 +102,13 @@ vec2 lightOn(ivec2 pixel, float depth) {
     ivec2 at = ivec2(i & 1, i >> 1);
     vec4 there = texelFetch(openTexture, clamp(from + at, ivec2(0), last), 0);
     vec2 share = mix(1.0 - part, part, vec2(at));
-    float apart = abs(there.z - depth) * pixelsPerLength(depth);
+    float apart = abs(there.z - depth) * unitsPerLength(depth);
     sum += vec3(there.xy, 1.0) * (share.x * share.y + 0.02) / (1.0 + apart * apart);
   }
   return sum.xy / sum.z;
 }
 
-// Radii of balls in pixels from which on, and up to which, each has its own light: smaller ones would be grain.
+// Radii of balls from which on, and up to which, each has its own light: smaller ones would be grain.
 const float kLeastLit = 2.0;
 const float kFullLit = 7.0;
 // How much of their neighbours' shade falls on molecules of a few pixels.
@@ -111,7 +117,7 @@ const float kLeastShaded = 0.45;
 /// By which a place on a ball is lit: of the molecule's whole shape, where balls are small.
 vec3 litNormal(Placed ball, Place place, MoleculeRow molecule, vec3 hit, vec3 own, float depth) {
   vec3 middle = place.position - view.eye.xyz + turned(place.rotation, molecule.sphere.xyz);
-  float share = smoothstep(kLeastLit, kFullLit, ball.radius * pixelsPerLength(depth));
+  float share = smoothstep(kLeastLit, kFullLit, ball.radius * unitsPerLength(depth));
   return normalize(mix((hit - middle) / molecule.sphere.w, own, share) + 1e-6 * own);
 }
 
@@ -130,11 +136,11 @@ void shadePixel(ivec2 pixel, int at, uint owner) {
   vec3 normal = normalize(hit - ball.middle);
   vec3 toEye = -normalize(ray);
   vec3 rgb = albedoOf(molecule.type, ball.number, depth);
+  float size = molecule.sphere.w * unitsPerLength(depth);
   if (hasFlag(kFlagShaded)) {
     vec2 known = lightOn(pixel, depth);
     // What molecules of a few pixels do to each other is grain, too.
-    float size = molecule.sphere.w * pixelsPerLength(depth);
-    known = mix(vec2(1.0), known, mix(kLeastShaded, 1.0, smoothstep(kLeastOutlined, 4.0 * kLeastOutlined, size)));
+    known = mix(vec2(1.0), known, mix(kLeastShaded, 1.0, smoothstep(kLeastShading, kFullShading, size)));
     float open = mix(1.0, known.x, frame.occlusionStrength);
     float lit = mix(1.0, known.y, frame.shadowStrength);
     vec3 side = litNormal(ball, place, molecule, hit, normal, depth);
@@ -153,8 +159,8 @@ void shadePixel(ivec2 pixel, int at, uint owner) {
   imageStore(auxImage, pixel, vec4(normal, depth * length(ray)));
   // Small ones of a type have no lines between them: there would be nothing else.
   uint structure = shade.firstType + molecule.type;
-  uint group = molecule.sphere.w * pixelsPerLength(depth) < kLeastOutlined ? structure : shade.firstInstance + owner;
-  imageStore(idImage, pixel, uvec4(structure, shade.firstInstance + owner, group, 0u));
+  uint group = size < kLeastOutlined ? structure : shade.firstInstance + owner;
+  imageStore(idImage, pixel, uvec4(structure, shade.firstInstance + owner, group, floatBitsToUint(2.0 * size)));
 }
 
 void main() {

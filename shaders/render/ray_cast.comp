@@ -27,11 +27,9 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #endif
 #include "render/inlays.glsl"
 #include "render/sample.glsl"
+#include "render/calm.glsl"
 
 layout(binding = kNoiseUnit) uniform sampler2D noiseTexture;
-layout(binding = kSurfaceColorUnit) uniform sampler2D surfaceColorTexture;
-layout(binding = kSurfaceAuxUnit) uniform sampler2D surfaceAuxTexture;  // xyz normal, w distance along the ray
-layout(binding = kSurfaceIdUnit) uniform usampler2D surfaceIdTexture;  // structure, instance, what a line goes around
 
 // The Gbuffer: see shared/frame.h.
 layout(binding = kColorImage, rgba32f) uniform image2D colorImage;  // premultiplied, the sum of the samples so far
@@ -116,19 +114,23 @@ void main() {
   ivec2 inPicture = pixel + windowOrigin;
   Ray ray = rayThrough(vec2(inPicture) + 0.5 + frame.subpixel);
 
-  vec4 surface = texelFetch(surfaceColorTexture, min(pixel, textureSize(surfaceColorTexture, 0) - 1), 0);
-  vec4 surfaceAux = texelFetch(surfaceAuxTexture, min(pixel, textureSize(surfaceAuxTexture, 0) - 1), 0);
+  ivec2 surfacePixel = min(pixel, textureSize(surfaceColorTexture, 0) - 1);
+  if (hasFlag(kFlagNoData) && hasFlag(kFlagFinish)) surfacePixel = calmed(surfacePixel);
+  vec4 surface = texelFetch(surfaceColorTexture, surfacePixel, 0);
+  vec4 surfaceAux = texelFetch(surfaceAuxTexture, surfacePixel, 0);
   float stop = surface.a > 0.0 ? surfaceAux.w : kFar;
   float jitter = hasFlag(kFlagJitter) ? fract(texelFetch(noiseTexture, inPicture & (textureSize(noiseTexture, 0) - 1), 0).r + frame.noise) : 0.5;
 
   Hit hit = castRay(ray, jitter, stop);
   uint instance = kDataInstance;
   uint group = kDataInstance;
+  float size = kLargestSize;
   if (surface.a > 0.0 && !hasFlag(kFlagHideBehind)) {
     if (hit.color.a < 0.5) {
-      uvec3 ids = texelFetch(surfaceIdTexture, min(pixel, textureSize(surfaceIdTexture, 0) - 1), 0).rgb;
+      uvec4 ids = texelFetch(surfaceIdTexture, surfacePixel, 0);
       instance = ids.y;
       group = ids.z;
+      if (ids.w != 0u) size = uintBitsToFloat(ids.w);
       hit.distance = surfaceAux.w;
       hit.normal = surfaceAux.xyz;
       hit.structure = ids.x;
@@ -141,7 +143,7 @@ void main() {
     imageStore(surfaceImage, pixel, found ? vec4(hit.normal, hit.distance) : vec4(0.0));
     imageStore(idImage, pixel, found ? uvec4(hit.structure, instance + 1u, 0u, 0u) : uvec4(0u));
   }
-  if (hasFlag(kFlagFinish)) imageStore(sampleImage, pixel, packSample(ray, hit, group));
+  if (hasFlag(kFlagFinish)) imageStore(sampleImage, pixel, packSample(ray, hit, group, size));
   vec4 before = frame.sampleIndex == 0 ? vec4(0.0) : imageLoad(colorImage, pixel);
   imageStore(colorImage, pixel, before + hit.color);
 }

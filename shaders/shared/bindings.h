@@ -36,6 +36,7 @@ SHARED_CONST uint kCoarseShareUnit = 41u;
 SHARED_CONST uint kSampleUnit = 14u;     // what kSampleImage holds
 SHARED_CONST uint kLitSphereUnit = 15u;  // the lit spheres of the scene, one below the other
 SHARED_CONST uint kSphereOfUnit = 16u;   // by structure: which of them
+SHARED_CONST uint kGroupOfUnit = 42u;    // by structure: the compartment of a model's type
 SHARED_CONST uint kPaperUnit = 17u;
 SHARED_CONST uint kStrokeUnit = 18u;    // directions and phases of strokes, a texel a cell
 SHARED_CONST uint kOwnPaperUnit = 19u;  // the user's picture of paper

@@ -31,7 +31,11 @@ struct FinishParams {
   int firstCellX;  ///< the first of them, counted in the whole picture
   int firstCellY;
   float stepLength;  ///< a jump of depth begins to count from there, scene units
-  int passesPits;  ///< 1: what lies behind in one pixel alone, as between atoms, is no jump of depth
+  float deepStep;    ///< of a model: a jump of depth that has a strong line, scene units
+  float strongReach;  ///< of a model: as far from an edge a strong line reaches, pixels,
+  float fineReach;    ///< and a fine one
+  float padding0;
+  float padding1;
 };
 
 SHARED_END

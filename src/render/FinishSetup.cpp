@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/FrameData.h"
 #include "render/RenderPicture.h"
 #include "scene/Finishes.h"
 
@@ -21,6 +22,14 @@ double halfLine(const Frame& frame) { return 0.5 * pixelsOf(frame.scene.finish.c
 
 int reachOf(const Frame& frame) { return std::max(1, int(std::lround(halfLine(frame)))); }
 
+// Of lines of models: how wide they are, in the finish's widths, and radii of the circles on which they are looked for,
+// in their own widths (edges_model.glsl).
+constexpr double kStrong = 1.6, kFine = 0.85, kCircle = 1.0 / 1.65;
+// Half of the widest gap in an instance that is closed, and what a part of a pixel adds to it (calm.glsl).
+constexpr double kCalm = 1.0;
+
+double strongReach(const Frame& frame) { return kStrong * kCircle * pixelsOf(frame.scene.finish.contourWidth, frame); }
+
 double strokePixels(const Frame& frame) {
   return std::max(kFinestStrokes, pixelsOf(frame.scene.finish.hatchWidth, frame));
 }
@@ -31,7 +40,7 @@ bool needsSamples(const scene::Finish& finish) {
   return finish.contours > 0 || finish.litSphere > 0 || finish.hatching > 0;
 }
 
-shared::FinishParams makeFinishParams(const Frame& frame, int sphereRows, double stepLength) {
+shared::FinishParams makeFinishParams(const Frame& frame, int sphereRows, DepthSteps steps) {
   const scene::Finish& finish = frame.scene.finish;
   shared::FinishParams params{};
   params.contourColor = glm::vec4(finish.contourColor, 0.0f);
@@ -50,7 +59,10 @@ shared::FinishParams makeFinishParams(const Frame& frame, int sphereRows, double
   params.unitsPerPixel = float(kRows / frame.pictureSize.y);
   params.paperUnits = params.unitsPerPixel / float(finish.paperScale);
   params.sphereRows = std::max(1, sphereRows);
-  params.stepLength = float(stepLength);
+  params.stepLength = float(steps.least);
+  params.deepStep = float(steps.deep);
+  params.strongReach = float(strongReach(frame));
+  params.fineReach = float(strongReach(frame) * kFine / kStrong);
   glm::vec2 first = glm::floor(glm::vec2(frame.windowOrigin) / params.cellPixels);
   glm::vec2 last = glm::floor(glm::vec2(frame.windowOrigin + frame.windowSize) / params.cellPixels);
   params.firstCellX = int(first.x);
@@ -60,9 +72,15 @@ shared::FinishParams makeFinishParams(const Frame& frame, int sphereRows, double
   return params;
 }
 
+int lineMargin(const Frame& frame) {
+  if (!isModelDrawn(frame.scene)) return frame.scene.finish.contours > 0 ? reachOf(frame) : 0;
+  if (!needsSamples(frame.scene.finish)) return 0;
+  return int(std::ceil(std::max(double(reachOf(frame)), strongReach(frame) + 1.0) + pixelsOf(kCalm, frame) + 1.0));
+}
+
 int finishMargin(const Frame& frame) {
   const scene::Finish& finish = frame.scene.finish;
-  int margin = finish.contours > 0 ? reachOf(frame) : 0;
+  int margin = lineMargin(frame);
   if (finish.hatching > 0)
     margin = std::max(
         margin, int(std::ceil((kStrokeSteps + kStrokeReach) * strokePixels(frame) * double(shared::kCellPeriods))));

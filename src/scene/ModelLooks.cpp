@@ -26,7 +26,7 @@ const NamedTable<LookRow, NamedModelLook>& lookTable() {
        .palette = Palette::Type,
        .nearColors = 0.0,
        .lighting = {.ambient = 1.1, .diffuse = 0.1, .specular = 0.0, .shadow = 0.22, .occlusion = 0.27, .fog = 0.2},
-       .finish = {.contours = 0.6, .contourWidth = 1.3, .contourColor = kOutline, .contourCreases = 0.0},
+       .finish = {.contours = 0.5, .contourWidth = 1.3, .contourColor = kOutline, .contourCreases = 0.0},
        .background = {kPaperWhite, kPaperWhite}},
       {.look = {"soft", "Soft", "Light from the side, shadows, and darkness in the depths; no outlines"},
        .palette = Palette::Type,

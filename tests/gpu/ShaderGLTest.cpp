@@ -105,7 +105,9 @@ const Offset kFinishOffsets[] = {VELUM_OFFSET(FinishParams, contourColor),  VELU
                                  VELUM_OFFSET(FinishParams, reach),         VELUM_OFFSET(FinishParams, sphereRows),
                                  VELUM_OFFSET(FinishParams, cellsX),        VELUM_OFFSET(FinishParams, cellsY),
                                  VELUM_OFFSET(FinishParams, firstCellX),    VELUM_OFFSET(FinishParams, firstCellY),
-                                 VELUM_OFFSET(FinishParams, stepLength),    VELUM_OFFSET(FinishParams, passesPits)};
+                                 VELUM_OFFSET(FinishParams, stepLength),    VELUM_OFFSET(FinishParams, deepStep),
+                                 VELUM_OFFSET(FinishParams, strongReach),   VELUM_OFFSET(FinishParams, fineReach),
+                                 VELUM_OFFSET(FinishParams, padding0),      VELUM_OFFSET(FinishParams, padding1)};
 
 TEST_F(ShaderGL, FinishParamsLieWhereTheDriverPutsThem) {
   auto members = membersOf("finish.h", "FinishParams");

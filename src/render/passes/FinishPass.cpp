@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/FinishSetup.h"
 #include "render/WorkQueue.h"
 #include "scene/Finishes.h"
 #include "scene/LitSpheres.h"
@@ -17,6 +16,8 @@ constexpr int kPiecePixels = 1 << 20;   // a few milliseconds
 constexpr double kStepVoxels = 2.5;     // noise moves surfaces by less
 constexpr double kStepAngstrom = 20.0;  // more than the folds of most proteins
 constexpr double kStepShare = 0.005;    // of the diameter of surfaces alone: as voxels of a scan of 500 would have it
+constexpr double kDeepShare = 0.03;     // of a model's diameter
+constexpr double kDeepSteps = 3.0;      // and at least so many of the least steps
 constexpr int kMostSpheres = 96;        // in a texture that every driver takes; what comes after looks like the first
 constexpr std::string_view kPlain = "porcelain";
 
@@ -96,11 +97,28 @@ void FinishPass::makeSpheres(const scene::Scene& scene) {
   mSpheres = std::move(spheres);
 }
 
-/// From how long a jump of depth on there is a line.
-double FinishPass::stepLengthOf(const FrameData& data) {
-  if (isModelAlone(data)) return kStepAngstrom * angstromOf(data);
+/// The compartments of a model that is all that is seen.
+void FinishPass::makeGroups(const FrameData& data) {
+  std::vector<std::uint32_t> groups;
+  if (isModelAlone(data)) {
+    groups.resize(data.structures.size());
+    for (const MoleculeType& type : data.frame.scene.model.data->types) groups.push_back(type.compartment + 1);
+  }
+  if (groups == mGroups) return;
+  mGroups = std::move(groups);
+  if (mGroups.empty()) return;
+  mGroupOf = gpu::Buffer("compartments of types", std::span<const std::uint32_t>(mGroups));
+  mGroupOfTexture = gpu::Texture::makeOfBuffer("compartments of types", gpu::Format::R32ui, mGroupOf);
+}
+
+DepthSteps FinishPass::stepsOf(const FrameData& data) {
+  if (isModelAlone(data)) {
+    scene::ModelBox box = scene::modelBox(data.frame.scene.model);
+    double least = kStepAngstrom * angstromOf(data);
+    return {least, std::max(kDeepSteps * least, kDeepShare * glm::length(box.high - box.low) * angstromOf(data))};
+  }
   bool hasVoxels = data.volume || data.labelUse != LabelUse::None;
-  return hasVoxels ? kStepVoxels / double(data.params.voxelsPerLength) : kStepShare * diameterOf(data.grid);
+  return {hasVoxels ? kStepVoxels / double(data.params.voxelsPerLength) : kStepShare * diameterOf(data.grid), 0.0};
 }
 
 void FinishPass::prepare(FrameData& data) {
@@ -108,9 +126,9 @@ void FinishPass::prepare(FrameData& data) {
   if (!needsSamples(finish)) mSums = {};
   if (!scene::addsAnything(finish)) return;
   if (needsSamples(finish)) makeSpheres(data.frame.scene);
-  mValues = makeFinishParams(data.frame, mSphereTexture ? mSphereTexture.size().y / shared::kSphereTexels : 1,
-                             stepLengthOf(data));
-  mValues.passesPits = isModelAlone(data);
+  mValues =
+      makeFinishParams(data.frame, mSphereTexture ? mSphereTexture.size().y / shared::kSphereTexels : 1, stepsOf(data));
+  makeGroups(data);
   mParams.set(mValues);
   makeTargets(data);
 }
@@ -120,7 +138,9 @@ void FinishPass::makeTargets(const FrameData& data) {
   glm::ivec2 size = data.frame.windowSize;
   if (needsSamples(finish)) {
     if (!mSums || glm::ivec2(mSums.size()) != size) mSums = gpu::Texture::make2d("finish", gpu::Format::Rgba32f, size);
-    if (!mAdd) mAdd = make("render/finish.comp");
+    if (mGroups.empty() && !mAdd) mAdd = make("render/finish.comp");
+    if (!mGroups.empty() && !mAddModel)
+      mAddModel = gpu::Program({"render/finish.comp"}, {{"FINISH", "1"}, {"MODEL", "1"}});
   }
   if (finish.hatching > 0) {
     glm::ivec2 cells(mValues.cellsX, mValues.cellsY);
@@ -164,8 +184,9 @@ glm::ivec4 FinishPass::rectOf(const FrameData& data) const {
   glm::ivec2 size = data.frame.windowSize;
   if (opaqueOf(data.frame.scene) == Opaque::Anywhere) return {0, 0, size};
   glm::ivec4 covered = coveredRect(data.params, data.frame);
-  glm::ivec2 from = glm::max(glm::ivec2(covered) - mValues.reach, glm::ivec2(0));
-  glm::ivec2 to = glm::min(glm::ivec2(covered.x + covered.z, covered.y + covered.w) + mValues.reach, size);
+  int reach = lineMargin(data.frame);
+  glm::ivec2 from = glm::max(glm::ivec2(covered) - reach, glm::ivec2(0));
+  glm::ivec2 to = glm::min(glm::ivec2(covered.x + covered.z, covered.y + covered.w) + reach, size);
   return {from, glm::max(to - from, glm::ivec2(0))};
 }
 
@@ -179,9 +200,11 @@ void FinishPass::bindInputs() const {
 void FinishPass::add(glm::ivec4 rect, bool isFirst) {
   bindInputs();
   mSums.bindImage(shared::kFinishImage, gpu::Access::ReadWrite);
-  mAdd.set(0, rect);
-  mAdd.set(1, isFirst ? 1 : 0);
-  gpu::dispatch(mAdd, {(rect.z + 7) / 8, (rect.w + 7) / 8, 1});
+  const gpu::Program& program = mGroups.empty() ? mAdd : mAddModel;
+  program.set(0, rect);
+  program.set(1, isFirst ? 1 : 0);
+  if (!mGroups.empty()) mGroupOfTexture.bindSampler(shared::kGroupOfUnit);
+  gpu::dispatch(program, {(rect.z + 7) / 8, (rect.w + 7) / 8, 1});
   gpu::barrier();
 }
 

@@ -7,6 +7,7 @@
 #include "gpu/Buffer.h"
 #include "gpu/Program.h"
 #include "gpu/Texture.h"
+#include "render/FinishSetup.h"
 #include "render/FrameData.h"
 #include "render/Gbuffer.h"
 #include "render/passes/Pass.h"
@@ -55,9 +56,10 @@ class FinishPass : public Pass {
     glm::ivec2 pictureSize, windowOrigin, windowSize;
     bool operator==(const PaperKey&) const = default;
   };
-  static double stepLengthOf(const FrameData& data);
+  static DepthSteps stepsOf(const FrameData& data);
   static Spheres spheresOf(const scene::Scene& scene);
   void makeSpheres(const scene::Scene& scene);
+  void makeGroups(const FrameData& data);
   void makeTargets(const FrameData& data);
   void addPaper(const FrameData& data, WorkQueue& queue);
   void drawPaper(const PaperKey& key);
@@ -70,11 +72,15 @@ class FinishPass : public Pass {
   const Gbuffer& mGbuffer;
   gpu::UniformBuffer<shared::FinishParams> mParams{"finish"};
   shared::FinishParams mValues{};
-  gpu::Program mAdd, mTurns, mField, mAlign;  ///< Made when first needed.
+  gpu::Program mAdd, mAddModel, mTurns, mField, mAlign;  ///< Made when first needed.
   ProgramCache<scene::Paper> mPaperPrograms;
   Spheres mSpheres;
   gpu::Texture mSphereTexture, mRowOfTexture;
   gpu::Buffer mRowOf;
+  std::vector<std::uint32_t> mGroups;  ///< By structure: one more than its compartment in a model that is seen alone;
+                                       ///< empty: something else is seen.
+  gpu::Buffer mGroupOf;
+  gpu::Texture mGroupOfTexture;
   gpu::Texture mSums;  ///< Lit spheres' colours, premultiplied; edges.
   gpu::Texture mPaper, mOwnPaper;
   glm::ivec2 mPaperTurns{

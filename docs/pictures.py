@@ -244,13 +244,13 @@ def models(folder):
     run(sys.argv[1], "membrane", folder / "virion.cif", "--protect-type", "capsid", "--axis", "0,-1,0", "--position", "0.5",
         "--set", "camera.fieldOfViewDeg=15", "--save-scene", around)
     return [
-        [*virion, "--preset", "plate", *near(21), *opened],
+        [*virion, "--preset", "painted", *near(21), *opened],
         [*virion, "--preset", "soft", *near(21), *opened],
         [*virion, "--preset", "technical", *near(6), *opened],
-        [around, "--preset", "plate", "--view", "anterior", *near(12), *sets("cuts.0.size=3000,3000,900")],
-        [*virion, "--preset", "plate", *near(21),
+        [around, "--preset", "painted", "--view", "anterior", *near(12), *sets("cuts.0.size=3000,3000,900")],
+        [*virion, "--preset", "painted", *near(21),
          *cut(0, "shape=sphere", "centre=0,-600,0", "size=1700,1700,1700", "model.spares=[{\"type\":\"root.plasma\",\"share\":0.04}]")],
-        [*virion, "--preset", "plate", *near(5), *opened],
+        [*virion, "--preset", "painted", *near(5), *opened],
     ]
 
 

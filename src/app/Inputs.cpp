@@ -229,6 +229,7 @@ void openInputs(session::Session& session, const InputOptions& input, double asp
       app::run(session, session::SetField{path, value.empty() ? "\"\"" : value});
   }
   for (const std::string& note : session.grow(consoleProgress())) log::warning(note);
+  if (std::string why = scene::whyOneColor(session.scene().model); !why.empty()) log::warning(why);
   if (!input.finish.empty()) sayWhereLinesLie(session.scene());
 }
 

@@ -4,16 +4,18 @@
 
 #include "scene/FinishTable.h"
 #include "scene/LitSphereTable.h"
+#include "scene/ModelLooks.h"
 
 namespace velum::scene {
 
 namespace {
 
-/// @param own  whose own lit spheres and paper it has
-Finish finishOf(const FinishRow& row, const Finish& own) {
+/// A row's finish as a scene has it; where nothing is added the look of a model keeps its own.
+Finish finishIn(const Scene& scene, const FinishRow& row) {
+  if (&row == &finishTable().rows().front()) return lookFinish(scene);
   Finish finish = row.finish;
-  finish.ownPaper = own.ownPaper;
-  finish.spheres = own.spheres;
+  finish.ownPaper = scene.finish.ownPaper;
+  finish.spheres = scene.finish.spheres;
   return finish;
 }
 
@@ -21,11 +23,11 @@ Finish finishOf(const FinishRow& row, const Finish& own) {
 
 std::span<const NamedFinish> finishes() { return finishTable().names(); }
 
-void applyFinish(Scene& scene, std::string_view name) { scene.finish = finishOf(finishTable().at(name), scene.finish); }
+void applyFinish(Scene& scene, std::string_view name) { scene.finish = finishIn(scene, finishTable().at(name)); }
 
-std::string_view finishName(const Finish& finish) {
+std::string_view finishName(const Scene& scene) {
   for (const FinishRow& row : finishTable().rows())
-    if (finishOf(row, finish) == finish) return row.named.name;
+    if (finishIn(scene, row) == scene.finish) return row.named.name;
   return {};
 }
 

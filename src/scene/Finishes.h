@@ -14,15 +14,16 @@ struct NamedFinish {
   std::string_view tip;    ///< what it is, for people
 };
 
-/// Every finish, in the order of the window; the first, "none", adds nothing.
+/// Every finish, in the order of the window; the first, "none", adds nothing to the picture: of a model, its look's own
+/// contours stay.
 std::span<const NamedFinish> finishes();
 
 /// Gives a scene a finish by name. The user's own lit spheres and paper, and the spheres that structures name, stay.
 /// @throw ArgumentError for an unknown name, listing the known ones
 void applyFinish(Scene& scene, std::string_view name);
 
-/// The name of the finish that has the same values; empty when there is none: the user has set the values.
-std::string_view finishName(const Finish& finish);
+/// The name of the finish that has the values of the scene's; empty when there is none: the user has set the values.
+std::string_view finishName(const Scene& scene);
 
 /// True when a picture with this finish differs from one without.
 bool addsAnything(const Finish& finish);

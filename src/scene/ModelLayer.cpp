@@ -16,6 +16,11 @@ std::vector<glm::vec3> typeColors(const ModelLayer& layer) {
   return colors;
 }
 
+std::string whyOneColor(const ModelLayer& layer) {
+  if (!layer.data || layer.palette != Palette::Function || knowsFunctions(*layer.data)) return {};
+  return "The file says of no type what it does, so that all are grey: choose the palette by type or by compartment";
+}
+
 bool hasGhosts(const ModelLayer& layer) {
   if (layer.ghostOpacity <= 0.0) return false;
   auto shows = [&](const TypeLook& look) { return look.visible && ghostsOf(layer, look) != Ghosts::None; };

@@ -70,6 +70,7 @@ struct ModelLayer {
   int copies = 1;                   ///< of the whole model, side by side in a block, 1..kMostCopies
   double enlargement = 1.0;         ///< of the whole model about its file's origin, beside data of another scale
   glm::dvec3 offset{0.0};           ///< where its file's origin lies, scene units
+  std::string look;                 ///< by name (ModelLooks.h), that was given to it last; empty: none
   Palette palette = Palette::Type;  ///< by which instances have their colours
   double nearColors = 0.0;  ///< how far chains and elements show near by as shades of the instance's colour, 0..1
   double detail = 1.0;      ///< how much of a pixel drawn shapes may be off by, 0.1..16; smaller is finer, and slower
@@ -86,6 +87,7 @@ struct ModelLayer {
     visit("enlargement", o.enlargement,
           FieldInfo{"", {1e-12, 1e12}, "Of the whole model, beside data of another scale.", true});
     visit("offset", o.offset, FieldInfo{kLength, {}, "Where the origin of its file lies.", true});
+    visit("look", o.look, FieldInfo{"", {}, "Look that was chosen last: that of the picture without a finish.", true});
     visit("palette", o.palette, FieldInfo{"", {}, "What instances have their colours by."});
     visit("nearColors", o.nearColors,
           FieldInfo{"", {0, 1}, "How far chains and elements show as shades of it where one is close."});
@@ -106,6 +108,9 @@ struct ModelLayer {
 /// The colour of each type of a layer's model: the user's colour for it, else the palette's. With palettes that colour
 /// parts of a molecule differently it is the colour of which the parts show shades. sRGB, in the order of Model::types.
 std::vector<glm::vec3> typeColors(const ModelLayer& layer);
+
+/// Why a layer's palette tells nothing apart, and what to choose; empty: it does.
+std::string whyOneColor(const ModelLayer& layer);
 
 /// How the removed instances of a type show. @param look  of the type, see typeLook()
 inline Ghosts ghostsOf(const ModelLayer& layer, const TypeLook& look) { return look.ghosts.value_or(layer.ghosts); }

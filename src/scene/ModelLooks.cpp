@@ -22,7 +22,7 @@ constexpr glm::vec3 kPaperWhite(0.985f, 0.975f, 0.955f), kNight(0.10f, 0.115f, 0
 const NamedTable<LookRow, NamedModelLook>& lookTable() {
   // Ambient and diffuse light together are about one: colours stay those of the palette.
   static const LookRow kTable[] = {
-      {.look = {"plate", "Plate", "Flat calm colours and outlines, as in painted plates of cells"},
+      {.look = {"painted", "Painted", "Flat calm colours and outlines, as cells are painted"},
        .palette = Palette::Type,
        .nearColors = 0.0,
        .lighting = {.ambient = 1.1, .diffuse = 0.1, .specular = 0.0, .shadow = 0.22, .occlusion = 0.27, .fog = 0.2},
@@ -52,17 +52,26 @@ const NamedTable<LookRow, NamedModelLook>& lookTable() {
   return all;
 }
 
+/// The finish of a look is called Plate as well: that name was one for two things.
+std::string_view presentName(std::string_view name) { return name == "plate" ? "painted" : name; }
+
+/// @param own  whose own lit spheres and paper it has
+Finish finishOf(const LookRow& row, const Finish& own) {
+  Finish finish = row.finish;
+  finish.ownPaper = own.ownPaper;
+  finish.spheres = own.spheres;
+  return finish;
+}
+
 void put(const LookRow& row, Scene& scene) {
+  scene.model.look = row.look.name;
   scene.model.palette = row.palette;
   scene.model.nearColors = row.nearColors;
   Lighting light = row.lighting;
   light.keyDirection = scene.lighting.keyDirection;
   light.occlusionRadius = scene.lighting.occlusionRadius;
   scene.lighting = light;
-  Finish finish = row.finish;
-  finish.ownPaper = scene.finish.ownPaper;
-  finish.spheres = scene.finish.spheres;
-  scene.finish = finish;
+  scene.finish = finishOf(row, scene.finish);
   scene.background.top = row.background.top;
   scene.background.bottom = row.background.bottom;
 }
@@ -71,9 +80,14 @@ void put(const LookRow& row, Scene& scene) {
 
 std::span<const NamedModelLook> modelLooks() { return lookTable().names(); }
 
-void applyModelLook(Scene& scene, std::string_view name) { put(lookTable().at(name), scene); }
+void applyModelLook(Scene& scene, std::string_view name) { put(lookTable().at(presentName(name)), scene); }
 
-bool isModelLook(std::string_view name) { return lookTable().find(name); }
+Finish lookFinish(const Scene& scene) {
+  const LookRow* row = lookTable().find(scene.model.look);
+  return finishOf(row ? *row : LookRow{}, scene.finish);
+}
+
+bool isModelLook(std::string_view name) { return lookTable().find(presentName(name)); }
 
 std::string_view modelLookName(const Scene& scene) {
   for (const LookRow& row : lookTable().rows()) {

@@ -11,6 +11,7 @@
 
 #include "core/Error.h"
 #include "core/Vectors.h"
+#include "scene/ModelView.h"
 #include "scene/PatientDirections.h"
 #include "scene/Shown.h"
 
@@ -56,49 +57,7 @@ Bounds computeBounds(const Scene& scene) {
   return bounds.min.x <= bounds.max.x ? bounds : Bounds{};
 }
 
-namespace {
-
-bool isModelAlone(const Scene& scene) {
-  return scene.model.data && !scene.volume.data && !scene.labels.data && scene.surfaces.empty();
-}
-
-/// A model fills its box as little as a ball does: the camera goes as near as the instances let it.
-/// @param axes  columns: right, up, towards the eye
-Camera frameModel(const Scene& scene, Camera camera, const glm::dmat3& axes, double aspect) {
-  const Model& model = *scene.model.data;
-  CopyGrid copies = copyGrid(scene.model);
-  ModelFrame frame = modelFrame(scene);
-  double tangent = std::tan(glm::radians(camera.fieldOfViewDeg) * 0.5);
-  glm::dvec3 low(std::numeric_limits<double>::max()), high(-low);
-  double distance = 0.0;
-  auto forSpheres = [&](const auto& visit) {
-    glm::dvec3 last = copies.step * glm::dvec3(copies.counts - 1);
-    for (int corner = 0; corner < (scene.model.copies > 1 ? 8 : 1); ++corner) {
-      glm::dvec3 shift = last * glm::dvec3(corner & 1, corner >> 1 & 1, corner >> 2);
-      for (const Instance& instance : model.instances) {
-        const Molecule& molecule = model.molecules[instance.molecule];
-        glm::dvec3 at = glm::dvec3(instance.position) + glm::dvec3(instance.rotation * molecule.centre) + shift;
-        visit(glm::transpose(axes) * frame.worldOf(at), molecule.radius * frame.length);
-      }
-    }
-  };
-  forSpheres([&](glm::dvec3 at, double radius) {
-    low = glm::min(low, at - radius);
-    high = glm::max(high, at + radius);
-  });
-  glm::dvec3 middle = 0.5 * (low + high);
-  forSpheres([&](glm::dvec3 at, double radius) {
-    double across = std::max((std::abs(at.x - middle.x) + radius) / aspect, std::abs(at.y - middle.y) + radius);
-    distance = std::max(distance, across / tangent + at.z - middle.z);
-  });
-  constexpr double kMargin = 1.04;
-  camera.target = axes * middle;
-  camera.height = kMargin * std::max(high.y - low.y, (high.x - low.x) / aspect);
-  camera.eye = camera.target + axes[2] * (distance * kMargin);
-  return camera;
-}
-
-}  // namespace
+namespace {}  // namespace
 
 Camera frameCamera(const Scene& scene, StandardView view, double aspect) {
   struct Side {
@@ -119,7 +78,11 @@ Camera frameCamera(const Scene& scene, StandardView view, double aspect) {
   glm::dvec3 half = solidEdges(bounds.max - bounds.min) * 0.5;
   auto extent = [&](glm::dvec3 axis) { return glm::dot(glm::abs(axis), half); };
   constexpr double kMargin = 1.06;
-  if (isModelAlone(scene)) return frameModel(scene, camera, {right, up, toEye}, aspect);
+  if (isModelAlone(scene)) {
+    Camera seen = frameModel(scene, {right, up, toEye}, aspect);
+    seen.up = side.up;
+    return seen;
+  }
   double halfHeight = std::max(extent(up), extent(right) / aspect) * kMargin;
   camera.height = 2.0 * halfHeight;
   double distance = halfHeight / std::tan(glm::radians(camera.fieldOfViewDeg) * 0.5) + extent(toEye);

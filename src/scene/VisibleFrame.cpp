@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "scene/ModelView.h"
 #include "scene/Presets.h"
 #include "scene/ShownVoxels.h"
 
@@ -168,6 +169,7 @@ Camera frameVisible(const Scene& scene, StandardView view, double aspect) {
 }
 
 Camera firstCamera(const Scene& scene, double aspect) {
+  if (isModelAlone(scene)) return frameModel(scene, bestSide(scene, aspect), aspect);
   StandardView view = defaultView(scene);
   Camera camera = frameCamera(scene, view, aspect);
   if (!fitsWhatShows(scene)) return camera;

@@ -12,7 +12,7 @@ Camera frameVisible(const Scene& scene, StandardView view, double aspect);
 
 /// The camera from which new data is first seen. A patient is seen from defaultView(). For other objects nothing says
 /// which side is up: an object stands on its flat base if it has one at one end only, else as it lies in its box; and
-/// it is seen from a corner, across its longest extents. Cost as frameVisible().
+/// it is seen from a corner, across its longest extents; a model alone, from its bestSide(). Cost as frameVisible().
 Camera firstCamera(const Scene& scene, double aspect);
 
 }  // namespace velum::scene

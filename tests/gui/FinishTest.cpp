@@ -38,10 +38,10 @@ TEST_F(FinishPage, AFinishIsOneStep) {
   auto* list = child<QListWidget>("finish");
   EXPECT_EQ(list->currentItem()->data(Qt::UserRole).toString(), "none");
   click(*list, "pencil");
-  EXPECT_EQ(scene::finishName(scene().finish), "pencil");
+  EXPECT_EQ(scene::finishName(scene()), "pencil");
   EXPECT_EQ(undoLabel(), "Choose finish");
   mWindow->document().undo();
-  EXPECT_EQ(scene::finishName(scene().finish), "none");
+  EXPECT_EQ(scene::finishName(scene()), "none");
   EXPECT_EQ(list->currentItem()->data(Qt::UserRole).toString(), "none");
 }
 

@@ -134,6 +134,19 @@ TEST_F(ModelWindow, RowsBelowTheTreeChangeTheSceneInOneStepEach) {
   EXPECT_EQ(scene().model.copies, 1);
 }
 
+TEST_F(ModelWindow, WordsBesideThePaletteSayThatNoFunctionIsKnown) {
+  openModel();
+  auto* words = child<QLabel>("modelOneColor");
+  EXPECT_FALSE(words->isVisible());
+  auto* palette = child<QComboBox>("modelPalette");
+  emit palette->activated(2);
+  EXPECT_EQ(scene().model.palette, scene::Palette::Function);
+  EXPECT_TRUE(words->isVisible());
+  EXPECT_TRUE(words->text().contains("palette by type")) << "what to choose";
+  mWindow->document().undo();
+  EXPECT_FALSE(words->isVisible());
+}
+
 TEST_F(ModelWindow, ABarOfACutSaysHowMuchOfATypeItLeaves) {
   openModel();
   mWindow->tabs().showPage("Cuts");

@@ -134,7 +134,7 @@ TEST_F(Walks, FromAHeadToAPlateWithAMembrane) {
   did("turns to the page Finish");
   click("finish", "plate");
   did("chooses the plate");
-  EXPECT_EQ(scene::finishName(scene().finish), "plate");
+  EXPECT_EQ(scene::finishName(scene()), "plate");
   EXPECT_GT(covered(), 0.1);
   savePicture();
   end(10);

@@ -88,7 +88,7 @@ TEST(Finishes, EachIsFoundByItsNameAgain) {
     scene.finish.spheres.resize(1);
     scene.finish.spheres[0].name = "mine";
     applyFinish(scene, finish.name);
-    EXPECT_EQ(finishName(scene.finish), finish.name);
+    EXPECT_EQ(finishName(scene), finish.name);
     EXPECT_EQ(scene.finish.spheres.size(), 1u) << "the user's own stay";
     EXPECT_TRUE(isLitSphere(scene.finish, scene.finish.sphere)) << finish.name;
     EXPECT_EQ(addsAnything(scene.finish), finish.name != "none");
@@ -97,10 +97,43 @@ TEST(Finishes, EachIsFoundByItsNameAgain) {
   EXPECT_EQ(names.size(), finishes().size());
   EXPECT_GE(names.size(), 8u);
   Scene scene;
-  EXPECT_EQ(finishName(scene.finish), "none");
+  EXPECT_EQ(finishName(scene), "none");
   scene.finish.contourWidth = 3.25;
-  EXPECT_EQ(finishName(scene.finish), "");
+  EXPECT_EQ(finishName(scene), "");
   EXPECT_THROW(applyFinish(scene, "crayon"), ArgumentError);
+}
+
+TEST(Finishes, NoneGivesBackTheLinesOfAModelsLook) {
+  for (const NamedModelLook& look : modelLooks()) {
+    Scene scene;
+    applyModelLook(scene, look.name);
+    Scene before = scene;
+    EXPECT_EQ(finishName(scene), "none") << look.name;
+    for (const auto& finish : finishes()) {
+      applyFinish(scene, finish.name);
+      EXPECT_EQ(finishName(scene), finish.name);
+      scene.lighting.shadow = 0.123;  // by hand
+      applyFinish(scene, "none");
+      EXPECT_EQ(scene.finish, before.finish) << look.name << ", " << finish.name;
+    }
+  }
+}
+
+TEST(Finishes, ALookOfModelsAndAFinishHaveNoNameInCommon) {
+  for (const auto& finish : finishes())
+    for (const auto& look : modelLooks()) {
+      EXPECT_NE(finish.name, look.name);
+      EXPECT_NE(finish.title, look.title);
+    }
+}
+
+TEST(ModelLooks, TheFirstIsKnownByItsOldName) {
+  Scene scene;
+  applyModelLook(scene, "plate");
+  EXPECT_EQ(modelLookName(scene), kFirstModelLook);
+  applyPreset(scene, "soft");
+  applyPreset(scene, "plate");
+  EXPECT_EQ(modelLookName(scene), kFirstModelLook);
 }
 
 TEST(ModelLooks, EachIsFoundByItsNameAgainUntilOneOfItsValuesIsAnother) {
@@ -157,7 +190,7 @@ TEST(NamedTable, WhoMistypesANameIsToldTheNearestAndAll) {
   EXPECT_TRUE(text.starts_with("no finish 'pencl' (is 'pencil' meant?); there are none, plate, ")) << text;
   EXPECT_TRUE(text.ends_with(", x-ray")) << text;
   EXPECT_EQ(refusal([&] { applyModelLook(scene, "sofd"); }),
-            "no look of models 'sofd' (is 'soft' meant?); there are plate, soft, technical");
+            "no look of models 'sofd' (is 'soft' meant?); there are painted, soft, technical");
   EXPECT_TRUE(
       refusal([&] { applyPreset(scene, "ct-bones"); }).starts_with("no preset 'ct-bones' (is 'ct-bone' meant?)"));
   EXPECT_TRUE(refusal([&] { makeLitSphere("qqqqqq"); }).starts_with("no lit sphere 'qqqqqq'; there are pencil, "));

@@ -2,23 +2,70 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
+#include <tuple>
 
+#include "ColorVision.h"
 #include "makeModel.h"
 #include "scene/ModelLayer.h"
 
 namespace velum {
 namespace {
 
-/// Colour in Oklab: lightness, and how far it is from grey. Of sRGB, by the matrices of [OKLAB].
+/// Colour in Oklab: lightness, and how far it is from grey.
 glm::dvec2 lightnessAndChroma(glm::vec3 srgb) {
-  glm::dvec3 c;
-  for (int i = 0; i < 3; ++i) c[i] = std::pow((double(srgb[i]) + 0.055) / 1.055, 2.4);  // none is near black here
-  double l = std::cbrt(0.4122214708 * c.x + 0.5363325363 * c.y + 0.0514459929 * c.z);
-  double m = std::cbrt(0.2119034982 * c.x + 0.6806995451 * c.y + 0.1073969566 * c.z);
-  double s = std::cbrt(0.0883024619 * c.x + 0.2817188376 * c.y + 0.6299787005 * c.z);
-  return {0.2104542553 * l + 0.7936177850 * m - 0.0040720468 * s,
-          glm::length(glm::dvec2(1.9779984951 * l - 2.4285922050 * m + 0.4505937099 * s,
-                                 0.0259040371 * l + 0.7827717662 * m - 0.8086757660 * s))};
+  glm::dvec3 lab = oklabOf(srgb);
+  return {lab.x, glm::length(glm::dvec2(lab.y, lab.z))};
+}
+
+double hueDeg(glm::vec3 srgb) {
+  glm::dvec3 lab = oklabOf(srgb);
+  return glm::degrees(std::atan2(lab.z, lab.y));
+}
+
+std::vector<glm::vec3> colorsOf(Model model, scene::Palette palette = scene::Palette::Type) {
+  scene::ModelLayer layer;
+  layer.data = Shared<Model>(std::move(model));
+  layer.palette = palette;
+  return scene::typeColors(layer);
+}
+
+/// Types as lists of compartments, name and what they do; one instance each.
+class TypesMaker {
+ public:
+  void add(std::vector<std::string> path, MoleculeType type) {
+    type.compartment = mBuilder.compartment(path);
+    std::uint32_t molecule = mBuilder.addMolecule(mBuilder.addType(type), randomAtoms(20, 10.0f, 5));
+    mBuilder.addInstance(molecule, glm::vec3(30.0f * float(mCount++)), glm::quat(1, 0, 0, 0));
+  }
+  Model make() { return mBuilder.build(); }
+
+ private:
+  ModelBuilder mBuilder{"types"};
+  int mCount = 0;
+};
+
+/// Bodies within each other, each with types on its surface and inside; in the innermost a genome, about the outermost
+/// a membrane and a medium. The first types of all: medium, lipid, genome.
+Model bodiesInBodies(int bodies, int typesOnEachSide, const std::vector<std::string>& functions = {}) {
+  TypesMaker maker;
+  maker.add({"plasma"}, {.name = "albumin"});
+  maker.add({"body0", "membrane"}, {.name = "phospholipid", .kind = MoleculeKind::Lipid});
+  std::vector<std::string> path;
+  for (int body = 0; body < bodies; ++body) {
+    path.push_back("body" + std::to_string(body));
+    for (const char* side : {"surface", "interior"})
+      for (int t = 0; t < typesOnEachSide; ++t) {
+        std::vector<std::string> at = path;
+        at.insert(at.end(), {side, "proteins"});
+        std::string name = side + std::to_string(t);
+        maker.add(at,
+                  {.name = name, .function = functions.empty() ? "" : functions[std::size_t(t) % functions.size()]});
+      }
+  }
+  path.push_back("interior");
+  maker.add(path, {.name = "genome", .kind = MoleculeKind::NucleicAcid});
+  return maker.make();
 }
 
 /// A virus with an envelope, a capsid and what these hold, in plasma of many types.
@@ -82,7 +129,7 @@ TEST(TypePalette, WhatAllElseSwimsInStandsBackInManyHues) {
   }
   EXPECT_GT(darkestOut, 0.74);
   EXPECT_LT(mostOut, 0.085);
-  EXPECT_GT(nearest, 0.04) << "twelve grey levels, of types that take up most of the picture";
+  EXPECT_GT(nearest, 0.03) << "eight grey levels, of types that take up most of the picture";
   EXPECT_LT(lightestIn, 0.82);
   EXPECT_GT(dullestIn, 0.06);
 }
@@ -114,6 +161,85 @@ TEST(TypePalette, OneCompartmentAloneTakesAllFamilies) {
   std::vector<glm::vec3> colors = scene::typeColors(layer);
   for (std::size_t a = 0; a < colors.size(); ++a)
     for (std::size_t b = 0; b < a; ++b) EXPECT_GT(double(glm::length(colors[a] - colors[b])), 0.1) << a << " " << b;
+}
+
+TEST(TypePalette, FamiliesAreToldApartByEyesThatLackConesOfAKind) {
+  double least = 1e9;
+  for (int bodies : {1, 2, 3, 4}) {
+    std::vector<glm::vec3> colors = colorsOf(bodiesInBodies(bodies, 1), scene::Palette::Compartment);
+    for (std::size_t a = 0; a < colors.size(); ++a)
+      for (std::size_t b = 0; b < a; ++b) {
+        double apart = leastApart(colors[a], colors[b]);
+        EXPECT_GT(apart, 0.07) << bodies << " bodies, types " << b << " and " << a;
+        least = std::min(least, apart);
+      }
+  }
+  RecordProperty("leastApart", std::to_string(least));
+}
+
+TEST(TypePalette, ASurfaceIsToldFromWhatIsInsideByAllItsTypesForSuchEyes) {
+  for (int bodies : {1, 2, 3}) {
+    constexpr int kTypes = 6;
+    Model model = bodiesInBodies(bodies, kTypes);
+    std::vector<glm::vec3> colors = colorsOf(model);
+    for (int body = 0; body < bodies; ++body)
+      for (int out = 0; out < kTypes; ++out)
+        for (int in = 0; in < kTypes; ++in) {
+          auto first = std::size_t(2 + 2 * body * kTypes);
+          EXPECT_GT(leastApart(colors[first + std::size_t(out)], colors[first + std::size_t(kTypes + in)]), 0.03)
+              << bodies << " bodies: " << body << ", " << out << ", " << in;
+        }
+    for (std::size_t t = 2; t + 1 < colors.size(); ++t)
+      EXPECT_GT(leastApart(colors[t], colors.back()), 0.05) << "a genome is told from all proteins: " << t;
+  }
+}
+
+TEST(TypePalette, FiveHundredTypesAreFewCalmHues) {
+  std::vector<std::string> functions;
+  for (int i = 0; i < 12; ++i) functions.push_back("function" + std::to_string(i));
+  constexpr std::size_t kTypes = 250;
+  std::vector<glm::vec3> colors = colorsOf(bodiesInBodies(1, kTypes, functions));
+  for (std::size_t first : {std::size_t(2), 2 + kTypes}) {
+    double low = 1e9, high = -1e9, palest = 1.0, strongest = 0.0;
+    std::set<std::tuple<float, float, float>> all;
+    for (std::size_t t = first; t < first + kTypes; ++t) {
+      double hue = hueDeg(colors[t]);
+      if (hue < -30.0) hue += 360.0;
+      low = std::min(low, hue), high = std::max(high, hue);
+      double chroma = lightnessAndChroma(colors[t]).y;
+      palest = std::min(palest, chroma), strongest = std::max(strongest, chroma);
+      all.insert({colors[t].x, colors[t].y, colors[t].z});
+    }
+    EXPECT_LT(high - low, 90.0) << "a side is one family of hues";
+    EXPECT_LT(strongest, 0.15);
+    EXPECT_GT(palest, 0.05);
+    EXPECT_GT(all.size(), kTypes / 2) << "in which types differ by steps";
+  }
+}
+
+TEST(TypePalette, LipidsAreCreamAndGenomesYellowInEachPalette) {
+  for (auto palette : {scene::Palette::Type, scene::Palette::Compartment, scene::Palette::Function}) {
+    std::vector<glm::vec3> colors = colorsOf(bodiesInBodies(2, 3), palette);
+    glm::vec3 lipid = colors[1], genome = colors.back();
+    EXPECT_GT(lightnessAndChroma(lipid).x, 0.88);
+    EXPECT_LT(lightnessAndChroma(lipid).y, 0.06);
+    EXPECT_NEAR(hueDeg(genome), 95.0, 15.0) << enumName(palette);
+    EXPECT_GT(lightnessAndChroma(genome).y, 0.1);
+  }
+}
+
+TEST(TypePalette, WhereNoTypeSaysWhatItDoesWordsSaySo) {
+  scene::ModelLayer layer;
+  for (bool isKnown : {false, true}) {
+    layer.data = Shared<Model>(
+        bodiesInBodies(1, 4, isKnown ? std::vector<std::string>{"repair", "copying"} : std::vector<std::string>{}));
+    layer.palette = scene::Palette::Type;
+    EXPECT_EQ(scene::whyOneColor(layer), "");
+    layer.palette = scene::Palette::Function;
+    EXPECT_EQ(scene::whyOneColor(layer).empty(), isKnown);
+    std::vector<glm::vec3> colors = scene::typeColors(layer);
+    EXPECT_EQ(colors[2] != colors[3], isKnown);
+  }
 }
 
 }  // namespace

@@ -37,7 +37,7 @@ TEST(PaperFile, AFinishByNameLeavesIt) {
   scene::Scene scene;
   takePaper(scene, folder / "mine.png");
   scene::applyFinish(scene, "pencil");
-  EXPECT_EQ(scene::finishName(scene.finish), "pencil");
+  EXPECT_EQ(scene::finishName(scene), "pencil");
   EXPECT_TRUE(scene.finish.ownPaper.data) << "to be chosen again";
 }
 

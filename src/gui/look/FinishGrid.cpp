@@ -23,7 +23,7 @@ FinishGrid::FinishGrid(session::Document& document, QWidget* parent)
 void FinishGrid::refresh() {
   const scene::Scene& scene = document().scene();
   setEnabled(scene::hasData(scene));
-  list().mark(textOf(scene::finishName(scene.finish)));
+  list().mark(textOf(scene::finishName(scene)));
   Key key{scene.volume.data, scene.volume.channel, scene::currentTransfer(scene.volume), {}};
   if (!key.volume) key.model = scene.model;
   key.model.targets.clear();  // they change nothing that is seen

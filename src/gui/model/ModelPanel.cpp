@@ -179,6 +179,11 @@ QWidget* ModelPanel::makeRows() {
              .tip = tr("What instances have their colours by; a type's own colour goes before"),
              .step = tr("Choose palette"),
              .choices = {tr("By type"), tr("By compartment"), tr("By function"), tr("By element"), tr("By chain")}});
+  mOneColor = new QLabel(section);
+  mOneColor->setObjectName("modelOneColor");
+  mOneColor->setProperty("role", "muted");
+  mOneColor->setWordWrap(true);
+  mForm.addWidget(mOneColor);
   mForm.add("model.nearColors", tr("Up close"),
             {.object = "modelNear",
              .tip = tr("How far chains and elements show as shades of the colour where one is close, %"),
@@ -262,6 +267,8 @@ void ModelPanel::refresh() {
   }
   if (isOther) mHiders->hide();
   mShown->setChecked(layer.visible);
+  mOneColor->setText(QString::fromStdString(scene::whyOneColor(layer)));
+  mOneColor->setVisible(!mOneColor->text().isEmpty());
   mForm.refresh();
   showCount();
 }

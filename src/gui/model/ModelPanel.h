@@ -50,6 +50,7 @@ class ModelPanel : public QWidget {
   QWidget* mScale = nullptr;
   std::vector<std::uint64_t> mScaleOf;  ///< the data of which it was last asked whether they fit each other
   QLabel *mName = nullptr, *mNotes = nullptr, *mScaleWords = nullptr, *mCount = nullptr;
+  QLabel* mOneColor = nullptr;  ///< why the palette tells nothing apart
   QCheckBox* mLegend = nullptr;
   QLineEdit* mSearch = nullptr;
   EqualizeSteps* mSteps = nullptr;

@@ -82,7 +82,7 @@ std::vector<Command> lookCommands() {
       editRow<ChooseFinish>("Gives the picture what an illustrator adds at the end.", "look.finish plate",
                             "Choose finish",
                             [](Scene& scene, const ChooseFinish& a) { scene::applyFinish(scene, a.name); }),
-      editRow<ChooseModelLook>("Gives a model light, lines and colours that go together.", "look.model clay",
+      editRow<ChooseModelLook>("Gives a model light, lines and colours that go together.", "look.model soft",
                                "Choose look",
                                [](Scene& scene, const ChooseModelLook& a) { scene::applyModelLook(scene, a.name); }),
       editRow<ChooseWindow>("Sets the grey window of sections.", "look.window bone", "Change window", chooseWindow),

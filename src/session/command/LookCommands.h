@@ -18,13 +18,13 @@ struct ChoosePreset {
 struct ChooseFinish {
   static constexpr std::string_view kName = "look.finish";
   std::string name;
-  static void fields(auto& o, auto& visit) { visit("name", o.name, FieldInfo{"", {}, "plate, clay, ..., none"}); }
+  static void fields(auto& o, auto& visit) { visit("name", o.name, FieldInfo{"", {}, "plate, ink, ..., none"}); }
 };
 
 struct ChooseModelLook {
   static constexpr std::string_view kName = "look.model";
   std::string name;
-  static void fields(auto& o, auto& visit) { visit("name", o.name, FieldInfo{"", {}, "A look of models."}); }
+  static void fields(auto& o, auto& visit) { visit("name", o.name, FieldInfo{"", {}, "painted, soft or technical."}); }
 };
 
 struct ChooseWindow {

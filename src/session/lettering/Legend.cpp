@@ -11,7 +11,7 @@ namespace velum::session {
 namespace {
 
 constexpr std::size_t kMostEntries = 20, kMostColors = 4;
-constexpr double kLeastShare = 2e-4;  // of the picture; below it is a dot that nobody looks for
+constexpr double kLeastSeen = 2e-4;  // of the picture; below it is a dot that nobody looks for
 
 /// Types that share an entry: the numbers of each with how many pixels show it.
 struct Group {
@@ -55,7 +55,7 @@ std::vector<Group> seenGroups(const scene::Scene& scene, const TypePixels& pixel
   for (std::uint32_t i = 0; i < model.types.size(); ++i)
     if (pixelsOf(pixels, i) > 0)
       addGroup(groups, scene::shownName(scene.model, pathOf(model, model.types[i]), model.types[i].name), {i}, pixels);
-  std::erase_if(groups, [&](const Group& group) { return double(group.pixels) <= kLeastShare * double(pixels.all); });
+  std::erase_if(groups, [&](const Group& group) { return double(group.pixels) <= kLeastSeen * double(pixels.all); });
   std::stable_sort(groups.begin(), groups.end(), [](const Group& a, const Group& b) { return a.pixels > b.pixels; });
   if (groups.size() > kMostEntries) groups.resize(kMostEntries);
   return groups;

@@ -16,12 +16,12 @@ namespace {
 
 // Lengths, in ems.
 constexpr double kMargin = 1.3, kLine = 1.5, kSwatch = 0.82, kSwatchGap = 0.5, kCapHeight = 0.72, kCorner = 0.16;
-constexpr double kBarHeight = 0.22, kBarGap = 0.42, kGlow = 0.75, kBlockGap = 0.6;
-constexpr double kWidestName = 0.36;              // of the picture's width
-constexpr double kLongestBar = 0.22;              // of the picture's width
-constexpr double kEdge = 0.05, kEdgeShare = 0.4;  // line around a colour that is near the ground's
-constexpr double kLeastEm = 5.0;                  // pixels
-constexpr double kGlowBlur = 0.15;                // radius of each of three blurs, ems
+constexpr double kBarThickness = 0.22, kBarGap = 0.42, kGlow = 0.75, kBlockGap = 0.6;
+constexpr double kWidestName = 0.36;                    // of the picture's width
+constexpr double kLongestBar = 0.22;                    // of the picture's width
+constexpr double kOutline = 0.05, kOutlineShare = 0.4;  // line around a colour that is near the ground's
+constexpr double kLeastEm = 5.0;                        // pixels
+constexpr double kGlowBlur = 0.15;                      // radius of each of three blurs, ems
 constexpr float kGlowGain = 3.2f, kGlowMost = 0.86f;
 
 const glm::vec3 kDarkInk(0.08f, 0.09f, 0.11f), kLightInk(0.96f, 0.97f, 0.98f);
@@ -180,9 +180,9 @@ void Layout::addLegend(const std::vector<LegendEntry>& entries) {
   for (std::size_t i = 0; i < rows; ++i) {
     const std::vector<glm::vec3>& colors = entries[i].colors;
     glm::dvec2 low(at.x, at.y + line * double(i) + 0.5 * (line - swatch)), high = low + swatch;
-    Mark& edge = block.add(ink, low - 1.0 - kEdge * em, high + 1.0 + kEdge * em);
-    addRectangle(edge, low - kEdge * em, high + kEdge * em, (kCorner + kEdge) * em, -1e9, 1e9);
-    for (std::uint8_t& covers : edge.covers) covers = std::uint8_t(std::lround(kEdgeShare * covers));
+    Mark& edge = block.add(ink, low - 1.0 - kOutline * em, high + 1.0 + kOutline * em);
+    addRectangle(edge, low - kOutline * em, high + kOutline * em, (kCorner + kOutline) * em, -1e9, 1e9);
+    for (std::uint8_t& covers : edge.covers) covers = std::uint8_t(std::lround(kOutlineShare * covers));
     for (std::size_t c = 0; c < colors.size(); ++c) {
       double band = swatch / double(colors.size());
       double from = low.x + band * double(c), to = from + band;
@@ -198,7 +198,7 @@ void Layout::addLegend(const std::vector<LegendEntry>& entries) {
 
 void Layout::addScaleBar(const ScaleBar& bar) {
   double em = mLetters.em(), text = mLetters.width(bar.text);
-  glm::dvec2 size(std::max(bar.pixels, text), (kCapHeight + kBarGap + kBarHeight) * em);
+  glm::dvec2 size(std::max(bar.pixels, text), (kCapHeight + kBarGap + kBarThickness) * em);
   scene::Corner corner = mScene.lettering.scaleBarCorner;
   glm::dvec2 at = place(corner, size);
   Block block = blockAt(at, size);

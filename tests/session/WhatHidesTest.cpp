@@ -164,7 +164,6 @@ TEST(ClearTheWay, EndsWithTheCutWhereThatDidNothingElse) {
 
 TEST(CountFiles, RowsAreTheTreeAndCompartmentsTheSumsOfIt) {
   scene::Scene scene = modelScene();
-  const Model& model = *scene.model.data;
   std::vector<Counts> types{{1, 2, 7}, {0, 0, 10}, {10, 0, 0}, {3, 3, 4}};
   std::vector<CountRow> rows = countRows(scene.model, types);
   std::vector<std::string> paths;

@@ -77,7 +77,7 @@ int countInstances(session::Session& session, const CountOptions& options, sessi
   scene::Scene scene = session.settled(progress);
   const Model& model = *scene.model.data;
   render::InstanceBits bits = counter.count(scene);
-  std::vector<session::CountRow> rows = session::countRows(model, render::countTypes(model, bits));
+  std::vector<session::CountRow> rows = session::countRows(scene.model, render::countTypes(model, bits));
   std::optional<session::Hiding> hiding;
   if (!options.whatHides.empty())
     hiding = session::whatHides(scene, options.whatHides, [&](const scene::Scene& of) { return counter.types(of); });

@@ -29,7 +29,7 @@ struct RenderOptions {
   std::string output, size = "1280x720", saveScene, section, animate;
   int samples = 0, frames = 0;
   double dpi = 0, timeout = 0;
-  bool layers = false, transparent = false, bruteForce = false;
+  bool layers = false, transparent = false, bruteForce = false, legend = false, scaleBar = false;
 };
 
 /// Refuses outputs that cannot be written, before anything is read.
@@ -120,6 +120,9 @@ int run(const RenderOptions& options) {
     for (const char* field : {"rayCast.skipEmpty", "rayCast.stopOpaque"})
       app::run(session, session::SetField{field, "false"});
 
+  if (options.legend) app::run(session, session::SetField{"lettering.legend", "true"});
+  if (options.scaleBar) app::run(session, session::SetField{"lettering.scaleBar", "true"});
+
   auto start = Clock::now();
   session::FilmOptions film = filmOf(options, session.scene(), size);
   auto files = session.film(film, options.output, progress);
@@ -172,6 +175,9 @@ Run registerRender(CLI::App& verb) {
       "sections front, inlay and behind: "
       "in the EXR, or as PNGs beside");
   verb.add_flag("--transparent", options->transparent, "no background, with alpha");
+  verb.add_flag("--legend", options->legend,
+                "colours and names of a model's types over the picture (lettering.legend)");
+  verb.add_flag("--scale-bar", options->scaleBar, "a bar that says how long things are (lettering.scaleBar)");
   verb.add_flag("--brute-force", options->bruteForce,
                 "without skipping and early ends: the reference for every acceleration");
   verb.add_option("--save-scene", options->saveScene, "write the scene as JSON, too");

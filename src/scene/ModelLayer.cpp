@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/Links.h"
 #include "scene/TypePalette.h"
 
 namespace velum::scene {
@@ -34,6 +35,24 @@ TypeLook typeLook(const ModelLayer& layer, std::string_view path) {
   TypeLook look;
   look.type = path;
   return look;
+}
+
+std::string ownName(const ModelLayer& layer, std::string_view path) {
+  for (const TypeLook& look : layer.types)
+    if (look.type == path) return look.name;
+  return {};
+}
+
+void dropNames(ModelLayer& layer) {
+  for (TypeLook& look : layer.types) look.name.clear();
+  std::erase_if(layer.types, [](const TypeLook& look) { return look == TypeLook{.type = look.type}; });
+}
+
+std::string shownName(const ModelLayer& layer, std::string_view path, std::string_view inFile) {
+  if (std::string own = ownName(layer, path); !own.empty()) return own;
+  std::string name = withoutLinks(inFile);
+  std::replace(name.begin(), name.end(), '_', ' ');
+  return name;
 }
 
 CopyGrid copyGrid(const ModelLayer& layer) {

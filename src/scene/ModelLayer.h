@@ -19,11 +19,13 @@ enum class Palette { Type, Compartment, Function, Element, Chain };
 /// How instances that cuts have removed still show.
 enum class Ghosts { None, Filled, Contour };
 
-/// How the instances of one type are shown, where it differs from the rest of the layer.
+/// How the instances of one type are shown, where it differs from the rest of the layer. An entry for a compartment has
+/// nothing but a name.
 struct TypeLook {
   static constexpr std::string_view kKey = "type";  ///< that a bare value stands for on the command line
 
   std::string type;  ///< its path: "root.capsid.surface.CA"
+  std::string name;  ///< what the author calls it; empty: as in the file
   bool visible = true;
   std::optional<glm::vec3> color;  ///< sRGB; none: the palette's
   std::string litSphere;           ///< of a finished picture; empty: as Finish::sphere says
@@ -31,6 +33,7 @@ struct TypeLook {
   bool operator==(const TypeLook&) const = default;
   static void fields(auto& o, auto& visit) {
     visit("type", o.type, FieldInfo{"", {}, "Path of the type, its compartments with dots between them."});
+    visit("name", o.name, FieldInfo{"", {}, "What it is called; empty: as in the file. Of a compartment, too.", true});
     visit("visible", o.visible, FieldInfo{"", {}, "Off: its instances are not drawn."});
     visit("color", o.color, FieldInfo{"", {0, 1}, "sRGB colour; null: the palette's.", true});
     visit("litSphere", o.litSphere,
@@ -119,6 +122,17 @@ bool hasGhosts(const ModelLayer& layer);
 
 /// How one type is shown: its entry in the layer, or a default TypeLook where it has none.
 TypeLook typeLook(const ModelLayer& layer, std::string_view path);
+
+/// What the author calls a type or compartment (TypeLook::name); empty: as in the file.
+std::string ownName(const ModelLayer& layer, std::string_view path);
+
+/// Takes away what the author calls types, and entries that say nothing else.
+void dropNames(ModelLayer& layer);
+
+/// The name of a type or compartment as people read it: ownName(), else the file's with links as
+/// their words and spaces for underscores.
+/// @param path  of the type or compartment  @param inFile  its name in the file
+std::string shownName(const ModelLayer& layer, std::string_view path, std::string_view inFile);
 
 /// How the copies of a model (ModelLayer::copies) stand: how many there are along each axis, and the step from one to
 /// the next, in the model's own unit (angstrom).

@@ -231,7 +231,7 @@ Membrane drawnMembrane(Membrane membrane) {
 }
 
 Scene pictureScene(Scene scene) {
-  scene.sections = {};
+  scene.sections = {}, scene.lettering = {};
   for (auto& cut : scene.cuts)
     if (cut.membrane) cut.membrane = drawnMembrane(std::move(*cut.membrane));
   if (!usesWindow(scene)) {
@@ -241,9 +241,9 @@ Scene pictureScene(Scene scene) {
   for (auto& cut : scene.cuts) cut.name.clear();
   for (auto& structure : scene.labels.structures) structure.name.clear(), structure.smoothing = 0.0;
   for (auto& look : scene.volume.channels) look.name.clear();
+  dropNames(scene.model);
   // What was grown shows by the labels alone.
-  scene.labels.growths.clear();
-  scene.labels.grown.clear();
+  scene.labels.growths.clear(), scene.labels.grown.clear();
   scene.labels.given = scene.labels.unsmoothed = {};
   scene.labels.smoothed.clear();
   return scene;

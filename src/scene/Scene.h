@@ -13,6 +13,7 @@
 #include "scene/Cut.h"
 #include "scene/Finish.h"
 #include "scene/Growth.h"
+#include "scene/Lettering.h"
 #include "scene/Lighting.h"
 #include "scene/ModelLayer.h"
 #include "scene/RayCast.h"
@@ -110,6 +111,7 @@ struct Scene {
   Lighting lighting;
   Background background;
   Finish finish;
+  Lettering lettering;
   bool showBounds = false;  ///< thin outlines of the volume's box and of the cuts
   // Compiled once, in SceneCopies.cpp: nearly every file copies some.
   Scene();
@@ -132,6 +134,7 @@ struct Scene {
     visit("lighting", o.lighting, FieldInfo{"", {}, "Light and shadow."});
     visit("background", o.background, FieldInfo{"", {}, "What is behind everything."});
     visit("finish", o.finish, FieldInfo{"", {}, "Contours, lit spheres, hatching, paper."});
+    visit("lettering", o.lettering, FieldInfo{"", {}, "Legend and scale bar over the picture.", true});
     visit("showBounds", o.showBounds, FieldInfo{"", {}, "Thin outlines of the volume's box and of the cuts."});
   }
 };

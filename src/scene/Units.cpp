@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "core/Assert.h"
@@ -91,6 +92,17 @@ std::string lengthNumber(const LengthFormat& format, double length, bool isSigne
 
 std::string lengthText(const LengthFormat& format, double length, bool isSigned) {
   return fmt::format("{} {}", lengthNumber(format, length, isSigned), format.symbol);
+}
+
+std::string roundLengthText(double length, LengthUnit unit) {
+  constexpr std::pair<double, const char*> kUnits[] = {{1e6, "km"},       {1e3, "m"},   {1.0, "mm"},
+                                                       {1e-3, "\u00b5m"}, {1e-6, "nm"}, {1e-7, "\u00c5"}};
+  double mm = length * millimetresPer(unit);
+  // The unit that people use for so much of it: mm from a half to ten metres.
+  constexpr double kLeast[] = {1e6, 1e4, 0.5, 0.5e-3, 1e-6 * (1.0 - 1e-9), 0.0};
+  std::size_t i = 0;
+  while (mm < kLeast[i]) ++i;
+  return fmt::format("{:.6g} {}", mm / kUnits[i].first, kUnits[i].second);
 }
 
 }  // namespace velum::scene

@@ -26,4 +26,7 @@ std::string lengthNumber(const LengthFormat& format, double length, bool isSigne
 /// "12.3 mm".
 std::string lengthText(const LengthFormat& format, double length, bool isSigned = false);
 
+/// A round length in the unit that people use for so much of it: "50 \u00b5m", "2 km", "5 nm".
+std::string roundLengthText(double length, LengthUnit unit);
+
 }  // namespace velum::scene

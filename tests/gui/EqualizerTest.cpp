@@ -116,7 +116,7 @@ TEST_F(EqualizerWindow, ANumberIsTypedOrRefused) {
   int number = rowOfType(3);
   list().setCurrentIndex(list().order().mapFromSource(list().tree().indexOfRow(number, ModelTree::Name)));
   list().setFocus();
-  QTest::keyClick(&list(), Qt::Key_F2);
+  QTest::keyClick(&list(), Qt::Key_F2, Qt::ShiftModifier);
   auto* field = list().findChild<QLineEdit*>("modelNumber");
   ASSERT_TRUE(field);
   field->selectAll();

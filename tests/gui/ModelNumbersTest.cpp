@@ -151,8 +151,8 @@ TEST_F(ModelNumbers, LinksInNamesAndDescriptionsAreReadAsTheirWords) {
   QString tip = name.data(Qt::ToolTipRole).toString();
   EXPECT_TRUE(tip.contains("The envelope's trimer.")) << tip.toStdString();
   EXPECT_FALSE(tip.contains("http")) << tip.toStdString();
-  EXPECT_TRUE(mWindow->models().legend().names()[0] == "Spike protein" ||
-              mWindow->models().legend().names()[1] == "Spike protein");
+  EXPECT_TRUE(mWindow->models().lettering().names()[0] == "Spike protein" ||
+              mWindow->models().lettering().names()[1] == "Spike protein");
 }
 
 }  // namespace

@@ -96,7 +96,7 @@ TEST_F(ModelWindow, TheLegendNamesWhatIsSeenMost) {
   openModel();
   mWindow->actions().find("model.legend")->trigger();
   ASSERT_TRUE(settle());
-  EXPECT_EQ(mWindow->models().legend().names().size(), 5u);
+  EXPECT_EQ(mWindow->models().lettering().names().size(), 5u);
   std::map<std::int32_t, int> pixels;
   for (std::int32_t type : viewport().typesOfPixels().types)
     if (type >= 0) --pixels[type];
@@ -105,13 +105,65 @@ TEST_F(ModelWindow, TheLegendNamesWhatIsSeenMost) {
   std::sort(mostFirst.begin(), mostFirst.end());
   ASSERT_EQ(mostFirst.size(), 5u);
   for (std::size_t i = 0; i < 5; ++i)
-    EXPECT_EQ(mWindow->models().legend().names()[i], QString("type%1").arg(mostFirst[i].second)) << i;
+    EXPECT_EQ(mWindow->models().lettering().names()[i], QString("type%1").arg(mostFirst[i].second)) << i;
   clickEye(0);
   ASSERT_TRUE(settle());
-  const auto& names = mWindow->models().legend().names();
+  const auto names = mWindow->models().lettering().names();
   EXPECT_EQ(names.size(), 4u);
   EXPECT_EQ(std::count(names.begin(), names.end(), "type0"), 0);
   takeShot(*mWindow, "model-legend");
+}
+
+TEST_F(ModelWindow, F2GivesATypeANameThatIsShownEverywhereAndFoundBesideTheFiles) {
+  openModel();
+  mWindow->actions().find("model.legend")->trigger();
+  QModelIndex row = list().order().mapFromSource(list().tree().indexOfType(2, ModelTree::Name));
+  auto type = [&](const char* name) {
+    list().setCurrentIndex(row);
+    list().setFocus();
+    QTest::keyClick(&list(), Qt::Key_F2);
+    auto* field = list().findChild<QLineEdit*>("modelTypeName");
+    ASSERT_TRUE(field);
+    field->selectAll();
+    QTest::keyClicks(field, name);
+    QTest::keyClick(field, Qt::Key_Return);
+  };
+  type("Spike");
+  EXPECT_TRUE(QTest::qWaitFor([&] { return list().tree().indexOfType(2, ModelTree::Name).data() == "Spike"; }, 2000));
+  ASSERT_TRUE(settle());
+  auto names = mWindow->models().lettering().names();
+  EXPECT_EQ(std::count(names.begin(), names.end(), "Spike"), 1);
+  EXPECT_TRUE(list().tree().indexOfType(2, ModelTree::Name).data(Qt::ToolTipRole).toString().contains("root.a.type2"));
+  for (const char* words : {"spike", "TYPE2"}) {
+    child<QLineEdit>("modelSearch")->setText(words);
+    EXPECT_EQ(list().listedTypes(), session::TypeNumbers{2}) << words;
+  }
+  child<QLineEdit>("modelSearch")->clear();
+  EXPECT_EQ(mWindow->document().undoLabel(), "Rename type2 to Spike");
+  row = list().order().mapFromSource(list().tree().indexOfType(2, ModelTree::Name));
+  type("type2");
+  EXPECT_TRUE(QTest::qWaitFor([&] { return scene().model.types.empty(); }, 2000)) << "the file's name again";
+  mWindow->document().undo();
+  EXPECT_EQ(list().tree().indexOfType(2, ModelTree::Name).data().toString(), "Spike");
+}
+
+TEST_F(ModelWindow, LegendAndScaleBarOverTheViewAreTheScenesAndNoNewPicture) {
+  openModel();
+  ASSERT_TRUE(settle());
+  int pictures = viewport().shownCount();
+  QImage without = mWindow->grab().toImage();
+  mWindow->actions().find("model.legend")->trigger();
+  mWindow->actions().find("view.scaleBar")->trigger();
+  EXPECT_TRUE(scene().lettering.legend && scene().lettering.scaleBar);
+  EXPECT_TRUE(child<QCheckBox>("modelLegend")->isChecked());
+  EXPECT_EQ(mWindow->models().lettering().names().size(), 5u) << "of the picture that is there";
+  EXPECT_NE(mWindow->grab().toImage(), without);
+  EXPECT_EQ(viewport().shownCount(), pictures);
+  takeShot(*mWindow, "model-lettering");
+  mWindow->document().undo();
+  mWindow->document().undo();
+  EXPECT_FALSE(mWindow->actions().find("model.legend")->isChecked());
+  EXPECT_FALSE(mWindow->actions().find("view.scaleBar")->isChecked());
 }
 
 TEST_F(ModelWindow, RowsBelowTheTreeChangeTheSceneInOneStepEach) {

@@ -10,6 +10,7 @@
 #include "session/Session.h"
 #include "session/command/CutCommands.h"
 #include "session/command/DocumentCommands.h"
+#include "session/command/LetteringCommands.h"
 #include "session/command/LookCommands.h"
 #include "session/command/ModelCommands.h"
 #include "session/command/StructureCommands.h"
@@ -133,6 +134,16 @@ TEST_F(SameBytes, OfAModelThinnedByACut) {
   save({text("virion.cif")}, [this](auto& session) {
     run(session, session::AddCut{scene::CutShape::Plane, "Plane"});
     run(session, session::LeaveTypes{{"root"}, 0.25, "Plane"});
+  });
+  expectOnePicture();
+}
+
+TEST_F(SameBytes, OfAModelWithALegendAndAScaleBar) {
+  runBatch({"sample", "virion", "-o", file("virion.cif")});
+  save({text("virion.cif")}, [this](auto& session) {
+    run(session, session::RenameType{session::typeNames(session.scene(), {0})[0], "What the author calls it"});
+    run(session, session::SetField{"lettering.legend", "true"});
+    run(session, session::SetField{"lettering.scaleBar", "true"});
   });
   expectOnePicture();
 }

@@ -103,7 +103,7 @@ class DependencyGL : public RenderTest, public testing::WithParamInterface<int> 
                           glm::quat(1, 0, 0, 0));
     scene.model.data = Shared<Model>(builder.build());
     scene.model.nearColors = 0.5;
-    scene.model.types = {{"root.a.ball", true, {}, "wax", scene::Ghosts::Filled}};
+    scene.model.types = {{.type = "root.a.ball", .litSphere = "wax", .ghosts = scene::Ghosts::Filled}};
     scene.lighting.fog = 0.4;
     scene.cuts[0].model.spares = {{}};
     scene.cuts[0].model.spares[0].type = "root.a";

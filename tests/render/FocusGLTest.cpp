@@ -58,7 +58,7 @@ TEST_F(FocusGL, WhatItKeepsInViewIsWhole) {
   glm::ivec2 size(shared::kFocusRows, shared::kFocusRows);
   Image cleared = draw(scene, size, kLayers);
   scene::Scene alone = scene;
-  alone.model.types = {{"root.b.type1", false}, {"root.a.type2", false}};
+  alone.model.types = {{.type = "root.b.type1", .visible = false}, {.type = "root.a.type2", .visible = false}};
   Image whole = draw(alone, size, kLayers);
   int shown = 0;
   for (int y = 0; y < size.y; ++y)
@@ -213,7 +213,7 @@ TEST_F(FocusGL, DistancesInTheMaskAreExactToOneAndAHalfPixels) {
 TEST_F(FocusGL, CountsAreThoseOfTheIdLayer) {
   scene::Scene scene = focusScene(11, 600);
   scene.model.copies = 3;
-  scene.model.types = {{"root.a.type2", false}};
+  scene.model.types = {{.type = "root.a.type2", .visible = false}};
   scene.camera = scene::frameCamera(scene, scene::StandardView::Oblique, double(kSize.x) / kSize.y);
   render::InstanceBits bits = bitsOf(scene);
   Image image = renderer().read(kLayers);

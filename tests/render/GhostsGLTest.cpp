@@ -42,7 +42,7 @@ TEST_F(FocusGL, GhostsShowWhatIsRemovedWhereNothingIsNearer) {
   for (int x = 70; x < 90; ++x) inked += sampleOf(lines, {x, 50}, "ghosts.A") > 0.3f;
   EXPECT_GE(inked, 2);
   EXPECT_LE(inked, 4);
-  scene.model.types = {{"root.atom", true, {}, "", scene::Ghosts::None}};
+  scene.model.types = {{.type = "root.atom", .ghosts = scene::Ghosts::None}};
   EXPECT_EQ(sampleOf(draw(scene, size, kLayers), {80, 50}, "ghosts.A"), 0.0f) << "not of this type";
 }
 

@@ -29,7 +29,7 @@ TEST_F(InstancesGL, CullingHidesNothing) {
     lookAlong(scene, {std::sin(turn), -std::cos(turn), 0.3 * std::sin(2 * turn)},
               step % 3 == 2 ? 130 : 500 + 60 * step);
     scene.model.types.clear();
-    if (step % 4 == 3) scene.model.types = {{"root.a.type0", false, {}, ""}};
+    if (step % 4 == 3) scene.model.types = {{.type = "root.a.type0", .visible = false}};
     Image image = draw(scene, {120, 90}, kLayers);
     fresh.clear();
     expectIdentical(image, drawWith(fresh, scene, {120, 90}, kLayers), "step " + std::to_string(step));

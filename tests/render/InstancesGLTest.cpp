@@ -350,7 +350,7 @@ TEST_F(InstancesGL, WhatIsShownAloneHoldsWhatIsShown) {
   scene::Cut cut;
   cut.axis = {1, 0, 0};
   scene::addCut(scene, cut);
-  scene.model.types = {{"root.b.type1", false, {}, ""}};
+  scene.model.types = {{.type = "root.b.type1", .visible = false}};
   auto kept = render::keptInstances(scene);
   Model shown = render::shownModel(scene, kept);
   std::size_t wanted = 0;

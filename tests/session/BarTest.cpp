@@ -19,7 +19,7 @@ class BarTest : public testing::Test {
     scene::Cut cut;
     cut.id = 4;
     scene.cuts = {cut};
-    scene.model.types = {{"hidden one", false}};
+    scene.model.types = {{.type = "hidden one", .visible = false}};
     mDocument.replace(std::move(scene));
     mBefore = mDocument.scene();
   }

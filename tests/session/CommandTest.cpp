@@ -176,7 +176,8 @@ TEST(Commands, EachEditIsOneStepThatUndoTakesBackAndRedoBringsAgain) {
       "look.model",          "model.show",        "model.color",    "model.paletteColor", "model.reset",
       "model.ghosts",        "model.target",      "model.leave",    "model.leaveBy",      "model.keepInView",
       "model.showUnthinned", "model.solo",        "model.protect",  "model.meetTargets",  "model.letSee",
-      "model.leaveAsAbove",  "model.bringToSize", "model.setDrawn", "model.letFollow"};
+      "model.leaveAsAbove",  "model.bringToSize", "model.setDrawn", "model.letFollow",    "model.rename",
+      "model.listInLegend"};
   const std::set<std::string_view> kOfChannels{"look.channelAlone", "look.channelColor"};
   int done = 0;
   for (const Command& command : commands()) {

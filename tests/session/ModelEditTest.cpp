@@ -7,7 +7,9 @@
 #include "core/Error.h"
 #include "core/Units.h"
 #include "makeModel.h"
+#include "scene/json/Json.h"
 #include "session/command/Command.h"
+#include "session/command/LetteringCommands.h"
 #include "session/command/ModelCommands.h"
 #include "session/cut/CutEdit.h"
 #include "session/document/Document.h"
@@ -30,6 +32,37 @@ std::string path(const scene::Scene& scene, std::uint32_t type) {
 }
 
 }  // namespace
+
+TEST(ModelEdit, ANameIsSavedAndTheFilesComesBackWithUndoAndWithNone) {
+  Document document;
+  document.replace(modelScene());
+  std::string type = path(document.scene(), 2);
+  edit(document, RenameType{type, "  Capsid\n protein "});
+  edit(document, RenameType{"root.a", "Inside"});
+  EXPECT_EQ(scene::shownName(document.scene().model, type, "type2"), "Capsid protein");
+  EXPECT_EQ(nameAt(document.scene(), "root.a"), "Inside");
+  EXPECT_EQ(document.undoLabel(), "Rename a to Inside");
+  scene::Scene read = scene::fromJson(scene::toJson(document.scene()));
+  EXPECT_EQ(read.model.types, document.scene().model.types);
+  EXPECT_EQ(scene::ownName(read.model, type), "Capsid protein");
+  EXPECT_EQ(visibleTypes(document.scene().model), std::vector<bool>(5, true)) << "a name changes no look";
+  resetTypes(read, {2});
+  EXPECT_EQ(scene::ownName(read.model, type), "Capsid protein");
+  edit(document, RenameType{type, ""});
+  EXPECT_EQ(scene::shownName(document.scene().model, type, "[type_2](https://x)"), "type 2");
+  EXPECT_EQ(document.scene().model.types.size(), 1u) << "an entry that says nothing is none";
+  document.undo();
+  EXPECT_EQ(nameAt(document.scene(), type), "Capsid protein");
+  EXPECT_THROW(edit(document, RenameType{"root.a.typo2", "x"}), ArgumentError);
+}
+
+TEST(ModelEdit, NamesAndLetteringChangeNoPictureOfTheDataAlone) {
+  scene::Scene scene = modelScene(), before = scene;
+  rename(scene, path(scene, 1), "x");
+  rename(scene, "root.b", "y");
+  scene.lettering.legend = scene.lettering.scaleBar = true;
+  EXPECT_EQ(scene::pictureScene(scene), scene::pictureScene(before));
+}
 
 TEST(ModelEdit, WhatIsHiddenAndShownAgainLeavesNoTrace) {
   scene::Scene scene = modelScene();

@@ -164,9 +164,8 @@ TEST(ClearTheWay, EndsWithTheCutWhereThatDidNothingElse) {
 
 TEST(CountFiles, RowsAreTheTreeAndCompartmentsTheSumsOfIt) {
   scene::Scene scene = modelScene();
-  const Model& model = *scene.model.data;
   std::vector<Counts> types{{1, 2, 7}, {0, 0, 10}, {10, 0, 0}, {3, 3, 4}};
-  std::vector<CountRow> rows = countRows(model, types);
+  std::vector<CountRow> rows = countRows(scene.model, types);
   std::vector<std::string> paths;
   for (const CountRow& row : rows) paths.push_back(row.path);
   EXPECT_EQ(paths, (std::vector<std::string>{"root", "root.a", "root.a.type0", "root.a.type2", "root.b", "root.b.type1",

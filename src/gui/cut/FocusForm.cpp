@@ -108,7 +108,8 @@ void FocusForm::showCut(const scene::Cut& cut, const std::vector<std::string>& p
   for (QWidget* widget : {static_cast<QWidget*>(mFocus), static_cast<QWidget*>(mLock)}) widget->setVisible(hasFocus());
   if (!hasFocus()) return;
   QStringList names;
-  for (const scene::FocusType& type : cut.model.focus->types) names << nameText(session::shortName(type.type));
+  for (const scene::FocusType& type : cut.model.focus->types)
+    names << toText(scene::shownName(mDocument.scene().model, type.type, session::shortName(type.type)));
   std::string words = session::clearingWords(mDocument.scene());
   mFocus->setText(tr("In view: %1").arg(names.join(", ")) +
                   (words.empty() ? "" : "\n" + QString::fromStdString(words)));

@@ -170,7 +170,7 @@ void TypeSpareList::showMenu(QPoint place) {
 void TypeSpareList::showSelected() {
   std::vector<std::string> paths = mView->selectedPaths();
   bool any = !paths.empty();
-  mRow->setText(any ? nameText(session::rowsLabel(paths)) : tr("Select a row to say how"));
+  mRow->setText(any ? nameText(session::rowsLabel(mDocument.scene(), paths)) : tr("Select a row to say how"));
   mForm.refresh();
   mFocus->showCut(mCut, paths);
 }
@@ -181,6 +181,7 @@ void TypeSpareList::showCut(const scene::Scene& scene, const scene::Cut& cut) {
   bool isOther = mView->tree().model() != scene.model.data;
   mCut = cut;
   mView->tree().showCut(scene.model.data, cut);
+  mView->tree().showNames(scene.model);
   if (isOther) {
     mView->openSome();
     mView->setCurrentIndex(mView->model()->index(0, 0));

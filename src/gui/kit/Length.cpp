@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "gui/kit/Preferences.h"
 #include "scene/PatientDirections.h"
@@ -52,14 +51,7 @@ double Length::step() const {
 }
 
 QString Length::roundText(double length) const {
-  constexpr std::pair<double, const char*> kUnits[] = {{1e6, "km"},       {1e3, "m"},   {1.0, "mm"},
-                                                       {1e-3, "\u00b5m"}, {1e-6, "nm"}, {1e-7, "\u00c5"}};
-  double mm = length * millimetresPer(mFormat.unit);
-  // The unit that people use for so much of it: mm from a half to ten metres.
-  constexpr double kLeast[] = {1e6, 1e4, 0.5, 0.5e-3, 1e-6, 0.0};
-  std::size_t i = 0;
-  while (mm < kLeast[i]) ++i;
-  return QString("%1 %2").arg(mm / kUnits[i].first, 0, 'g', 6).arg(QString::fromUtf8(kUnits[i].second));
+  return QString::fromStdString(scene::roundLengthText(length, mFormat.unit));
 }
 
 }  // namespace velum::gui

@@ -45,6 +45,8 @@ LookPanel::LookPanel(session::Document& document, QWidget* parent)
   layout->addWidget(makeLight());
   layout->addWidget(makeLine(this));
   layout->addWidget(makeBackground());
+  layout->addWidget(makeLine(this));
+  layout->addWidget(makeLettering());
 }
 
 QWidget* LookPanel::makeLook() {
@@ -118,6 +120,47 @@ QWidget* LookPanel::makeBackground() {
     row->addWidget(button);
   }
   layout->addLayout(row);
+  return section;
+}
+
+QWidget* LookPanel::makeLettering() {
+  auto* section = new QWidget(this);
+  QGridLayout* rows = makeFieldGrid(nullptr, kLabelWidth);
+  makeSection(section, tr("Lettering"))->addLayout(rows);
+  mForm.setGrid(rows);
+  auto lettering = [this]() -> const scene::Lettering& { return mDocument.scene().lettering; };
+  const QStringList corners{tr("Top left"), tr("Top right"), tr("Bottom left"), tr("Bottom right")};
+  auto hasModel = [this] { return bool(mDocument.scene().model.data); };
+  mForm.add(
+      "lettering.legend", tr("Legend"),
+      {.object = "legend",
+       .tip = tr("Colours and names of a model's types over the picture, also in files; the menu of a type lists it"),
+       .step = tr("Legend"),
+       .isEnabled = hasModel});
+  mForm.add("lettering.legendCorner", tr("Stands"),
+            {.object = "legendCorner",
+             .tip = tr("The corner in which the legend stands"),
+             .name = tr("Corner of the legend"),
+             .step = tr("Move legend"),
+             .choices = corners,
+             .isEnabled = [lettering] { return lettering().legend; }});
+  mForm.add("lettering.scaleBar", tr("Scale bar"),
+            {.object = "scaleBar",
+             .tip = tr("How long things are, over the picture, also in files; in perspective at the point about which "
+                       "the view turns"),
+             .step = tr("Scale bar")});
+  mForm.add("lettering.scaleBarCorner", tr("Stands"),
+            {.object = "scaleBarCorner",
+             .tip = tr("The corner in which the bar stands"),
+             .name = tr("Corner of the scale bar"),
+             .step = tr("Move scale bar"),
+             .choices = corners,
+             .isEnabled = [lettering] { return lettering().scaleBar; }});
+  mForm.add("lettering.textSize", tr("Letters"),
+            {.object = "textSize",
+             .tip = tr("Their size in pixels of a picture of 1000 rows; they grow with the picture"),
+             .name = tr("Size of the letters"),
+             .step = tr("Change size of letters")});
   return section;
 }
 

@@ -32,6 +32,7 @@ class LookPanel : public QWidget {
   QWidget* makeLook();
   QWidget* makeLight();
   QWidget* makeBackground();
+  QWidget* makeLettering();
   void showIso(const Volume& volume);
 
   session::Document& mDocument;

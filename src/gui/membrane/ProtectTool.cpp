@@ -47,7 +47,7 @@ void ProtectTool::click(const PointerEvent& event) {
     });
   QString what;
   if (isType)
-    what = QString::fromStdString(scene.model.data->types[std::size_t(event.at.type())].name);
+    what = typeText(scene.model, std::uint32_t(event.at.type()));
   else if (isStructure)
     what = QString::fromStdString(session::structureName(scene, structure));
   else if (tissue)

@@ -24,9 +24,9 @@ bool isNone(const scene::Scene& scene, const session::TypeNumbers& types) {
   return std::none_of(types.begin(), types.end(), [&](std::uint32_t type) { return shown[type]; });
 }
 
-std::string labelOf(const session::TypesAt& place) {
+std::string labelOf(const scene::Scene& scene, const session::TypesAt& place) {
   bool isAll = place.path.find('.') == std::string::npos;
-  return "Set number of " + (isAll ? std::string("all types") : std::string(session::shortName(place.path)));
+  return "Set number of " + (isAll ? std::string("all types") : session::nameAt(scene, place.path));
 }
 
 }  // namespace
@@ -82,8 +82,8 @@ void Equalizer::take(const std::string& path, Handle handle) {
   auto solver = std::make_shared<session::RenderedSolver>(
       isForView || !mChosen.empty() ? session::RenderedSolver(from, cuts(), place.path, sheets, aspect, field)
                                     : session::RenderedSolver::ofAllCuts(from, place.path, sheets, aspect));
-  mBar.take({labelOf(place), handle, place.path == mHeldPath ? mBar.now() : countOf(path), solver->range().total,
-             [solver, handle](double drawn) {
+  mBar.take({labelOf(mSession.scene(), place), handle, place.path == mHeldPath ? mBar.now() : countOf(path),
+             solver->range().total, [solver, handle](double drawn) {
                session::Solved solved = solver->solve(drawn);
                if (handle == Handle::Left)
                  session::holdDrawn(solved.scene, solver->path(), double(solved.reached));

@@ -92,8 +92,9 @@ void HidersBox::addRow(const session::Hider& hider, const scene::ModelLayer& lay
   share->setToolTip(tr("Of the pixels that it would take, %1 are taken by this").arg(hider.pixels));
   line->addWidget(share);
   QString path = QString::fromStdString(hider.path);
-  auto* name = makeSmall(isType ? nameText(session::shortName(hider.path)) : tr("What is no model"),
-                         isType ? readableText(hider.path) : QString(), row);
+  auto* name = makeSmall(
+      isType ? toText(scene::shownName(layer, hider.path, session::shortName(hider.path))) : tr("What is no model"),
+      isType ? readableText(hider.path) : QString(), row);
   name->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   name->setStyleSheet("text-align: left;");
   name->setEnabled(isType);

@@ -9,6 +9,7 @@
 #include "gui/service/SelectedCut.h"
 #include "session/command/Command.h"
 #include "session/command/CutCommands.h"
+#include "session/command/LetteringCommands.h"
 #include "session/command/ModelCommands.h"
 #include "session/membrane/MembraneEdit.h"
 #include "session/model/TypesAt.h"
@@ -130,6 +131,31 @@ void ModelCommands::fillViewMenu(QMenu& menu, const std::string& path) {
   menu.addSeparator();
 }
 
+void ModelCommands::rename(const std::string& path, const QString& name) {
+  session::edit(mDocument, session::RenameType{path, name.toStdString()});
+}
+
+void ModelCommands::listInLegend(const std::vector<std::string>& paths, bool listed) {
+  session::edit(mDocument, session::ListInLegend{paths, listed});
+}
+
+/// What is called how, and what the legend lists.
+void ModelCommands::fillNameMenu(QMenu& menu, const Types& types, const std::string& path) {
+  if (!path.empty())
+    menu.addAction(tr("Rename..."), this, [this, path] { emit renameAsked(QString::fromStdString(path)); })
+        ->setToolTip(tr("Give it the name by which it is shown, in pictures, too (F2)"));
+  std::vector<std::string> paths = path.empty() ? named(types) : std::vector{path};
+  const std::vector<std::string>& entries = mDocument.scene().lettering.entries;
+  bool isListed = std::all_of(paths.begin(), paths.end(), [&](const std::string& one) {
+    return std::find(entries.begin(), entries.end(), one) != entries.end();
+  });
+  QAction* list = menu.addAction(tr("List in legend"), this, [this, paths](bool on) { listInLegend(paths, on); });
+  list->setCheckable(true);
+  list->setChecked(isListed);
+  list->setToolTip(tr("The legend names what is listed; where nothing is, the types that are seen most"));
+  menu.addSeparator();
+}
+
 void ModelCommands::fillGhostMenu(QMenu& menu, const Types& types) {
   QMenu* ghosts = menu.addMenu(tr("Ghosts"));
   ghosts->setToolTipsVisible(true);
@@ -161,6 +187,7 @@ void ModelCommands::fillMenu(QMenu& menu, const Types& types, const QString& tit
   menu.addAction(tr("Go there"), this, [this, types] { goTo(types); })
       ->setToolTip(tr("Bring the camera to its instances"));
   menu.addSeparator();
+  fillNameMenu(menu, types, path);
   fillViewMenu(menu, path);
   fillMembraneMenu(menu, types);
   fillGhostMenu(menu, types);

@@ -35,6 +35,10 @@ class ModelCommands : public QObject {
   void setInView(const std::string& path, bool kept);
   /// Sets how many instances of a type or compartment are to be seen; nothing: any number.
   void setTarget(const std::string& path, std::optional<double> visible);
+  /// @param name  empty: the file's again
+  void rename(const std::string& path, const QString& name);
+  /// Lists types or compartments in the legend, or takes them out of its list.
+  void listInLegend(const std::vector<std::string>& paths, bool listed);
   void setGhosts(const Types& types, std::optional<scene::Ghosts> ghosts);
   /// Adds the entries for one or several types to a menu. @param title  names the types  @param path  of the single
   /// type or compartment that they are; empty: several are meant
@@ -48,6 +52,8 @@ class ModelCommands : public QObject {
   void hidingAsked(const QString& path);
   /// The user wants to say how many instances of a type or compartment are to be seen.
   void targetWanted(const QString& path);
+  /// The user wants to type another name for a type or compartment.
+  void renameAsked(const QString& path);
   /// The user wants all targets to be met: as many instances are to be seen as the targets say.
   void targetsAsked();
 
@@ -55,6 +61,7 @@ class ModelCommands : public QObject {
   std::vector<std::string> named(const Types& types) const;
   void fillMembraneMenu(QMenu& menu, const Types& types);
   void fillViewMenu(QMenu& menu, const std::string& path);
+  void fillNameMenu(QMenu& menu, const Types& types, const std::string& path);
   void fillGhostMenu(QMenu& menu, const Types& types);
   void flyTo(const session::InstancePlace& place);
 

@@ -65,8 +65,15 @@ void ModelDelegate::paint(QPainter* painter, const QStyleOptionViewItem& given, 
 
 QWidget* ModelDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem&, const QModelIndex& index) const {
   auto* field = new QLineEdit(parent);
-  field->setObjectName("modelNumber");
   field->setFrame(false);
+  if (index.column() == ModelTree::Name) {
+    field->setObjectName("modelTypeName");
+    field->setAccessibleName(tr("Name"));
+    field->setToolTip(
+        tr("What it is called from now on; nothing: %1, as in the file").arg(mTree.rowAt(sourceOf(index)).fileName));
+    return field;
+  }
+  field->setObjectName("modelNumber");
   field->setAccessibleName(tr("How many %1 are drawn").arg(mTree.rowAt(sourceOf(index)).name));
   field->setToolTip(tr("A number of instances, or a share: 50, 20 %"));
   return field;
@@ -80,7 +87,8 @@ void ModelDelegate::setEditorData(QWidget* editor, const QModelIndex& index) con
 
 void ModelDelegate::setModelData(QWidget* editor, QAbstractItemModel*, const QModelIndex& index) const {
   auto* field = static_cast<QLineEdit*>(editor);
-  if (field->isModified()) emit typed(index, field->text());
+  if (!field->isModified()) return;
+  index.column() == ModelTree::Name ? emit renamed(index, field->text()) : emit typed(index, field->text());
 }
 
 ModelHeader::ModelHeader(const ModelTree& tree, QWidget* parent) : QHeaderView(Qt::Horizontal, parent), mTree(tree) {}

@@ -7,8 +7,8 @@
 
 namespace velum::gui {
 
-/// Paints the rows of a ModelList: eye, colour, name, bar, number; and makes the field in which a row's number is
-/// typed.
+/// Paints the rows of a ModelList: eye, colour, name, bar, number; and makes the fields in which a row's name and
+/// its number are typed.
 class ModelDelegate : public QStyledItemDelegate {
   Q_OBJECT
  public:
@@ -31,6 +31,8 @@ class ModelDelegate : public QStyledItemDelegate {
  signals:
   /// A number was typed into a row.
   void typed(const QModelIndex& index, const QString& text) const;
+  /// A name was typed into a row.
+  void renamed(const QModelIndex& index, const QString& text) const;
 
  private:
   const ModelTree& mTree;

@@ -40,6 +40,7 @@ ModelList::ModelList(ModelCommands& commands, Equalizer& equalizer, QWidget* par
   setEditTriggers(NoEditTriggers);
   layColumns(kWidths, 12);
   connect(mDelegate, &ModelDelegate::typed, this, &ModelList::setTyped);
+  connect(mDelegate, &ModelDelegate::renamed, this, &ModelList::setName);
   connect(&mEqualizer, &Equalizer::counted, this, &ModelList::showCounts);
   connect(&mEqualizer, &Equalizer::told, this, &ModelList::sayWords);
 }
@@ -73,6 +74,24 @@ void ModelList::setTyped(const QModelIndex& index, const QString& text) {
   auto number = ModelTree::readNumber(text, double(mTree->countOf(row).total()));
   if (!number) return emit refused(tr("\"%1\" is no number of instances and no share, such as 50 or 20 %").arg(text));
   mEqualizer.set(row.path, Equalizer::Handle::Left, *number);
+}
+
+/// Takes the name that was typed into a row; the file's own is no other name.
+void ModelList::setName(const QModelIndex& index, const QString& text) {
+  const TypeTree::Row& row = rowOf(index);
+  QString name = text.simplified();
+  if (name != row.name) mCommands.rename(row.path, name == row.fileName ? QString() : name);
+}
+
+void ModelList::startRename(const std::string& path) {
+  const auto& rows = mTree->rows();
+  auto found = std::find_if(rows.begin(), rows.end(), [&](const TypeTree::Row& row) { return row.path == path; });
+  if (found == rows.end()) return;
+  QModelIndex index = mOrder->mapFromSource(mTree->indexOfRow(int(found - rows.begin()), ModelTree::Name));
+  if (!index.isValid()) return;
+  setCurrentIndex(index);
+  scrollTo(index);
+  edit(index);
 }
 
 /// Opens all of a small tree; of a large one the rows that the search leaves, or the first two levels.
@@ -169,56 +188,6 @@ session::TypeNumbers ModelList::typesFor(const QModelIndex& shown) const {
   return selectionModel()->isRowSelected(shown.row(), shown.parent()) ? selectedTypes() : rowOf(shown).types;
 }
 
-/// The handle nearest to the pointer; of two handles at one place, the one on whose side of it the pointer is.
-Equalizer::Handle ModelList::handleAt(const QModelIndex& index, double x) const {
-  CountBar bar = mDelegate->barOf(rowOf(index), visualRect(index.siblingAtColumn(ModelTree::Bar)));
-  double at = x - bar.box.left(), toSeen = std::abs(at - bar.seen), toLeft = std::abs(at - bar.left);
-  if (toSeen == toLeft) return at < bar.seen ? Equalizer::Handle::Seen : Equalizer::Handle::Left;
-  return toSeen < toLeft ? Equalizer::Handle::Seen : Equalizer::Handle::Left;
-}
-
-bool ModelList::takeHandle(const QModelIndex& index, double x) {
-  const TypeTree::Row& row = rowOf(index);
-  if (mTree->countOf(row).total() == 0) return false;
-  selectRowOf(index, ModelTree::Name);
-  mHeldBar = index;
-  Equalizer::Handle handle = handleAt(index, x);
-  CountBar bar = mDelegate->barOf(row, visualRect(index));
-  mEqualizer.take(row.path, handle);
-  holdKnob(x, bar.box.left() + (handle == Equalizer::Handle::Seen ? bar.seen : bar.left));
-  return true;
-}
-
-void ModelList::dragKnob(double x) {
-  if (!mHeldBar.isValid()) return;
-  const TypeTree::Row& row = rowOf(mHeldBar);
-  CountBar bar = mDelegate->barOf(row, visualRect(QModelIndex(mHeldBar).siblingAtColumn(ModelTree::Bar)));
-  if (bar.box.isEmpty()) return;
-  double total = double(mTree->countOf(row).total());
-  mEqualizer.moveTo(std::round(bar.countAt(x, mTree->scale(), total)));
-}
-
-void ModelList::letKnobGo() {
-  mEqualizer.letGo();
-  mHeldBar = QModelIndex();
-}
-
-void ModelList::giveKnobUp() {
-  mHeldBar = QModelIndex();
-  mEqualizer.giveUp();
-}
-
-void ModelList::stepKnob(int steps, bool isSeen) {
-  if (!currentIndex().isValid()) return;
-  Equalizer::Handle handle = isSeen ? Equalizer::Handle::Seen : Equalizer::Handle::Left;
-  const TypeTree::Row& row = rowOf(currentIndex());
-  Counts count = mTree->countOf(row);
-  if (count.total() == 0) return;
-  double by = std::max(1.0, std::round(kStep * double(count.total()))) * steps;
-  auto now = double(handle == Equalizer::Handle::Left ? count.left() : count.visible());
-  mEqualizer.set(row.path, handle, std::clamp(now + by, 0.0, double(count.total())));
-}
-
 bool ModelList::pressCell(const QModelIndex& index, QMouseEvent* event) {
   if (index.column() == ModelTree::Bar) return takeHandle(index, event->position().x());
   if (index.column() == ModelTree::Eye) {
@@ -265,8 +234,10 @@ void ModelList::mouseDoubleClickEvent(QMouseEvent* event) {
 }
 
 void ModelList::keyPressEvent(QKeyEvent* event) {
-  if (event->key() == Qt::Key_F2 && currentIndex().isValid())
-    return edit(currentIndex().siblingAtColumn(ModelTree::Count));
+  if (event->key() == Qt::Key_F2 && currentIndex().isValid()) {
+    bool isNumber = bool(event->modifiers() & Qt::ShiftModifier);
+    return edit(currentIndex().siblingAtColumn(isNumber ? ModelTree::Count : ModelTree::Name));
+  }
   session::TypeNumbers types = selectedTypes();
   if (!types.empty() && event->key() == Qt::Key_Space) {
     if (event->modifiers() & Qt::AltModifier) return mCommands.toggleSolo(types);

@@ -26,6 +26,8 @@ class ModelList : public BarList {
   session::TypeNumbers listedTypes() const;
   /// The path of the current row; empty: there is none, or it is the row of all types.
   std::string selectedPath() const;
+  /// Opens the field in which a row's name is typed. @param path  of a type or compartment
+  void startRename(const std::string& path);
   /// Selects a type's row and brings it into view; -1 selects nothing.
   void selectType(int type);
   /// Shows bars in percent of each row's own total; false: as numbers on a ruler that all rows share.
@@ -69,6 +71,7 @@ class ModelList : public BarList {
   Equalizer::Handle handleAt(const QModelIndex& index, double x) const;
   bool takeHandle(const QModelIndex& index, double x);
   void setTyped(const QModelIndex& index, const QString& text);
+  void setName(const QModelIndex& index, const QString& text);
   void tellHover(const QModelIndex& index);
 
   ModelCommands& mCommands;

@@ -58,7 +58,8 @@ QWidget* ModelPanel::makeHead() {
   mName = title.name, mShown = title.shown;
   mLegend = new QCheckBox(tr("Legend"), head);
   mLegend->setObjectName("modelLegend");
-  mLegend->setToolTip(tr("Colours and names of the types that are seen most, over the picture"));
+  mLegend->setToolTip(
+      tr("Colours and names of types over the picture, also in files: those that are seen most, or that are listed"));
   title.row->addWidget(mLegend);
   layout->addLayout(title.row);
   mNotes = new QLabel(head);
@@ -251,6 +252,7 @@ void ModelPanel::refresh() {
   showScale(scene);
   mBar->refresh();
   mSteps->showScene(scene);
+  mLegend->setChecked(scene.lettering.legend);
   if (mIsMade && layer == mLayerShown && scene.lighting == mLightShown) return;
   bool isOther = !mIsMade || layer.data != mLayerShown.data;
   mIsMade = true;

@@ -26,7 +26,6 @@ class ModelPanel : public QWidget {
   ModelLookGrid& looks() { return *mLooks; }
   /// The answer to "What hides this?".
   void showHiding(const session::Hiding& hiding);
-  void setLegendShown(bool shown) { mLegend->setChecked(shown); }
 
  signals:
   void legendAsked(bool shown);

@@ -10,6 +10,7 @@
 
 #include "gui/kit/Text.h"
 #include "session/command/Command.h"
+#include "session/command/DocumentCommands.h"
 #include "session/command/ModelCommands.h"
 #include "session/model/CountPictures.h"
 
@@ -20,7 +21,7 @@ ModelRoom::ModelRoom(const WindowParts& parts)
       mCommands(new ModelCommands(parts.document(), parts.selection, this)),
       mEqualizer(new Equalizer(parts.session, parts.views.viewport(), parts.jobs, this)),
       mPanel(new ModelPanel(*mCommands, *mEqualizer, &parts.tabs)),
-      mLegend(parts.document(), parts.views.viewport()),
+      mLettering(parts.document(), parts.views.viewport()),
       mHighlight(parts.views.viewport()) {
   parts.tabs.addPage(mPanel, tr("Model"), tr("Compartments and types of the model, its look"));
   parts.tabs.setPageShown(mPanel, false);
@@ -40,12 +41,17 @@ void ModelRoom::refresh(const session::Session& session) {
   }
   mEqualizer->refresh();
   mPanel->refresh();
+  refreshLettering(session.scene());
 }
 
 void ModelRoom::connectEqualizer() {
   Viewport& viewport = mParts.views.viewport();
   connect(mCommands, &ModelCommands::hidingAsked, this, &ModelRoom::findHiding);
   connect(mCommands, &ModelCommands::targetWanted, this, &ModelRoom::findSeenRange);
+  connect(mCommands, &ModelCommands::renameAsked, this, [this](const QString& path) {
+    mParts.tabs.showPage(mPanel);
+    mPanel->list().startRename(path.toStdString());
+  });
   connect(mCommands, &ModelCommands::targetsAsked, this, &ModelRoom::meetTargets);
   connect(&mPanel->steps(), &EqualizeSteps::asked, this, &ModelRoom::takeStep);
   connect(&mPanel->list(), &ModelList::refused, this, [this](const QString& why) { mParts.messages.showNote(why); });
@@ -83,7 +89,7 @@ void ModelRoom::findHiding(const QString& path) {
   auto hiding = std::make_shared<session::Hiding>();
   auto work = [hiding, scene = mParts.session.scene(), name = path.toStdString(), size = pictureSize()](
                   Progress& progress) { *hiding = session::findHiding(scene, name, size, progress); };
-  mParts.jobs.start(tr("Looking what hides %1").arg(path.section('.', -1)), work, [this, hiding] {
+  mParts.jobs.start(tr("Looking what hides %1").arg(nameOf(path)), work, [this, hiding] {
     if (!mParts.session.scene().model.data) return;
     mParts.tabs.showPage(mPanel);
     mPanel->showHiding(*hiding);
@@ -101,7 +107,8 @@ void ModelRoom::connectViews() {
     const Model& model = *mParts.session.scene().model.data;
     QMenu menu(&mParts.window);
     const MoleculeType& type = model.types[std::size_t(pick.type)];
-    mCommands->fillMenu(menu, {std::uint32_t(pick.type)}, nameText(type.name), pathOf(model, type));
+    mCommands->fillMenu(menu, {std::uint32_t(pick.type)},
+                        typeText(mParts.session.scene().model, std::uint32_t(pick.type)), pathOf(model, type));
     menu.exec(place);
   });
   connect(&viewport, &Viewport::instanceWanted, this,
@@ -111,7 +118,7 @@ void ModelRoom::connectViews() {
       if (mHighlight.takeAway()) mParts.toolbox.repaint(viewport);
       return;
     }
-    bool isOther = mLegend.count();
+    bool isOther = mLettering.count();
     if (mHighlight.look() || isOther) mParts.toolbox.repaint(viewport);
     if (mParts.session.scene().model.data) mPanel->looks().drawPictures();
   });
@@ -122,7 +129,7 @@ void ModelRoom::findSeenRange(const QString& path) {
   auto range = std::make_shared<session::SeenRange>();
   auto work = [range, scene = mParts.session.scene(), name = path.toStdString(), size = pictureSize()](
                   Progress& progress) { *range = session::findSeenRange(scene, name, size, progress); };
-  mParts.jobs.start(tr("Looking how many of %1 can be seen").arg(path.section('.', -1)), work, [this, range, path] {
+  mParts.jobs.start(tr("Looking how many of %1 can be seen").arg(nameOf(path)), work, [this, range, path] {
     // After the job has ended: what is asked for is another.
     QTimer::singleShot(0, this, [this, range, path] { askTarget(path, *range); });
   });
@@ -131,7 +138,7 @@ void ModelRoom::findSeenRange(const QString& path) {
 void ModelRoom::askTarget(const QString& path, const session::SeenRange& range) {
   if (!mParts.session.scene().model.data) return;
   QLocale locale;
-  QString name = path.section('.', -1).replace('_', ' '), text;
+  QString name = nameOf(path), text;
   auto before = session::visibleTarget(mParts.session.scene(), path.toStdString());
   text = locale.toString(qulonglong(before ? std::uint64_t(*before) : range.now));
   QString facts = tr("Of %1 %2, %3 are seen now. At most about %4 can be, where cuts leave all of them.")
@@ -151,6 +158,12 @@ void ModelRoom::askTarget(const QString& path, const session::SeenRange& range) 
     }
     why = tr("\"%1\" is neither a whole number nor a share up to 100 %.").arg(text);
   }
+}
+
+/// The name of a type or compartment as it is shown.
+QString ModelRoom::nameOf(const QString& path) const {
+  return toText(
+      scene::shownName(mParts.session.scene().model, path.toStdString(), path.section('.', -1).toStdString()));
 }
 
 /// Of the view, in pixels.
@@ -181,9 +194,15 @@ void ModelRoom::findType() {
 }
 
 void ModelRoom::showLegend(bool shown) {
-  mLegend.setShown(shown);
-  mLegendAction->setChecked(shown);
-  mPanel->setLegendShown(shown);
+  session::edit(mParts.document(), session::SetField{"lettering.legend", shown ? "true" : "false"});
+}
+
+/// Shows what the scene says of the lettering.
+void ModelRoom::refreshLettering(const scene::Scene& scene) {
+  if (scene.lettering == mWritten && scene.model.types == mNamed) return;
+  mWritten = scene.lettering, mNamed = scene.model.types;
+  mLegendAction->setChecked(scene.lettering.legend);
+  mLettering.count();
   mParts.toolbox.repaint(mParts.views.viewport());
 }
 
@@ -206,9 +225,10 @@ void ModelRoom::addActions() {
                       tr("Set what cuts leave so that of each type as many are seen as is wanted"), [this, hasModel] {
                         if (hasModel()) meetTargets();
                       });
-  mLegendAction = actions.addForScene(menu, "model.legend", tr("Lege&nd"),
-                                      tr("Colours and names of the types that are seen most, over the picture"),
-                                      [this] { showLegend(mLegendAction->isChecked()); });
+  mLegendAction = actions.addForScene(
+      menu, "model.legend", tr("Lege&nd"),
+      tr("Colours and names of types over the picture, also in files: those that are seen most, or that are listed"),
+      [this] { showLegend(mLegendAction->isChecked()); });
   mLegendAction->setCheckable(true);
 }
 

@@ -1,34 +1,37 @@
 #pragma once
 #include "gui/model/Equalizer.h"
-#include "gui/model/Legend.h"
 #include "gui/model/ModelPanel.h"
 #include "gui/model/TypeHighlight.h"
+#include "gui/view/LetteringOverlay.h"
 #include "gui/view/Room.h"
+#include "scene/Scene.h"
 #include "session/model/CountPictures.h"
 
 namespace velum::gui {
 
-/// Models of molecules: their page, their legend, and what a click on an instance does.
+/// Models of molecules: their page, their lettering, and what a click on an instance does.
 class ModelRoom : public Room {
   Q_OBJECT
  public:
   explicit ModelRoom(const WindowParts& parts);
   void refresh(const session::Session&) override;
   ModelCommands& commands() { return *mCommands; }
-  Legend& legend() { return mLegend; }
+  LetteringOverlay& lettering() { return mLettering; }
   Equalizer& equalizer() { return *mEqualizer; }
   TypeHighlight& highlight() { return mHighlight; }
   void findType();
-  /// Adds the legend and the highlight to the toolbox, over the handles that have been added by then.
-  void addLegend() {
+  /// Adds the lettering and the highlight to the toolbox, over the handles that have been added by then.
+  void addLettering() {
     mParts.toolbox.add(mHighlight);
-    mParts.toolbox.add(mLegend);
+    mParts.toolbox.add(mLettering);
   }
 
  private:
   void connectViews();
   void addActions();
   void showLegend(bool shown);
+  void refreshLettering(const scene::Scene& scene);
+  QString nameOf(const QString& path) const;
   void connectEqualizer();
   void takeStep(EqualizeSteps::Step step);
   void findHiding(const QString& path);
@@ -40,9 +43,11 @@ class ModelRoom : public Room {
   ModelCommands* mCommands;
   Equalizer* mEqualizer;
   ModelPanel* mPanel;
-  Legend mLegend;
+  LetteringOverlay mLettering;
   TypeHighlight mHighlight;
   QAction* mLegendAction = nullptr;
+  scene::Lettering mWritten;            ///< what the view and the actions show
+  std::vector<scene::TypeLook> mNamed;  ///< by which names and colours
   bool mHadModel = false;
 };
 

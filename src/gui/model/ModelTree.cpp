@@ -49,6 +49,7 @@ void ModelTree::showLayer(const scene::ModelLayer& layer) {
     mColors.push_back(QColor::fromRgbF(color.r, color.g, color.b));
   }
   setModel(layer.data);
+  showNames(layer);
   if (!rows().empty()) mScale.most = double(rows().front().instances) * scene::copyCount(layer);
   if (!isOther) tellCells(Eye, Count, {VisibleRole, ColorRole, HeldRole, Qt::AccessibleTextRole});
 }
@@ -161,15 +162,18 @@ QString ModelTree::tipOf(const Row& row, int column) const {
   if (column == Swatch && row.isType) return tr("Click to choose another colour");
   if (column == Bar || column == Count) {
     QString held = session::isHeld(mLayer, row.path) ? "\n" + heldText(row.path) : QString();
-    QString how = column == Bar ? tr("Drag the right knob to set how many are drawn, the left one how many are seen "
-                                     "(Ctrl+Right, Ctrl+Left; with Shift: seen)")
-                                : tr("How many are drawn: double-click or F2 to type another number, or a share in %");
+    QString how = column == Bar
+                      ? tr("Drag the right knob to set how many are drawn, the left one how many are seen "
+                           "(Ctrl+Right, Ctrl+Left; with Shift: seen)")
+                      : tr("How many are drawn: double-click or Shift+F2 to type another number, or a share in %");
     Counts count = countOf(row);
     return (count.total() > 0 ? describe(count) + "\n" + how : how) + held;
   }
-  if (row.isType) return QString("%1\n%2").arg(readableText(row.path), describe(model()->types[row.number]));
+  QString path = readableText(row.path);
+  if (row.name != row.fileName && row.parent >= 0) path = tr("%1, in the file %2").arg(row.name, path);
+  if (row.isType) return QString("%1\n%2").arg(path, describe(model()->types[row.number]));
   return QString("%1\n%2\n%3")
-      .arg(readableText(row.path), tr("%1 instances of %2 types").arg(numberText(row.instances)).arg(row.types.size()),
+      .arg(path, tr("%1 instances of %2 types").arg(numberText(row.instances)).arg(row.types.size()),
            row.mass > 0.0 ? tr("%1 in all").arg(massText(row.mass)) : tr("mass unknown"));
 }
 
@@ -218,7 +222,7 @@ QVariant ModelTree::headerData(int section, Qt::Orientation orientation, int rol
 
 Qt::ItemFlags ModelTree::flags(const QModelIndex& index) const {
   Qt::ItemFlags flags = TypeTree::flags(index);
-  return index.column() == Count ? flags | Qt::ItemIsEditable : flags;
+  return index.column() == Count || index.column() == Name ? flags | Qt::ItemIsEditable : flags;
 }
 
 }  // namespace velum::gui

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "gui/kit/Text.h"
+#include "scene/ModelLayer.h"
 
 namespace velum::gui {
 
@@ -29,8 +30,22 @@ bool TypeTree::setModel(const Shared<Model>& model) {
   return true;
 }
 
+bool TypeTree::showNames(const scene::ModelLayer& layer) {
+  bool isOther = false;
+  for (Row& row : mRows) {
+    std::string own = scene::ownName(layer, row.path);
+    QString name = own.empty() ? row.fileName : toText(own);
+    if (name == row.name) continue;
+    row.name = name;
+    isOther = true;
+  }
+  if (isOther) tellCells(mNameColumn, mNameColumn, {Qt::DisplayRole, NameRole, Qt::ToolTipRole});
+  return isOther;
+}
+
 int TypeTree::addRow(Row row) {
   int at = int(mRows.size());
+  row.fileName = row.name;
   if (row.parent >= 0) {
     Row& parent = mRows[std::size_t(row.parent)];
     row.place = int(parent.children.size());
@@ -111,6 +126,8 @@ QVariant TypeTree::data(const QModelIndex& index, int role) const {
       return index.column() == mNameColumn ? QVariant(row.name) : QVariant();
     case NameRole:
       return row.name;
+    case FileNameRole:
+      return row.fileName;
     case CountRole:
       return qulonglong(row.instances);
     case MassRole:
@@ -172,9 +189,10 @@ bool TypeOrder::filterAcceptsRow(int row, const QModelIndex& parent) const {
   QModelIndex index = sourceModel()->index(row, 0, parent);
   if (!isAsAsked(index)) return false;
   if (mWords.isEmpty()) return true;
-  QString name = index.data(TypeTree::NameRole).toString();
-  return std::all_of(mWords.begin(), mWords.end(),
-                     [&](const QString& word) { return name.contains(word, Qt::CaseInsensitive); });
+  QString own = index.data(TypeTree::NameRole).toString(), inFile = index.data(TypeTree::FileNameRole).toString();
+  return std::all_of(mWords.begin(), mWords.end(), [&](const QString& word) {
+    return own.contains(word, Qt::CaseInsensitive) || inFile.contains(word, Qt::CaseInsensitive);
+  });
 }
 
 bool TypeOrder::lessThan(const QModelIndex& left, const QModelIndex& right) const {

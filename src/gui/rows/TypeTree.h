@@ -9,6 +9,7 @@
 #include "core/Counts.h"
 #include "core/Model.h"
 #include "core/Shared.h"
+#include "scene/SceneFwd.h"
 
 namespace velum::gui {
 
@@ -19,6 +20,7 @@ class TypeTree : public QAbstractItemModel {
  public:
   enum Role {
     NameRole = Qt::UserRole,
+    FileNameRole,
     CountRole,
     MassRole,
     IsTypeRole,
@@ -34,7 +36,8 @@ class TypeTree : public QAbstractItemModel {
     int place = 0;             ///< among the parent's children
     std::vector<int> children;
     std::string path;
-    QString name;
+    QString name;                      ///< as it is shown: the author's or the file's
+    QString fileName;                  ///< as it is shown where the author says nothing
     std::uint64_t instances = 0;       ///< of all types below
     double mass = 0.0;                 ///< of one instance, dalton; for a compartment: of all its instances
     std::vector<std::uint32_t> types;  ///< the row's own type and those of all rows below, ascending
@@ -44,6 +47,8 @@ class TypeTree : public QAbstractItemModel {
 
   /// @return true when the model is another than before
   bool setModel(const Shared<Model>& model);
+  /// Calls the rows as a layer of this model does. @return true when some row has another name than before
+  bool showNames(const scene::ModelLayer& layer);
   const Shared<Model>& model() const { return mModel; }
   const std::vector<Row>& rows() const { return mRows; }
   const Row& rowAt(const QModelIndex& index) const { return mRows[std::size_t(index.internalId())]; }
@@ -70,7 +75,8 @@ class TypeTree : public QAbstractItemModel {
   std::vector<int> mRowOfType;  ///< by type
 };
 
-/// Sorts, filters and searches the rows of a TypeTree: a search leaves the rows whose name holds all words, and the
+/// Sorts, filters and searches the rows of a TypeTree: a search leaves the rows whose name, the author's
+/// or the file's, holds all words, and the
 /// rows above and below them. The rows' counts are read only when a key or a filter is chosen, and by look(), so that
 /// rows do not jump while a bar is dragged.
 class TypeOrder : public QSortFilterProxyModel {

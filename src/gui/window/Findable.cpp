@@ -81,8 +81,12 @@ void addStructures(const WindowParts& parts, Findables& found) {
 
 void addTypes(const WindowParts& parts, Findables& found) {
   const auto& model = parts.session.scene().model.data;
-  for (int i = 0; model && i < int(model->types.size()); ++i)
-    found.push_back({Room::tr("Type") + " > " + readableText(model->types[std::size_t(i)].name),
+  for (int i = 0; model && i < int(model->types.size()); ++i) {
+    // By both names, as people may know the one or the other.
+    QString name = typeText(parts.session.scene().model, std::uint32_t(i)),
+            inFile = readableText(model->types[std::size_t(i)].name);
+    if (name != QString(inFile).replace('_', ' ')) name += QString(" (%1)").arg(inFile);
+    found.push_back({Room::tr("Type") + " > " + name,
                      {},
                      Room::tr("Select this molecular type"),
                      true,
@@ -91,6 +95,7 @@ void addTypes(const WindowParts& parts, Findables& found) {
                        parts.selection.setType(i);
                        parts.actions.find("model.list")->trigger();
                      }});
+  }
 }
 
 }  // namespace

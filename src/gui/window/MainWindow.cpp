@@ -83,7 +83,7 @@ void MainWindow::buildRooms() {
 
 /// Connects what one room asks for to the room that does it.
 void MainWindow::connectRooms() {
-  mModels->addLegend();
+  mModels->addLettering();
   connect(mFrame.empty, &EmptyState::openFiles, this, [this] { mFiles->askOpen(false); });
   connect(mFrame.empty, &EmptyState::openFolder, mFiles, &FileCommands::askOpenFolder);
   connect(mFrame.empty, &EmptyState::openSample, mLoads, &FileLoads::openSample);

@@ -18,10 +18,13 @@ namespace {
 QString instanceText(const scene::Scene& scene, const render::Pick& pick) {
   auto place = pick.type >= 0 ? session::instancePlace(scene, pick.modelInstance) : std::nullopt;
   if (!place) return {};
-  const MoleculeType& type = scene.model.data->types[place->type];
-  const Compartment& compartment = scene.model.data->compartments[type.compartment];
-  QString text = "    " + readableText(type.name);
-  if (compartment.parent >= 0) text += StatusLine::tr(" in %1").arg(readableText(compartment.name));
+  const Model& model = *scene.model.data;
+  const MoleculeType& type = model.types[place->type];
+  const Compartment& compartment = model.compartments[type.compartment];
+  QString text = "    " + typeText(scene.model, place->type);
+  if (compartment.parent >= 0)
+    text += StatusLine::tr(" in %1").arg(
+        toText(scene::shownName(scene.model, session::compartmentPath(model, type.compartment), compartment.name)));
   return text + StatusLine::tr(", %1 of %2").arg(place->ofType + 1).arg(type.instanceCount);
 }
 

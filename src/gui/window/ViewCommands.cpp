@@ -9,6 +9,8 @@
 #include "gui/view/SideNames.h"
 #include "gui/view/ViewChange.h"
 #include "scene/VisibleFrame.h"
+#include "session/command/Command.h"
+#include "session/command/DocumentCommands.h"
 
 namespace velum::gui {
 
@@ -51,6 +53,13 @@ ViewCommands::ViewCommands(const WindowParts& parts)
                                              [this] { resetCamera(mParts.document(), mParts.views.viewport()); });
   reset->setIconText(tr("Reset"));
   addCube(menu);
+  mScaleBar = parts.actions.addForScene(
+      menu, "view.scaleBar", tr("Scale &bar"),
+      tr("A bar that says how long things are, over the picture, also in files"), [this] {
+        session::edit(mParts.document(),
+                      session::SetField{"lettering.scaleBar", mScaleBar->isChecked() ? "true" : "false"});
+      });
+  mScaleBar->setCheckable(true);
   menu->addSeparator();
   addLayouts(menu);
   menu->addSeparator();
@@ -158,6 +167,7 @@ void ViewCommands::refresh(const session::Session& session) {
   }
   mTypeWindow->setEnabled(volume && !volume->isColor && scene.sections.layout != scene::Layout::Volume);
   mProjection->setChecked(scene.camera.projection == scene::Projection::Orthographic);
+  mScaleBar->setChecked(scene.lettering.scaleBar);
 }
 
 }  // namespace velum::gui

@@ -21,7 +21,7 @@ class ViewCommands : public Room {
   void addCube(QMenu* menu);
   void addGreyWindows(QMenu* menu);
 
-  QAction *mProjection = nullptr, *mAxes = nullptr;
+  QAction *mProjection = nullptr, *mAxes = nullptr, *mScaleBar = nullptr;
   QList<QAction*> mDirections;  ///< in the order of their table
   QActionGroup* mLayouts;
   QList<QAction*> mWindows;  ///< In the order of scene::greyWindows().

@@ -17,9 +17,10 @@ namespace {
 
 std::vector<Command> allCommands() {
   std::vector<Command> all;
-  for (auto rows : {detail::documentCommands(), detail::viewCommands(), detail::cutCommands(),
-                    detail::membraneCommands(), detail::extrusionCommands(), detail::growthCommands(),
-                    detail::structureCommands(), detail::lookCommands(), detail::modelCommands()})
+  for (auto rows :
+       {detail::documentCommands(), detail::viewCommands(), detail::cutCommands(), detail::membraneCommands(),
+        detail::extrusionCommands(), detail::growthCommands(), detail::structureCommands(), detail::lookCommands(),
+        detail::modelCommands(), detail::letteringCommands()})
     all.insert(all.end(), rows.begin(), rows.end());
   return all;
 }

@@ -203,6 +203,7 @@ std::vector<Command> structureCommands();
 std::vector<Command> cutCommands();
 std::vector<Command> lookCommands();
 std::vector<Command> modelCommands();
+std::vector<Command> letteringCommands();
 std::vector<Command> extrusionCommands();
 std::vector<Command> growthCommands();
 std::vector<Command> membraneCommands();

@@ -46,10 +46,9 @@ TypeNumbers typeNumbers(const scene::Scene& scene, const std::vector<std::string
   return numbers;
 }
 
-std::string rowsLabel(const std::vector<std::string>& paths) {
+std::string rowsLabel(const scene::Scene& scene, const std::vector<std::string>& paths) {
   if (paths.size() != 1) return fmt::format("{} rows", paths.size());
-  std::size_t dot = paths[0].rfind('.');
-  return dot == std::string::npos ? "all types" : paths[0].substr(dot + 1);
+  return paths[0].find('.') == std::string::npos ? "all types" : nameAt(scene, paths[0]);
 }
 
 namespace detail {
@@ -91,7 +90,7 @@ std::vector<std::string> setDrawn(Scene& scene, const SetDrawn& a) {
   return {solved.words};
 }
 
-void solo(Scene& scene, const SoloTypes& a) {
+void soloTypes(Scene& scene, const SoloTypes& a) {
   TypeSoloMemory memory;
   if (!a.shown.empty() && scene.model.data) {
     std::vector<bool> now = visibleTypes(scene.model);
@@ -174,7 +173,7 @@ std::vector<Command> lookRows() {
             TypeNumbers types = typeNumbers(scene, a.types);
             return typesLabel(scene, isSolo(scene, types) ? "End solo of" : "Solo", types);
           },
-          solo),
+          soloTypes),
       editRow<ProtectTypes>(
           "Lets a membrane's sheet go around types of a model, or draws it to them.", "model.protect root.capsid 60",
           [](const Scene& scene, const ProtectTypes& a) {
@@ -190,8 +189,8 @@ std::vector<Command> numberRows() {
   return {
       editRow<SetTypeTarget>(
           "Says how many instances of a type or compartment are to be seen.", "model.target root.blood.albumin 400",
-          [](const Scene&, const SetTypeTarget& a) {
-            return fmt::format("Number of {} to be seen", shortName(a.type));
+          [](const Scene& scene, const SetTypeTarget& a) {
+            return fmt::format("Number of {} to be seen", nameAt(scene, a.type));
           },
           [](Scene& scene, const SetTypeTarget& a) {
             if (a.isAny) return setVisibleTarget(scene, a.type, std::nullopt);
@@ -201,12 +200,15 @@ std::vector<Command> numberRows() {
                            "model.meetTargets 1920x1080", "Meet numbers to be seen", meetTargets),
       editRow<LetSee>(
           "Lets cuts leave so many instances of a type that a number of them is seen.", "model.letSee root.capsid 200",
-          [](const Scene&, const LetSee& a) { return fmt::format("Number of {} to be seen", shortName(a.type)); },
+          [](const Scene& scene, const LetSee& a) {
+            return fmt::format("Number of {} to be seen", nameAt(scene, a.type));
+          },
           letSee),
       editRow<SetDrawn>(
           "Lets cuts leave so many instances of a type or compartment; its number stays when that of its group is set.",
           "model.setDrawn root.capsid 20%",
-          [](const Scene&, const SetDrawn& a) { return fmt::format("Set number of {}", shortName(a.type)); }, setDrawn),
+          [](const Scene& scene, const SetDrawn& a) { return fmt::format("Set number of {}", nameAt(scene, a.type)); },
+          setDrawn),
       editRow<LetFollow>(
           "Forgets the numbers of types: they follow those of their group.", "model.letFollow root.capsid",
           [](const Scene& scene, const LetFollow& a) {
@@ -236,14 +238,14 @@ std::vector<Command> leaveRows() {
           }),
       editRow<LeaveTypesBy>(
           "Sets how a cut leaves the instances of types.", "model.leaveBy root.blood falloff 20",
-          [](const Scene&, const LeaveTypesBy& a) {
-            return (a.field == "share" ? "Leave of " : "Change " + a.field + " of ") + rowsLabel(a.types);
+          [](const Scene& scene, const LeaveTypesBy& a) {
+            return (a.field == "share" ? "Leave of " : "Change " + a.field + " of ") + rowsLabel(scene, a.types);
           },
           leaveBy),
       editRow<LeaveAsAbove>(
           "Lets a cut leave of types what it leaves of the compartment that they are in.",
           "model.leaveAsAbove root.blood",
-          [](const Scene&, const LeaveAsAbove& a) { return "Leave " + rowsLabel(a.types) + " as above"; },
+          [](const Scene& scene, const LeaveAsAbove& a) { return "Leave " + rowsLabel(scene, a.types) + " as above"; },
           [](Scene& scene, const LeaveAsAbove& a) {
             typeNumbers(scene, a.types);  // says which are none
             for (const auto& path : a.types) {
@@ -258,8 +260,8 @@ std::vector<Command> leaveRows() {
                              [](Scene& scene, const ShowUnthinned&) { showCut(scene); }),
       editRow<KeepInView>(
           "Clears away what hides a type or compartment, or lets it be hidden again.", "model.keepInView root.capsid",
-          [](const Scene&, const KeepInView& a) {
-            std::string name(shortName(a.type));
+          [](const Scene& scene, const KeepInView& a) {
+            std::string name = nameAt(scene, a.type);
             return a.kept ? "Keep " + name + " in view" : "Let " + name + " be hidden";
           },
           [](Scene& scene, const KeepInView& a) {

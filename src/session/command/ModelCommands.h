@@ -18,7 +18,7 @@ std::vector<std::string> typeNames(const scene::Scene& scene, const TypeNumbers&
 TypeNumbers typeNumbers(const scene::Scene& scene, const std::vector<std::string>& names);
 
 /// How the name of a step calls rows of a list of types and compartments: "capsid", "all types", "3 rows".
-std::string rowsLabel(const std::vector<std::string>& paths);
+std::string rowsLabel(const scene::Scene& scene, const std::vector<std::string>& paths);
 
 inline constexpr FieldInfo kTypesInfo{"", {}, "Paths of types or compartments, with commas between them."};
 

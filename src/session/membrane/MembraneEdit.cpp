@@ -112,7 +112,7 @@ std::vector<scene::Structure> protectableStructures(const scene::Scene& scene) {
   for (std::size_t t = 0; t < model.types.size(); ++t) {
     scene::Structure& type = types.emplace_back();
     type.id = int(t) + 1;
-    type.name = model.types[t].name;
+    type.name = scene::shownName(scene.model, pathOf(model, model.types[t]), model.types[t].name);
     type.color = colors[t];
   }
   return types;

@@ -70,15 +70,20 @@ void addBar(std::string& svg, const CountRow& row, double y) {
 
 }  // namespace
 
-std::vector<CountRow> countRows(const Model& model, const std::vector<Counts>& types) {
+std::vector<CountRow> countRows(const scene::ModelLayer& layer, const std::vector<Counts>& types) {
+  const Model& model = *layer.data;
+  auto named = [&](CountRow row) {
+    if (std::string own = scene::ownName(layer, row.path); !own.empty()) row.name = own;
+    return row;
+  };
   std::vector<Counts> compartments = render::countCompartments(model, types);
   std::vector<CountRow> rows;
   std::function<void(std::uint32_t, int)> add = [&](std::uint32_t compartment, int depth) {
-    rows.push_back({compartmentPath(model, compartment), model.compartments[compartment].name, true, depth,
-                    compartments[compartment]});
+    rows.push_back(named({compartmentPath(model, compartment), model.compartments[compartment].name, true, depth,
+                          compartments[compartment]}));
     for (std::uint32_t t = 0; t < model.types.size(); ++t)
       if (model.types[t].compartment == compartment)
-        rows.push_back({pathOf(model, model.types[t]), model.types[t].name, false, depth + 1, types[t]});
+        rows.push_back(named({pathOf(model, model.types[t]), model.types[t].name, false, depth + 1, types[t]}));
     for (std::uint32_t c = compartment + 1; c < model.compartments.size(); ++c)
       if (model.compartments[c].parent == std::int32_t(compartment)) add(c, depth + 1);
   };

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "render/Counts.h"
+#include "scene/SceneFwd.h"
 
 namespace velum::session {
 
@@ -15,8 +16,9 @@ struct CountRow {
   Counts count;
 };
 
-/// Rows for all compartments and types, in the order of the tree: a compartment, its types, the compartments in it.
-std::vector<CountRow> countRows(const Model& model, const std::vector<Counts>& types);
+/// Rows for all compartments and types of a layer's model, in the order of the tree: a compartment, its types, the
+/// compartments in it. They have the names that the author gave, else the file's.
+std::vector<CountRow> countRows(const scene::ModelLayer& layer, const std::vector<Counts>& types);
 
 /// One line for each row: kind, path, name, the numbers of kCountKinds, total. The bars of a picture for tables and
 /// plots.

@@ -82,7 +82,7 @@ void writeBars(const scene::Scene& scene, glm::ivec2 size, const std::filesystem
   render::Renderer renderer(*context);
   PictureCounter counter(renderer, size, context->limits(), progress);
   const Model& model = *scene.model.data;
-  std::vector<CountRow> rows = countRows(model, render::countTypes(model, counter.count(scene)));
+  std::vector<CountRow> rows = countRows(scene.model, render::countTypes(model, counter.count(scene)));
   std::string title = fmt::format("{}, {} x {} pixels", model.name, size.x, size.y);
   replaceFile(path, extension == ".svg" ? countsSvg(rows, title) : countsCsv(rows));
 }

@@ -7,6 +7,7 @@
 #include "core/Error.h"
 #include "core/Text.h"
 #include "scene/Scene.h"
+#include "scene/Shown.h"
 #include "session/model/TypesAt.h"
 
 namespace velum::session {

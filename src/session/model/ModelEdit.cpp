@@ -9,6 +9,7 @@
 #include "core/Units.h"
 #include "scene/Scene.h"
 #include "scene/Shown.h"
+#include "session/model/TypesAt.h"
 
 namespace velum::session {
 
@@ -85,8 +86,33 @@ std::vector<bool> ownColors(const scene::ModelLayer& layer) {
 
 std::string typesLabel(const scene::Scene& scene, std::string_view verb, const TypeNumbers& types) {
   bool isOne = types.size() == 1 && scene.model.data && types[0] < scene.model.data->types.size();
-  if (isOne) return fmt::format("{} {}", verb, scene.model.data->types[types[0]].name);
+  if (isOne) {
+    const MoleculeType& type = scene.model.data->types[types[0]];
+    std::string own = scene::ownName(scene.model, pathOf(*scene.model.data, type));
+    return fmt::format("{} {}", verb, own.empty() ? type.name : own);
+  }
   return fmt::format("{} {} types", verb, types.size());
+}
+
+std::string nameAt(const scene::Scene& scene, std::string_view path) {
+  std::string own = scene::ownName(scene.model, path);
+  return own.empty() ? std::string(shortName(path)) : own;
+}
+
+void rename(scene::Scene& scene, std::string_view path, std::string_view name) {
+  std::vector<scene::TypeLook>& looks = scene.model.types;
+  auto found = std::find_if(looks.begin(), looks.end(), [&](const auto& look) { return look.type == path; });
+  if (found == looks.end()) found = looks.insert(looks.end(), {.type = std::string(path)});
+  found->name = name;
+  std::erase_if(looks, saysNothing);
+}
+
+void listInLegend(scene::Scene& scene, const std::vector<std::string>& paths, bool listed) {
+  std::vector<std::string>& entries = scene.lettering.entries;
+  for (const std::string& path : paths) {
+    std::erase(entries, path);
+    if (listed) entries.push_back(path);
+  }
 }
 
 void setTypesVisible(scene::Scene& scene, const TypeNumbers& types, bool visible) {
@@ -166,7 +192,7 @@ std::optional<double> visibleTarget(const scene::Scene& scene, std::string_view 
 }
 
 void resetTypes(scene::Scene& scene, const TypeNumbers& types) {
-  changeLooks(scene, types, [](scene::TypeLook& look) { look = {.type = look.type}; });
+  changeLooks(scene, types, [](scene::TypeLook& look) { look = {.type = look.type, .name = look.name}; });
 }
 
 bool isSolo(const scene::Scene& scene, const TypeNumbers& types) {

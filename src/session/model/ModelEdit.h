@@ -25,6 +25,10 @@ std::vector<bool> visibleTypes(const scene::ModelLayer& layer);
 /// Which types have a colour of their own rather than the palette's, by their places in the model.
 std::vector<bool> ownColors(const scene::ModelLayer& layer);
 
+/// How words about a scene call a type or compartment: as its author does (scene::ownName()), else by the last name of
+/// its path.
+std::string nameAt(const scene::Scene& scene, std::string_view path);
+
 /// The name of an undo step: "Hide CA", "Hide 3 types".
 std::string typesLabel(const scene::Scene& scene, std::string_view verb, const TypeNumbers& types);
 
@@ -35,6 +39,10 @@ void setTypesVisible(scene::Scene& scene, const TypeNumbers& types, bool visible
 void setTypesColor(scene::Scene& scene, const TypeNumbers& types, std::optional<glm::vec3> color);
 /// How the types' instances are shown where cuts have removed them. @param ghosts  none: as the layer says
 void setTypesGhosts(scene::Scene& scene, const TypeNumbers& types, std::optional<scene::Ghosts> ghosts);
+/// Gives a type or compartment another name. @param name  empty: the file's again
+void rename(scene::Scene& scene, std::string_view path, std::string_view name);
+/// Lists types or compartments in the legend, or takes them out of its list. @param paths  each gets an entry
+void listInLegend(scene::Scene& scene, const std::vector<std::string>& paths, bool listed);
 /// Sets how many instances of a type or compartment are to be seen, in the place of a number that was to be drawn.
 /// @param visible  none: any number will do, drawn or seen
 void setVisibleTarget(scene::Scene& scene, std::string_view path, std::optional<double> visible);
@@ -55,7 +63,7 @@ bool isWithin(std::string_view path, std::string_view compartment);
 /// The types and compartments within a compartment whose numbers a hand has set, without those that are within another
 /// of these; in the order of the scene's list.
 std::vector<std::string> heldWithin(const scene::Scene& scene, std::string_view path);
-/// Forgets what the scene says of the types: they are shown, in the palette's colours.
+/// Forgets how types look: they are shown, in the palette's colours. Their names stay.
 void resetTypes(scene::Scene& scene, const TypeNumbers& types);
 
 /// What was shown before some types were shown alone. Passing state.

@@ -77,11 +77,11 @@ std::uint64_t drawnOf(const std::vector<Held>& held) {
 }
 
 /// What became of numbers that hands had set. @param drawn  what is drawn of them now
-std::string heldWords(const std::vector<Held>& held, std::uint64_t drawn) {
+std::string heldWords(const scene::Scene& scene, const std::vector<Held>& held, std::uint64_t drawn) {
   if (held.empty()) return {};
   bool isOne = held.size() == 1;
   std::string what =
-      isOne ? fmt::format("the number of {}", shortName(held[0].path)) : fmt::format("{} numbers", held.size());
+      isOne ? fmt::format("the number of {}", nameAt(scene, held[0].path)) : fmt::format("{} numbers", held.size());
   if (drawn < drawnOf(held))
     return fmt::format("; {} set by hand {} down, to {}", what, isOne ? "goes" : "go", countText(drawn));
   return fmt::format("; {} set by hand {}", what, isOne ? "stays" : "stay");
@@ -149,16 +149,16 @@ std::string RenderedSolver::Impl::words(const Solved& solved, std::uint64_t draw
   const scene::Scene& scene = first().scene;
   CountRange all = wholeRange();
   std::string left =
-      fmt::format("{} of {} {} drawn", countText(solved.reached), countText(all.total), shortName(place.path));
+      fmt::format("{} of {} {} drawn", countText(solved.reached), countText(all.total), nameAt(scene, place.path));
   if (solved.wanted != solved.reached && all.most == 0) {
     std::vector<bool> shown = visibleTypes(scene.model);
     bool isShown = std::any_of(place.types.begin(), place.types.end(), [&](auto type) { return shown[type]; });
-    if (!isShown || !scene.model.visible) return fmt::format("{} is not shown", shortName(place.path));
+    if (!isShown || !scene.model.visible) return fmt::format("{} is not shown", nameAt(scene, place.path));
   }
   DialReasons reasons{"no cut is on whose share could be set", "these lie outside of the cuts",
                       held.empty() ? "other cuts take the rest, or these spare none of it"
                                    : "other cuts take the rest, or numbers set by hand hold it back"};
-  return wordsFor(solved, all, left, countText(solved.wanted), reasons) + heldWords(held, drawn);
+  return wordsFor(solved, all, left, countText(solved.wanted), reasons) + heldWords(scene, held, drawn);
 }
 
 Solved RenderedSolver::Part::solve(std::uint64_t wanted) const {

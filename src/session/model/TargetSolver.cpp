@@ -298,7 +298,7 @@ void TargetSolver::take(const render::InstanceBits& bits) {
 }
 
 std::string TargetSolver::Impl::wordsOf(const Goal& goal, const TargetReport& report) const {
-  std::string_view name = shortName(goal.place.path);
+  std::string name = nameAt(scene, goal.place.path);
   std::string words;
   auto add = [&](const std::string& more) { words += (words.empty() ? "" : "; ") + more; };
   if (goal.rendered) {

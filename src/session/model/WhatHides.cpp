@@ -40,8 +40,8 @@ std::vector<bool> clearedInstances(const scene::Scene& scene, double aspect) {
 
 std::string percent(double share) { return fmt::format("{:.0f} %", 100.0 * share); }
 
-std::string wordsOf(const Hiding& hiding) {
-  std::string_view name = shortName(hiding.path);
+std::string wordsOf(const scene::Scene& scene, const Hiding& hiding) {
+  std::string name = nameAt(scene, hiding.path);
   if (hiding.pixels == 0) return fmt::format("{} is not drawn, or outside of the picture", name);
   if (hiding.seen == hiding.pixels) return fmt::format("nothing hides {}", name);
   std::string words =
@@ -49,7 +49,7 @@ std::string wordsOf(const Hiding& hiding) {
   for (std::size_t i = 0; i < std::min<std::size_t>(3, hiding.hiders.size()); ++i) {
     const Hider& hider = hiding.hiders[i];
     words += fmt::format("{} {} by {}", i == 0 ? ":" : ",", percent(hider.share),
-                         hider.path.empty() ? "what is no model" : shortName(hider.path));
+                         hider.path.empty() ? "what is no model" : nameAt(scene, hider.path));
   }
   if (hiding.hiders.size() > 3) words += fmt::format(", the rest by {} more", hiding.hiders.size() - 3);
   return words;
@@ -101,7 +101,7 @@ Hiding whatHides(const scene::Scene& scene, std::string_view path, const Image& 
     hiding.hiders.push_back({hider, count, double(count) / double(hiding.pixels)});
   std::stable_sort(hiding.hiders.begin(), hiding.hiders.end(),
                    [](const Hider& a, const Hider& b) { return a.pixels > b.pixels; });
-  hiding.words = wordsOf(hiding);
+  hiding.words = wordsOf(scene, hiding);
   return hiding;
 }
 
@@ -118,7 +118,7 @@ int clearTheWay(scene::Scene& scene, std::string_view path) {
   auto found = std::find_if(scene.cuts.begin(), scene.cuts.end(), clears);
   if (found == scene.cuts.end()) {
     scene::Cut cut = makeCut(scene, scene::CutShape::Everywhere);
-    cut.name = fmt::format("Way to {}", shortName(place.path));
+    cut.name = fmt::format("Way to {}", nameAt(scene, place.path));
     cut.model.focus.emplace();
     int id = scene::addCut(scene, std::move(cut));
     found = scene.cuts.begin() + scene::cutPlace(scene, id);

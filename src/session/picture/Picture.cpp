@@ -16,6 +16,7 @@
 #include "render/section/SectionImage.h"
 #include "scene/Shown.h"
 #include "session/document/Open.h"
+#include "session/lettering/Lettering.h"
 #include "session/picture/Cryptomatte.h"
 #include "session/picture/LayerPictures.h"
 
@@ -108,8 +109,17 @@ Image drawPicture(render::Renderer& renderer, const scene::Scene& scene, const P
   frame.pictureSize = options.size;
   render::Layers layers;
   if (options.layers) layers = {true, true, true, true, true, bool(scene.model.data)};
+  bool hasLegend = scene.lettering.legend && scene.model.data;
+  layers.type = layers.type || hasLegend;
   int window = std::min(4096, limits.texture2d);
   Image image = render::renderPicture(renderer, frame, layers, window, progress);
+  TypePixels types = hasLegend ? countPixels(image, scene.model.data->types.size()) : TypePixels{};
+  layMarks(letteringMarks(frame.scene, options.size, types), image);
+  if (hasLegend && !options.layers) {
+    std::vector<std::string> asked = image.channels;
+    std::erase(asked, "type");
+    image = channelsOf(image, asked);
+  }
   if (!options.layers || !hasInlayLayers(frame.scene)) return image;
   // As they were drawn: what is put together elsewhere is finished there.
   frame.scene.background.transparent = true;

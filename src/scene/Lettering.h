@@ -1,0 +1,47 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "core/Fields.h"
+
+namespace velum::scene {
+
+enum class Corner { TopLeft, TopRight, BottomLeft, BottomRight };
+
+/// Most entries of a legend that a scene may list.
+constexpr std::size_t kMostLegendEntries = 200;
+
+/// What is written over a picture of the data: a legend of a model's types, and a scale bar.
+struct Lettering {
+  bool legend = false;
+  std::vector<std::string> entries;  ///< paths of types and compartments; empty: the types that are seen most
+  Corner legendCorner = Corner::TopLeft;
+  bool scaleBar = false;
+  Corner scaleBarCorner = Corner::BottomRight;
+  double textSize = 18.0;  ///< of the letters (their em), pixels of a picture of 1000 rows, 4..100
+  bool operator==(const Lettering&) const = default;
+  static void fields(auto& o, auto& visit) {
+    visit("legend", o.legend, FieldInfo{"", {}, "On: colours and names of a model's types over the picture."});
+    visit("entries", o.entries,
+          FieldInfo{"",
+                    {},
+                    "What the legend names, in this order: paths of types, and of compartments as one entry each; "
+                    "empty: the types that are seen most.",
+                    true,
+                    false,
+                    kMostLegendEntries});
+    visit("legendCorner", o.legendCorner, FieldInfo{"", {}, "Where the legend stands."});
+    visit("scaleBar", o.scaleBar,
+          FieldInfo{"", {}, "On: a bar of a round length over the picture; in perspective at the camera's target."});
+    visit("scaleBarCorner", o.scaleBarCorner, FieldInfo{"", {}, "Where the bar stands."});
+    visit("textSize", o.textSize,
+          FieldInfo{"pixel", {4, 100}, "Size of the letters in a picture of 1000 rows; others have it in proportion."});
+  }
+};
+
+}  // namespace velum::scene
+
+template <>
+struct velum::EnumNames<velum::scene::Corner> {
+  static constexpr std::string_view kNames[] = {"topLeft", "topRight", "bottomLeft", "bottomRight"};
+};

@@ -1,0 +1,27 @@
+#pragma once
+#include "session/command/ModelCommands.h"
+
+/// The arguments of commands of what is called how, and of what is written over pictures.
+namespace velum::session {
+
+struct RenameType {
+  static constexpr std::string_view kName = "model.rename";
+  static constexpr std::size_t kTakesRest = 2;
+  std::string type, name;
+  static void fields(auto& o, auto& visit) {
+    visit("type", o.type, FieldInfo{"", {}, "Path of a type or compartment."});
+    visit("name", o.name, FieldInfo{"", {}, "What it is called from now on; nothing: as in the file."});
+  }
+};
+
+struct ListInLegend {
+  static constexpr std::string_view kName = "model.listInLegend";
+  std::vector<std::string> types;
+  bool listed = true;
+  static void fields(auto& o, auto& visit) {
+    visit("types", o.types, kTypesInfo);
+    visit("listed", o.listed, FieldInfo{"", {}, "Off: they are taken out of the legend's list."});
+  }
+};
+
+}  // namespace velum::session

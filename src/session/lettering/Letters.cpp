@@ -1,0 +1,117 @@
+#include "session/lettering/Letters.h"
+
+#include <freetype/freetype.h>
+#include <freetype/ftoutln.h>
+
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "core/Assert.h"
+
+namespace velum {
+// Made by velum_embed_file().
+extern const unsigned char kLetterFont[];
+extern const std::size_t kLetterFontSize;
+}  // namespace velum
+
+namespace velum::session {
+
+struct Letters::Font {
+  FT_Library library = nullptr;
+  FT_Face face = nullptr;
+  Font() {
+    bool isRead = FT_Init_FreeType(&library) == 0 &&
+                  FT_New_Memory_Face(library, kLetterFont, FT_Long(kLetterFontSize), 0, &face) == 0;
+    VELUM_ASSERT(isRead, "the font is part of the program");
+  }
+  ~Font() {
+    FT_Done_Face(face);
+    FT_Done_FreeType(library);
+  }
+  Font(const Font&) = delete;
+  Font& operator=(const Font&) = delete;
+};
+
+namespace {
+
+constexpr std::uint32_t kUnreadable = 0xfffd;
+
+/// The letters of a text in UTF-8; what is no UTF-8 is kUnreadable.
+std::vector<std::uint32_t> lettersOf(std::string_view text) {
+  std::vector<std::uint32_t> letters;
+  for (std::size_t i = 0; i < text.size();) {
+    auto byte = [&](std::size_t at) { return static_cast<unsigned char>(text[at]); };
+    unsigned first = byte(i++);
+    int more = first < 0x80 ? 0 : first >= 0xf0 ? 3 : first >= 0xe0 ? 2 : first >= 0xc0 ? 1 : -1;
+    if (more < 0) {
+      letters.push_back(kUnreadable);
+      continue;
+    }
+    std::uint32_t letter = more == 0 ? first : first & (0x3fu >> more);
+    for (; more > 0 && i < text.size() && (byte(i) & 0xc0u) == 0x80u; --more)
+      letter = letter << 6 | (byte(i++) & 0x3fu);
+    letters.push_back(more > 0 ? kUnreadable : letter);
+  }
+  return letters;
+}
+
+/// The way from the start of a letter to that of the next, in ems.
+double advanceOf(FT_Face face, std::uint32_t letter) {
+  if (FT_Load_Char(face, letter, FT_LOAD_NO_SCALE) != 0) return 0.0;
+  return double(face->glyph->metrics.horiAdvance) / face->units_per_EM;
+}
+
+}  // namespace
+
+Letters::Letters(double em) : mFont(std::make_unique<Font>()), mEm(em) {
+  FT_Set_Char_Size(mFont->face, 0, FT_F26Dot6(std::lround(em * 64.0)), 72, 72);
+}
+
+Letters::~Letters() = default;
+
+double Letters::width(std::string_view text) const {
+  double ems = 0.0;
+  for (std::uint32_t letter : lettersOf(text)) ems += advanceOf(mFont->face, letter);
+  return ems * mEm;
+}
+
+std::string Letters::fitted(const std::string& text, double most) const {
+  if (width(text) <= most) return text;
+  auto isStart = [&](std::size_t at) {
+    return at == text.size() || (static_cast<unsigned char>(text[at]) & 0xc0u) != 0x80u;
+  };
+  std::size_t head = text.size() / 2, tail = head;
+  for (;;) {
+    while (!isStart(head)) --head;
+    while (!isStart(tail)) ++tail;
+    std::string shorter = text.substr(0, head) + "\u2026" + text.substr(tail);
+    if ((head == 0 && tail == text.size()) || width(shorter) <= most) return shorter;
+    bool fromHead = head > 0 && head >= text.size() - tail;
+    fromHead ? --head : ++tail;
+  }
+}
+
+void Letters::draw(std::string_view text, glm::dvec2 start, Mark& mark) const {
+  FT_Face face = mFont->face;
+  FT_Bitmap bitmap{};
+  bitmap.rows = unsigned(mark.size.y);
+  bitmap.width = unsigned(mark.size.x);
+  bitmap.pitch = mark.size.x;
+  bitmap.buffer = mark.covers.data();
+  bitmap.num_grays = 256;
+  bitmap.pixel_mode = FT_PIXEL_MODE_GRAY;
+  start -= glm::dvec2(mark.corner);
+  double x = start.x;
+  for (std::uint32_t letter : lettersOf(text)) {
+    double advance = advanceOf(face, letter) * mEm;
+    if (FT_Load_Char(face, letter, FT_LOAD_NO_HINTING | FT_LOAD_NO_BITMAP) == 0) {
+      FT_Outline_Translate(&face->glyph->outline, FT_Pos(std::lround(x * 64.0)),
+                           FT_Pos(std::lround((mark.size.y - start.y) * 64.0)));
+      FT_Outline_Get_Bitmap(mFont->library, &face->glyph->outline, &bitmap);
+    }
+    x += advance;
+  }
+}
+
+}  // namespace velum::session

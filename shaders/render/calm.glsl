@@ -3,9 +3,9 @@ layout(binding = kSurfaceColorUnit) uniform sampler2D surfaceColorTexture;
 layout(binding = kSurfaceAuxUnit) uniform sampler2D surfaceAuxTexture;  // xyz normal, w distance along the ray
 layout(binding = kSurfaceIdUnit) uniform usampler2D surfaceIdTexture;  // structure, instance, what a line goes around, how large it is
 
-// Half of the widest gap that is closed, pixels of a picture of 1000 rows, and the least of it, pixels.
-const float kCalmReach = 1.0;
-const float kLeastCalm = 1.0;
+#include "shared/finish.h"
+
+const float kLeastCalm = 1.0;  // pixels to the places that are asked
 
 /// The pixel that is shown in a pixel. A gap in an instance, too narrow for a pen, is the instance's, and so is a speck on it.
 ivec2 calmed(ivec2 pixel) {

@@ -71,7 +71,9 @@ float edgeAt(ivec2 pixel, Sample centre) {
   // A jump next to the outline is the outline's.
   float outlined = dot(outline, outline);
   float jump = outlined > 0.0 ? 0.0 : own * jumpOf(bend, centre.depth);
+  // A line may be thinner than the pixels next to an edge.
+  float share = min(1.0, 0.5 * finish.contourPixels / float(finish.reach));
   float edge = finish.steps * max(0.25 * isSeen.x * sqrt(outlined), jump);
   edge = max(edge, finish.structures * 0.25 * isSeen.y * length(between));
-  return finish.contourShare * min(max(edge, finish.creases * own * smoothstep(kLeastCrease, kFullCrease, turn)), 1.0);
+  return share * min(max(edge, finish.creases * own * smoothstep(kLeastCrease, kFullCrease, turn)), 1.0);
 }

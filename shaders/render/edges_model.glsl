@@ -6,7 +6,7 @@
 
 layout(binding = kGroupOfUnit) uniform usamplerBuffer groupOf;  // by structure: its compartment
 
-// An edge is covered in full up to this share of the circle's radius, and its line is 1.65 radii wide: see FinishSetup.
+// An edge is covered in full up to this share of the circle's radius, and its line is 1.65 radii wide: see kLineCircle.
 const float kFullShare = 3.0;
 // Sizes of instances between which their lines come, pixels of a picture of 1000 rows.
 const float kNoLine = 6.0, kFullLine = 16.0;
@@ -59,12 +59,14 @@ float edgeAt(ivec2 pixel, Sample centre) {
   vec3 strong = vec3(0.0);
   vec3 fine = vec3(0.0);
   float folds = 0.0;
+  float wide = kStrongLine * kLineCircle * finish.contourPixels;
+  float narrow = kFineLine * kLineCircle * finish.contourPixels;
   for (int i = 0; i < kPlaces / 2; ++i) {
     int across = i + kPlaces / 2;
-    strong += betweenOf(centre, sampleAt(pixel + placeOn(finish.strongReach, i)), group);
-    strong += betweenOf(centre, sampleAt(pixel + placeOn(finish.strongReach, across)), group);
-    Sample a = sampleAt(pixel + placeOn(finish.fineReach, i));
-    Sample b = sampleAt(pixel + placeOn(finish.fineReach, across));
+    strong += betweenOf(centre, sampleAt(pixel + placeOn(wide, i)), group);
+    strong += betweenOf(centre, sampleAt(pixel + placeOn(wide, across)), group);
+    Sample a = sampleAt(pixel + placeOn(narrow, i));
+    Sample b = sampleAt(pixel + placeOn(narrow, across));
     fine += betweenOf(centre, a, group) + betweenOf(centre, b, group);
     if (centre.opacity > 0.5 && isSame(centre, a) && isSame(centre, b)) {
       // On one side alone it falls: in a gap between atoms it does so on both.

@@ -5,6 +5,13 @@
 SHARED_BEGIN
 
 SHARED_CONST int kSphereTexels = 128;    // edge of a lit sphere
+// Lines of models: widths of strong and of fine ones, in the finish's width, and the radius of the circle of places that are
+// asked for a line, in the line's own width: so the cover of all pixels has the width in sum.
+SHARED_CONST float kStrongLine = 1.6f;
+SHARED_CONST float kFineLine = 0.85f;
+SHARED_CONST float kLineCircle = 0.606f;
+// Half of the widest gap of an instance that is closed, pixels of a picture of 1000 rows.
+SHARED_CONST float kCalmReach = 1.0f;
 SHARED_CONST float kCellPeriods = 1.6f;  // edge of a cell of strokes, in distances from stroke to stroke
 
 struct FinishParams {
@@ -12,7 +19,7 @@ struct FinishParams {
   vec4 paperColor;    ///< rgb
 
   float contours;  ///< strength
-  float contourShare;  ///< of a line that is thinner than the pixels next to an edge
+  float contourPixels;  ///< their width
   float creases;
   float steps;
   float structures;
@@ -32,10 +39,6 @@ struct FinishParams {
   int firstCellY;
   float stepLength;  ///< a jump of depth begins to count from there, scene units
   float deepStep;    ///< of a model: a jump of depth that has a strong line, scene units
-  float strongReach;  ///< of a model: as far from an edge a strong line reaches, pixels,
-  float fineReach;    ///< and a fine one
-  float padding0;
-  float padding1;
 };
 
 SHARED_END

@@ -22,13 +22,10 @@ double halfLine(const Frame& frame) { return 0.5 * pixelsOf(frame.scene.finish.c
 
 int reachOf(const Frame& frame) { return std::max(1, int(std::lround(halfLine(frame)))); }
 
-// Of lines of models: how wide they are, in the finish's widths, and radii of the circles on which they are looked for,
-// in their own widths (edges_model.glsl).
-constexpr double kStrong = 1.6, kFine = 0.85, kCircle = 1.0 / 1.65;
-// Half of the widest gap in an instance that is closed, and what a part of a pixel adds to it (calm.glsl).
-constexpr double kCalm = 1.0;
-
-double strongReach(const Frame& frame) { return kStrong * kCircle * pixelsOf(frame.scene.finish.contourWidth, frame); }
+/// As far from an edge as the widest lines of models are looked for.
+double strongReach(const Frame& frame) {
+  return double(shared::kStrongLine * shared::kLineCircle) * pixelsOf(frame.scene.finish.contourWidth, frame);
+}
 
 double strokePixels(const Frame& frame) {
   return std::max(kFinestStrokes, pixelsOf(frame.scene.finish.hatchWidth, frame));
@@ -47,7 +44,7 @@ shared::FinishParams makeFinishParams(const Frame& frame, int sphereRows, DepthS
   params.paperColor = glm::vec4(finish.paperColor, 0.0f);
   params.contours = float(finish.contours);
   params.reach = reachOf(frame);
-  params.contourShare = float(std::min(1.0, halfLine(frame) / params.reach));
+  params.contourPixels = float(2.0 * halfLine(frame));
   params.creases = float(finish.contourCreases);
   params.steps = float(finish.contourSteps);
   params.structures = float(finish.contourStructures);
@@ -61,8 +58,6 @@ shared::FinishParams makeFinishParams(const Frame& frame, int sphereRows, DepthS
   params.sphereRows = std::max(1, sphereRows);
   params.stepLength = float(steps.least);
   params.deepStep = float(steps.deep);
-  params.strongReach = float(strongReach(frame));
-  params.fineReach = float(strongReach(frame) * kFine / kStrong);
   glm::vec2 first = glm::floor(glm::vec2(frame.windowOrigin) / params.cellPixels);
   glm::vec2 last = glm::floor(glm::vec2(frame.windowOrigin + frame.windowSize) / params.cellPixels);
   params.firstCellX = int(first.x);
@@ -75,7 +70,8 @@ shared::FinishParams makeFinishParams(const Frame& frame, int sphereRows, DepthS
 int lineMargin(const Frame& frame) {
   if (!isModelDrawn(frame.scene)) return frame.scene.finish.contours > 0 ? reachOf(frame) : 0;
   if (!needsSamples(frame.scene.finish)) return 0;
-  return int(std::ceil(std::max(double(reachOf(frame)), strongReach(frame) + 1.0) + pixelsOf(kCalm, frame) + 1.0));
+  return int(std::ceil(std::max(double(reachOf(frame)), strongReach(frame) + 1.0) +
+                       pixelsOf(double(shared::kCalmReach), frame) + 1.0));
 }
 
 int finishMargin(const Frame& frame) {

@@ -96,7 +96,7 @@ TEST_F(ShaderGL, FrameParamsLieWhereTheDriverPutsThem) {
 }
 
 const Offset kFinishOffsets[] = {VELUM_OFFSET(FinishParams, contourColor),  VELUM_OFFSET(FinishParams, paperColor),
-                                 VELUM_OFFSET(FinishParams, contours),      VELUM_OFFSET(FinishParams, contourShare),
+                                 VELUM_OFFSET(FinishParams, contours),      VELUM_OFFSET(FinishParams, contourPixels),
                                  VELUM_OFFSET(FinishParams, creases),       VELUM_OFFSET(FinishParams, steps),
                                  VELUM_OFFSET(FinishParams, structures),    VELUM_OFFSET(FinishParams, litSphere),
                                  VELUM_OFFSET(FinishParams, hatching),      VELUM_OFFSET(FinishParams, strokePixels),
@@ -105,9 +105,7 @@ const Offset kFinishOffsets[] = {VELUM_OFFSET(FinishParams, contourColor),  VELU
                                  VELUM_OFFSET(FinishParams, reach),         VELUM_OFFSET(FinishParams, sphereRows),
                                  VELUM_OFFSET(FinishParams, cellsX),        VELUM_OFFSET(FinishParams, cellsY),
                                  VELUM_OFFSET(FinishParams, firstCellX),    VELUM_OFFSET(FinishParams, firstCellY),
-                                 VELUM_OFFSET(FinishParams, stepLength),    VELUM_OFFSET(FinishParams, deepStep),
-                                 VELUM_OFFSET(FinishParams, strongReach),   VELUM_OFFSET(FinishParams, fineReach),
-                                 VELUM_OFFSET(FinishParams, padding0),      VELUM_OFFSET(FinishParams, padding1)};
+                                 VELUM_OFFSET(FinishParams, stepLength),    VELUM_OFFSET(FinishParams, deepStep)};
 
 TEST_F(ShaderGL, FinishParamsLieWhereTheDriverPutsThem) {
   auto members = membersOf("finish.h", "FinishParams");

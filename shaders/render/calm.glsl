@@ -17,7 +17,8 @@ ivec2 calmed(ivec2 pixel) {
   ivec2 around = pixel;
   int like = 0;
   for (int i = 0; i < 6; ++i) {
-    float turn = 3.14159265 / 6.0 * float(i);
+    // No place lies half way between pixels, whichever way that would be rounded.
+    float turn = 3.14159265 / 6.0 * (float(i) + 0.25);
     ivec2 way = ivec2(round(reach * vec2(cos(turn), sin(turn))));
     ivec2 there = clamp(pixel + way, ivec2(0), last);
     ivec2 across = clamp(pixel - way, ivec2(0), last);

@@ -102,7 +102,7 @@ vec2 lightOn(ivec2 pixel, float depth) {
     ivec2 at = ivec2(i & 1, i >> 1);
     vec4 there = texelFetch(openTexture, clamp(from + at, ivec2(0), last), 0);
     vec2 share = mix(1.0 - part, part, vec2(at));
-    float apart = abs(there.z - depth) * unitsPerLength(depth);
+    float apart = abs(there.z - depth) * min(pixelsPerLength(depth), unitsPerLength(depth));
     sum += vec3(there.xy, 1.0) * (share.x * share.y + 0.02) / (1.0 + apart * apart);
   }
   return sum.xy / sum.z;

@@ -1,6 +1,7 @@
 #include "gui/membrane/ProtectTool.h"
 
 #include "core/Text.h"
+#include "gui/kit/Text.h"
 #include "gui/service/SelectedCut.h"
 #include "session/command/Command.h"
 #include "session/command/CutCommands.h"

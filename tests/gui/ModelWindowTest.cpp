@@ -150,8 +150,8 @@ TEST_F(ModelWindow, F2GivesATypeANameThatIsShownEverywhereAndFoundBesideTheFiles
 TEST_F(ModelWindow, LegendAndScaleBarOverTheViewAreTheScenesAndNoNewPicture) {
   openModel();
   ASSERT_TRUE(settle());
-  int pictures = viewport().shownCount();
   QImage without = mWindow->grab().toImage();
+  int pictures = viewport().shownCount();
   mWindow->actions().find("model.legend")->trigger();
   mWindow->actions().find("view.scaleBar")->trigger();
   EXPECT_TRUE(scene().lettering.legend && scene().lettering.scaleBar);

@@ -54,7 +54,7 @@ ViewCommands::ViewCommands(const WindowParts& parts)
   reset->setIconText(tr("Reset"));
   addCube(menu);
   mScaleBar = parts.actions.addForScene(
-      menu, "view.scaleBar", tr("Scale &bar"),
+      menu, "view.scaleBar", tr("Scale bar"),
       tr("A bar that says how long things are, over the picture, also in files"), [this] {
         session::edit(mParts.document(),
                       session::SetField{"lettering.scaleBar", mScaleBar->isChecked() ? "true" : "false"});

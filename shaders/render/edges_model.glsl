@@ -8,7 +8,7 @@ layout(binding = kGroupOfUnit) uniform usamplerBuffer groupOf;  // by structure:
 
 // An edge is covered in full up to this share of the circle's radius, and its line is 1.65 radii wide: see kLineCircle.
 const float kFullShare = 3.0;
-// Sizes of instances between which their lines come, pixels of a picture of 1000 rows.
+// Sizes of instances between which their lines come, pixels of a picture of 1000 rows, or of a smaller one.
 const float kNoLine = 6.0, kFullLine = 16.0;
 // And those between which faint lines within come, and how dark these are.
 const float kNoneWithin = 30.0, kFullWithin = 80.0, kFaint = 0.45;
@@ -17,6 +17,8 @@ const float kNoneWithin = 30.0, kFullWithin = 80.0, kFaint = 0.45;
 const float kLeastOutline = 0.5;
 const float kLeastBorder = 0.7;
 const int kPlaces = 12;
+
+float shownOf(float size) { return smoothstep(kNoLine, kFullLine, size / max(finish.unitsPerPixel, 1.0)); }
 
 /// Distance from the picture plane. @param depth  of a sample
 float alongOf(float depth) { return hasFlag(kFlagOrthographic) ? depth : 1.0 / max(depth, 1e-9); }
@@ -28,13 +30,13 @@ vec3 betweenOf(Sample centre, Sample there, uint group) {
   bool isSolid = centre.opacity > 0.5;
   bool isOther = there.opacity > 0.5;
   if (isSolid != isOther) {
-    float shown = smoothstep(kNoLine, kFullLine, isSolid ? centre.size : there.size);
+    float shown = shownOf(isSolid ? centre.size : there.size);
     return vec3(finish.steps * mix(kLeastOutline, 1.0, shown), 0.0, 1.0);
   }
   if (!isSolid || isSame(centre, there)) return vec3(0.0);
   float own = alongOf(centre.depth);
   float other = alongOf(there.depth);
-  float shown = smoothstep(kNoLine, kFullLine, own < other ? centre.size : there.size);
+  float shown = shownOf(own < other ? centre.size : there.size);
   float deep = smoothstep(0.5 * finish.deepStep, 1.5 * finish.deepStep, abs(own - other));
   bool isBorder = groupOfSample(there) != group;
   float strong = isBorder ? max(kLeastBorder * mix(kLeastOutline, 1.0, shown), deep * shown) : deep * shown;

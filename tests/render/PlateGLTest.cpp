@@ -19,7 +19,7 @@ constexpr std::size_t kLeastMark = 6;  // pixels
 
 class PlateGL : public GlTest {
  protected:
-  /// The virion cut in two, as a plate.
+  /// The virion cut in two, as a plate for print: finer, and of more samples than a window needs.
   static scene::Scene plate() {
     Progress progress;
     scene::Scene scene;
@@ -27,6 +27,8 @@ class PlateGL : public GlTest {
     scene.model.data = Shared<Model>(io::makeVirion(progress));
     scene.model.levels = Shared<LevelSet>(model::computeLevels(*scene.model.data, progress));
     scene::applyModelLook(scene, "plate");
+    scene.model.detail = 0.4;
+    scene.rayCast.samplesPerPixel = 8;
     scene::Cut cut;
     cut.shape = scene::CutShape::Plane;
     cut.axis = {0, -1, 0};

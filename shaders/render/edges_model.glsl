@@ -18,7 +18,7 @@ const float kLeastOutline = 0.5;
 const float kLeastBorder = 0.7;
 const int kPlaces = 12;
 
-float shownOf(float size) { return smoothstep(kNoLine, kFullLine, size / max(finish.unitsPerPixel, 1.0)); }
+float shownOf(float size) { return smoothstep(kNoLine, kFullLine, size); }
 
 /// Distance from the picture plane. @param depth  of a sample
 float alongOf(float depth) { return hasFlag(kFlagOrthographic) ? depth : 1.0 / max(depth, 1e-9); }

@@ -160,7 +160,7 @@ void shadePixel(ivec2 pixel, int at, uint owner) {
   // Small ones of a type have no lines between them: there would be nothing else.
   uint structure = shade.firstType + molecule.type;
   uint group = size < kLeastOutlined ? structure : shade.firstInstance + owner;
-  imageStore(idImage, pixel, uvec4(structure, shade.firstInstance + owner, group, floatBitsToUint(2.0 * size)));
+  imageStore(idImage, pixel, uvec4(structure, shade.firstInstance + owner, group, floatBitsToUint(2.0 * molecule.sphere.w * min(unitsPerLength(depth), pixelsPerLength(depth)))));
 }
 
 void main() {

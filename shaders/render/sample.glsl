@@ -9,7 +9,7 @@ struct Sample {
   uint moreIds;     // and ten more of these
   float opacity;    // 0: nothing is seen
   float solid;      // opacity of a voxel of what is seen
-  float size;       // across what a line goes around, pixels of a picture of 1000 rows, up to kLargestSize
+  float size;       // across what a line goes around, pixels of a picture of 1000 rows, or of a smaller one, up to kLargestSize
 };
 
 // Sizes are kept as eighths of a power of two, in six bits.
@@ -24,7 +24,7 @@ Sample unpackSample(uvec4 words) {
 }
 #else
 /// @param group  what a line goes around: the instance, or several that are too small for one each
-/// @param size  across it, pixels of a picture of 1000 rows
+/// @param size  across it, pixels of a picture of 1000 rows, or of a smaller one
 uvec4 packSample(Ray ray, Hit hit, uint group, float size) {
   bool found = hit.distance < kFar && hit.color.a > 0.0;
   // The frame of the pixel's own line of sight: what is seen edge-on is the rim of the lit sphere all over the picture.

@@ -41,7 +41,7 @@ struct Renderer::Impl {
         instances(model, states, surfaces),
         rayCast(gbuffer, limits.isSoftware),
         counts(gbuffer, model, states),
-        ghosts(gbuffer, model, instances.draw()),
+        ghosts(gbuffer, instances.draw()),
         finish(gbuffer),
         stats(known) {}
 

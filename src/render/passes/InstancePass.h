@@ -31,6 +31,7 @@ class InstancePass : public Pass {
 
  private:
   void addLight(const shared::InstanceView& view, WorkQueue& queue);
+  void addEye(const shared::InstanceView& view, WorkQueue& queue);
 
   ModelPass& mModel;
   InstanceDraw mDraw;

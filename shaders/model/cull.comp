@@ -1,29 +1,31 @@
 // Which instances are drawn, and by which of their levels. An instance is drawn that the cuts leave, that the window holds, and
 // that what is drawn already does not hide. [VE] 3.
 //
-// In two phases: first those that were seen last time, then, when their depths are known, all others. SEEN: a thread looks at
-// a word of 32 instances; few of them were seen. STATES: it is known already which of them cuts leave; GHOSTS: those are drawn
-// that cuts have removed and that show as ghosts. Else it is worked out here.
+// WORDS: a thread looks at a word of 32 instances, of which few have their bit set: those that were seen last time, which come
+// first. Else a group looks at a bundle of those that listed bundles hold (bundles.comp): at all that were not seen, when the
+// depths of those that were are known. STATES: it is known already which of them cuts leave; GHOSTS: those are drawn that cuts
+// have removed and that show as ghosts; NEAREST: what has a bit is drawn. Else it is worked out here.
 layout(local_size_x = 64) in;
 
 #include "model/instances.glsl"
-#if defined(STATES) || defined(GHOSTS)
+#include "common/line.glsl"
+#if defined(STATES) || defined(GHOSTS) || defined(NEAREST)
 layout(std430, binding = kStateBinding) readonly buffer StateBlock { uint states[]; };
 layout(binding = kTypeUnit) uniform samplerBuffer typeTexture;
 #else
 #include "model/kept.glsl"
 #endif
-#include "model/hidden.glsl"
+#include "model/window.glsl"
 
 layout(std430, binding = kSeenBinding) readonly buffer SeenBlock { uint seen[]; };
 layout(binding = kDrawImage, rg32ui) uniform writeonly uimageBuffer drawImage;  // DrawRow
 layout(std430, binding = kCountBinding) buffer CountBlock { uint counts[]; };
-layout(binding = kDepthUnit) uniform usamplerBuffer depthTexture;
+#ifndef WORDS
+#include "model/bundles.glsl"
+#endif
 
-layout(location = 0) uniform int phase;       // 0: seen last time; 1: all others; 2: all, whatever hides them
-layout(location = 1) uniform int firstIndex;  // of this dispatch: SEEN: words of 32 instances; else instances of a copy
-layout(location = 2) uniform int endIndex;
-layout(location = 3) uniform int firstCopy;
+layout(location = 0) uniform int first;  // of this dispatch, words or listed bundles
+layout(location = 1) uniform int end;
 
 #if defined(STATES) || defined(GHOSTS)
 bool isRemoved(uint instance) {
@@ -32,33 +34,7 @@ bool isRemoved(uint instance) {
 }
 #endif
 
-// So many pixels along each edge are looked at by themselves: tiles around what is small have gaps.
-const int kFewPixels = 16;
-
-/// Whether all that is drawn in the pixels lies before a depth.
-bool isHidden(vec4 pixels, float nearest) {
-  ivec2 last = view.size - 1;
-  // Rays go through the middles of pixels: what no middle lies in is not seen.
-  ivec2 from = max(ivec2(ceil(pixels.xy - 0.01)), ivec2(0));
-  ivec2 to = min(ivec2(floor(pixels.zw + 0.01)), last);
-  if (any(lessThan(to, from))) return true;
-  if (all(lessThan(to - from, ivec2(kFewPixels)))) {
-    // Within the circle that a sphere is, nearly: its outline bulges by less than a pixel.
-    uint bits = floatBitsToUint(nearest);
-    vec2 middle = 0.5 * (pixels.xy + pixels.zw);
-    vec2 reach = 0.5 * (pixels.zw - pixels.xy) + 0.5;
-    ivec2 pixel = from;
-    bool isOpen = false;
-    while (pixel.y <= to.y && !isOpen) {
-      vec2 d = (vec2(pixel) - middle) / reach;
-      isOpen = dot(d, d) <= 1.0 && texelFetch(depthTexture, pixel.y * view.size.x + pixel.x).r > bits;
-      pixel = pixel.x == to.x ? ivec2(from.x, pixel.y + 1) : pixel + ivec2(1, 0);
-    }
-    return !isOpen;
-  }
-  return nearest > farthestIn(from, to);
-}
-
+#ifndef WORDS
 bool isOutlineHidden(Place place, MoleculeRow molecule) {
   LevelRow row = levelAt(molecule.outlineLevel);
   bool isHiddenSoFar = true;
@@ -71,31 +47,7 @@ bool isOutlineHidden(Place place, MoleculeRow molecule) {
   }
   return isHiddenSoFar;
 }
-
-/// Whether a sphere lies beyond one of the planes through the eye and an edge of the window. What is next to the eye has no
-/// pixels by which one could tell.
-bool isAside(vec3 q, float depth, float radius) {
-  if (view.isOrthographic != 0) return false;
-  vec2 half_ = vec2(length(view.right.xyz), length(view.up.xyz));
-  vec2 at = vec2(dot(q, view.right.xyz), dot(q, view.up.xyz)) / half_;
-  // Edges of the window as slopes; rows run downwards.
-  vec2 from = (2.0 * (view.shift - 1.0) / view.pictureSize - 1.0) * half_;
-  vec2 to = (2.0 * (vec2(view.size) + view.shift) / view.pictureSize - 1.0) * half_;
-  vec2 low = vec2(from.x, -to.y);
-  vec2 high = vec2(to.x, -from.y);
-  vec2 below = (low * depth - at) / sqrt(1.0 + low * low);
-  vec2 above = (at - high * depth) / sqrt(1.0 + high * high);
-  return any(greaterThan(max(below, above), vec2(radius)));
-}
-
-/// Whether all of a copy lies beside the window or, where depths are known, behind what is drawn.
-bool isCopyOut(vec3 shift) {
-  vec3 q = view.copySphere.xyz + shift - view.eye.xyz;
-  float radius = view.copySphere.w;
-  float depth = dot(q, view.forward.xyz);
-  if (depth + radius <= 0.0 || isAside(q, depth, radius)) return true;
-  return phase == 1 && depth > radius && isHidden(pixelsOf(q, radius), depth - radius);
-}
+#endif
 
 /// Draws one, where it shows.
 void cullOne(uint instance, Place place) {
@@ -103,7 +55,7 @@ void cullOne(uint instance, Place place) {
   float shows = texelFetch(typeTexture, int(molecule.type)).a;
 #ifdef GHOSTS
   if (shows < kTypeFilled || !isRemoved(instance)) return;
-#else
+#elif !defined(NEAREST)
   if (shows == kTypeHidden) return;
 #endif
 #ifdef STATES
@@ -122,8 +74,10 @@ void cullOne(uint instance, Place place) {
     pixels = pixelsOf(q, radius);
     if (any(lessThan(pixels.zw, vec2(-0.5))) || any(greaterThan(pixels.xy, vec2(view.size) - 0.5))) return;
   }
-  if (phase == 1 && nearest > 0.0 && isHidden(pixels, nearest)) return;
-#if !defined(STATES) && !defined(GHOSTS)
+#ifndef WORDS
+  if (nearest > 0.0 && isHidden(pixels, nearest)) return;
+#endif
+#if !defined(STATES) && !defined(GHOSTS) && !defined(NEAREST)
   if (!cutsLeave(instance, molecule.type, middle, molecule.sphere.w)) return;
 #endif
   // The coarsest level that is fine enough where the instance is nearest.
@@ -131,29 +85,37 @@ void cullOne(uint instance, Place place) {
   uint level = molecule.firstLevel + molecule.levelCount - 1u;
   LevelRow row = levelAt(level);
   while (level > molecule.firstLevel && row.error * perLength > view.detail) row = levelAt(--level);
+#ifndef WORDS
   // Closer to its shape than the sphere around it: what shows in its gaps lies behind many that nobody sees.
-  if (phase == 1 && nearest > 0.0 && level <= molecule.outlineLevel && isOutlineHidden(place, molecule)) return;
+  if (nearest > 0.0 && level <= molecule.outlineLevel && isOutlineHidden(place, molecule)) return;
+#endif
   int list = row.count == 1u ? kDrawOne : row.count <= uint(kFewSpheres) ? kDrawFew : kDrawMany;
   if (row.radius * perLength > view.largeRadius) list = kDrawLarge;
   int slot = int(atomicAdd(counts[list], 1u));
-  imageStore(drawImage, drawSlot(list, slot, view.instanceCount * view.copies), uvec4(instance, level, 0u, 0u));
+  imageStore(drawImage, drawSlot(list, slot, view.drawRoom), uvec4(instance, level, 0u, 0u));
 }
 
 void main() {
-  int index = firstIndex + int(gl_GlobalInvocationID.x);
-  if (index >= endIndex) return;
-#ifdef SEEN
+#ifdef WORDS
+  int index = first + int(lineThread());
+  if (index >= end) return;
   for (uint bits = seen[index]; bits != 0u; bits &= bits - 1u) {
     uint instance = uint(32 * index + findLSB(bits));
     cullOne(instance, placeOf(instance));
   }
 #else
-  // A row of groups is a copy: nothing has to be divided.
-  int copy = firstCopy + int(gl_WorkGroupID.y);
-  vec3 shift = copyShift(copy);
-  if (view.copies > 1 && isCopyOut(shift)) return;
-  uint instance = uint(copy * view.instanceCount + index);
-  if (phase == 1 && (seen[instance >> 5] >> (instance & 31u) & 1u) != 0u) return;
-  cullOne(instance, placeIn(index, shift));
+  int place = first + int(lineGroup());
+  int inBundle = int(gl_LocalInvocationIndex);
+  // As a loop: software drivers leave one that no thread is in, and run what stands under a condition all the same.
+  int turns = place < end && place < int(bundleCount) ? 1 : 0;
+  for (int turn = 0; turn < turns; ++turn) {
+    BundleRow bundle = bundles[place];
+    int order = int(bundle.bundle) * kBundle + inBundle;
+    if (order >= view.instanceCount) return;
+    int index = int(texelFetch(orderTexture, order).r);
+    uint instance = bundle.copy * uint(view.instanceCount) + uint(index);
+    if ((seen[instance >> 5] >> (instance & 31u) & 1u) != 0u) return;
+    cullOne(instance, placeIn(index, copyShift(int(bundle.copy))));
+  }
 #endif
 }

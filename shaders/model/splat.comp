@@ -73,9 +73,7 @@ void main() {
 #endif
   int place = group * (kInstanceGroup / threads) + lane / threads;
   if (place >= int(counts[list])) return;
-  uvec2 draw = texelFetch(drawTexture, drawSlot(list, place, view.instanceCount * view.copies)).rg;
-  // What was nowhere nearest when depths were drawn is nowhere to be seen.
-  if (writesOwner != 0 && (nearest[draw.x >> 5] >> (draw.x & 31u) & 1u) == 0u) return;
+  uvec2 draw = texelFetch(drawTexture, drawSlot(list, place, view.drawRoom)).rg;
   bool isNearest = false;
   Place at = placeOf(draw.x);
   LevelRow level = levelAt(draw.y);

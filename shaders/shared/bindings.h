@@ -52,6 +52,8 @@ SHARED_CONST uint kBallKindUnit = 26u;  // element, chain
 SHARED_CONST uint kTypeUnit = 27u;      // TypeRow
 SHARED_CONST uint kCutUnit = 37u;       // CutData: kCutTexels each
 SHARED_CONST uint kTypeSpareUnit = 38u; // TypeSpareRow: two texels each, [types][cuts]
+SHARED_CONST uint kOrderUnit = 42u;     // instances, bundle by bundle
+SHARED_CONST uint kBundleUnit = 43u;    // the sphere around each bundle
 // And of a view.
 SHARED_CONST uint kDrawUnit = 28u;      // DrawRow
 SHARED_CONST uint kPyramidUnit = 29u;   // farthest depths
@@ -78,6 +80,10 @@ SHARED_CONST uint kOwnerBinding = 4u;  // instance of each pixel,
 SHARED_CONST uint kBallBinding = 5u;   // and its ball
 SHARED_CONST uint kSeenBinding = 6u;   // a bit an instance: seen last time
 SHARED_CONST uint kCountBinding = 7u;  // of the lists of draws; then the dispatches that these make
+
+// Those while it is found which may show.
+SHARED_CONST uint kBundleBinding = 4u;  // bundles that may show,
+SHARED_CONST uint kCopyBinding = 5u;    // and copies
 
 // Those while it is found out what becomes of instances.
 SHARED_CONST uint kStateBinding = 3u;  // bits of instances, also while they are culled

@@ -91,7 +91,7 @@ struct InstanceView {
   uint wholeInstances; ///< a bit each of the first cuts: they remove what is inside with all of its sphere
   int levelCount;      ///< of the pyramid
   int stateWords;      ///< of each kind of InstanceStates' bits
-  int padding0;
+  int drawRoom;        ///< instances that a list of draws has room for
 };
 
 /// From where a cut's focus is kept in view. Its mask is a picture of kFocusRows rows of the whole view, whatever part of
@@ -140,19 +140,28 @@ SHARED_CONST int kPaletteChain = 4;
 /// Pixels along the edges of a tile, which is a texel of the pyramid's first level.
 SHARED_CONST int kPyramidTile = 4;
 
+/// So many instances, which are neighbours in space, are a bundle.
+SHARED_CONST int kBundle = 64;
+
+/// A bundle that may show.
+struct BundleRow {
+  uint copy;
+  uint bundle;  ///< of a copy
+};
+
 /// What an instance is drawn by.
 struct DrawRow {
   uint instance;  ///< number over all copies
   uint level;     ///< in the rows of levels
 };
 
-/// Where a list has its rows: two share room for all instances, one from its beginning on, one from its end.
-/// @param place  in the list  @param count  of all instances
-SHARED_FN int drawSlot(int list, int place, int count) {
-  int first = list / 2 * count;
-  return list % 2 == 0 ? first + place : first + count - 1 - place;
+/// Where a list has its rows: two share a room, one from its beginning on, one from its end.
+/// @param place  in the list  @param room  instances that a room is for
+SHARED_FN int drawSlot(int list, int place, int room) {
+  int first = list / 2 * room;
+  return list % 2 == 0 ? first + place : first + room - 1 - place;
 }
-SHARED_CONST int kDrawRooms = 2;  // so often there is room for all instances
+SHARED_CONST int kDrawRooms = 2;
 
 /// The finaliser of MurmurHash3, 32 bits.
 SHARED_FN uint instanceBits(uint word) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <limits>
+#include <numeric>
 #include <span>
 
 #include "shared/bindings.h"
@@ -50,6 +51,54 @@ float meanRadius(const LevelSet& levels, const Level& level) {
   return float(sum / std::max(1u, level.count));
 }
 
+/// The bits of a number of 21 bits, each followed by two that are 0.
+std::uint64_t spread(std::uint64_t x) {
+  x &= 0x1fffff;
+  x = (x | x << 32) & 0x1f00000000ffffull;
+  x = (x | x << 16) & 0x1f0000ff0000ffull;
+  x = (x | x << 8) & 0x100f00f00f00f00full;
+  x = (x | x << 4) & 0x10c30c30c30c30c3ull;
+  return (x | x << 2) & 0x1249249249249249ull;
+}
+
+/// Numbers of spheres in an order in which neighbours mostly stand beside each other: along Morton's curve.
+std::vector<std::uint32_t> neighbourOrder(const std::vector<glm::vec4>& spheres) {
+  glm::vec3 low(std::numeric_limits<float>::max()), high(-low);
+  for (const glm::vec4& sphere : spheres)
+    low = glm::min(low, glm::vec3(sphere)), high = glm::max(high, glm::vec3(sphere));
+  float scale = 2097151.0f / std::max({high.x - low.x, high.y - low.y, high.z - low.z, 1e-30f});
+  std::vector<std::uint64_t> codes;
+  codes.reserve(spheres.size());
+  for (const glm::vec4& sphere : spheres) {
+    glm::uvec3 at((glm::vec3(sphere) - low) * scale);
+    codes.push_back(spread(at.x) | spread(at.y) << 1 | spread(at.z) << 2);
+  }
+  std::vector<std::uint32_t> order(spheres.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::sort(order.begin(), order.end(),
+            [&](auto a, auto b) { return codes[a] != codes[b] ? codes[a] < codes[b] : a < b; });
+  return order;
+}
+
+/// A sphere around each bundle of instances, a little larger than it has to be: shaders compute in floats.
+std::vector<glm::vec4> bundleSpheres(const std::vector<glm::vec4>& spheres, const std::vector<std::uint32_t>& order) {
+  std::vector<glm::vec4> bundles;
+  for (std::size_t first = 0; first < order.size(); first += std::size_t(shared::kBundle)) {
+    auto numbers = std::span(order).subspan(first, std::min(std::size_t(shared::kBundle), order.size() - first));
+    glm::vec3 low(std::numeric_limits<float>::max()), high(-low);
+    for (std::uint32_t i : numbers) {
+      low = glm::min(low, glm::vec3(spheres[i]) - spheres[i].w);
+      high = glm::max(high, glm::vec3(spheres[i]) + spheres[i].w);
+    }
+    glm::vec3 middle = 0.5f * (low + high);
+    float radius = 0.0f;
+    for (std::uint32_t i : numbers)
+      radius = std::max(radius, glm::length(glm::vec3(spheres[i]) - middle) + spheres[i].w);
+    bundles.emplace_back(middle, 1.0001f * radius + 1e-5f * glm::length(middle));
+  }
+  return bundles;
+}
+
 }  // namespace
 
 template <class T>
@@ -80,6 +129,17 @@ InstanceSet::InstanceSet(const Model& model, const LevelSet& levels, const Place
                          outline.grow * scale, 0.0f, 0.0f});
   }
   mMolecules = rowsOf("molecules", gpu::Format::Rgba32f, molecules);
+  std::vector<glm::vec4> spheres;
+  spheres.reserve(instances.size());
+  for (std::size_t i = 0; i < instances.size(); ++i) {
+    const Instance& instance = model.instances[i];
+    const shared::MoleculeRow& molecule = molecules[instance.molecule];
+    glm::vec3 middle = glm::vec3(instances[i].position) + instance.rotation * glm::vec3(molecule.sphere);
+    spheres.emplace_back(middle, molecule.reach);
+  }
+  auto order = neighbourOrder(spheres);
+  mOrder = rowsOf("instances of bundles", gpu::Format::R32ui, order);
+  mBundles = rowsOf("bundles", gpu::Format::Rgba32f, bundleSpheres(spheres, order));
   std::vector<shared::LevelRow> rows;
   for (const Level& level : levels.levels)
     rows.push_back({level.first, level.count, level.error * scale, meanRadius(levels, level) * scale});
@@ -102,11 +162,13 @@ void InstanceSet::bind() const {
   mLevels.texels.bindSampler(shared::kLevelUnit);
   mBalls.texels.bindSampler(shared::kBallUnit);
   mKinds.texels.bindSampler(shared::kBallKindUnit);
+  mOrder.texels.bindSampler(shared::kOrderUnit);
+  mBundles.texels.bindSampler(shared::kBundleUnit);
 }
 
 std::uint64_t InstanceSet::bytes() const {
   return mInstances.buffer.bytes() + mMolecules.buffer.bytes() + mLevels.buffer.bytes() + mBalls.buffer.bytes() +
-         mKinds.buffer.bytes();
+         mKinds.buffer.bytes() + mOrder.buffer.bytes() + mBundles.buffer.bytes();
 }
 
 }  // namespace velum::model

@@ -39,6 +39,7 @@ class InstanceSet {
 
   int mInstanceCount = 0;
   Rows mInstances, mMolecules, mLevels, mBalls, mKinds;
+  Rows mOrder, mBundles;  ///< Instances bundle by bundle, and the sphere around each bundle.
 };
 
 }  // namespace velum::model

@@ -1,7 +1,7 @@
 #include "model/InstanceTarget.h"
 
 #include <algorithm>
-#include <span>
+#include <numeric>
 #include <string>
 
 #include "shared/bindings.h"
@@ -15,33 +15,28 @@ namespace {
 constexpr std::size_t kCountBytes = sizeof(std::uint32_t) * shared::kDrawLists;
 constexpr std::size_t kCommandBytes = sizeof(shared::DispatchCommand) * shared::kDrawLists;
 
-const gpu::Program& made(gpu::Program& program, std::string_view file, const gpu::Defines& defines = {}) {
-  if (!program) program = gpu::Program({file}, defines);
-  return program;
-}
+constexpr std::uint32_t kWord = 32;  // instances
+constexpr int kFirstRound = 8;       // copies
+constexpr std::size_t kBundleHead = 4 * sizeof(std::uint32_t);
 
-/// Whether the pyramid is of depths of this frame when a list is drawn.
-int hasPyramid(CullPhase phase, bool owners) { return owners || phase == CullPhase::Others ? 1 : 0; }
+/// The copies of a view, the nearest first.
+std::vector<std::uint32_t> copiesByDepth(const shared::InstanceView& view) {
+  std::vector<std::uint32_t> order(std::size_t(view.copies));
+  std::iota(order.begin(), order.end(), 0u);
+  std::vector<float> depths;
+  for (int copy = 0; copy < view.copies; ++copy) {
+    int line = copy / view.copiesX;
+    glm::vec3 at(copy % view.copiesX, line % view.copiesY, line / view.copiesY);
+    glm::vec3 q = glm::vec3(view.copySphere) + at * glm::vec3(view.copyStep) - glm::vec3(view.eye);
+    depths.push_back(view.isOrthographic != 0 ? glm::dot(q, glm::vec3(view.forward)) : glm::length(q));
+  }
+  std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return depths[a] < depths[b]; });
+  return order;
+}
 
 int groupsOf(std::uint32_t threads) { return int((threads + 63) / 64); }
 
 }  // namespace
-
-gpu::Defines cullDefines(CullBy by, bool isOfSeen) {
-  gpu::Defines defines;
-  if (by == CullBy::Membranes) defines.emplace_back("MEMBRANES", "1");
-  if (by == CullBy::States) defines.emplace_back("STATES", "1");
-  if (by == CullBy::Ghosts) defines.emplace_back("GHOSTS", "1");
-  if (isOfSeen) defines.emplace_back("SEEN", "1");
-  return defines;
-}
-
-gpu::Defines focusDefines(bool hasMembranes, bool isOfOccluders) {
-  gpu::Defines defines;
-  if (hasMembranes) defines.emplace_back("MEMBRANES", "1");
-  if (isOfOccluders) defines.emplace_back("OCCLUDERS", "1");
-  return defines;
-}
 
 std::vector<InstancePart> instanceParts(std::uint32_t instances, int copies, std::uint32_t most) {
   std::vector<InstancePart> parts;
@@ -54,39 +49,21 @@ std::vector<InstancePart> instanceParts(std::uint32_t instances, int copies, std
   return parts;
 }
 
-const gpu::Program& InstancePrograms::cull(CullBy by, bool isOfSeen) {
-  return made(mCull[{by, isOfSeen}], "model/cull.comp", cullDefines(by, isOfSeen));
-}
-const gpu::Program& InstancePrograms::clip(bool hasMembranes) {
-  return made(mClip[hasMembranes], "model/clip.comp", focusDefines(hasMembranes, false));
-}
-const gpu::Program& InstancePrograms::focus(bool hasMembranes, bool isOfOccluders) {
-  return made(mFocus[{hasMembranes, isOfOccluders}], "model/focus.comp", focusDefines(hasMembranes, isOfOccluders));
-}
-const gpu::Program& InstancePrograms::flood() { return made(mFlood, "model/flood.comp"); }
-const gpu::Program& InstancePrograms::shown() { return made(mShown, "model/shown.comp"); }
-const gpu::Program& InstancePrograms::splat(bool isLarge) {
-  return made(mSplat[isLarge], "model/splat.comp", isLarge ? gpu::Defines{{"LARGE", "1"}} : gpu::Defines{});
-}
-const gpu::Program& InstancePrograms::arguments() { return made(mArguments, "model/arguments.comp"); }
-const gpu::Program& InstancePrograms::pyramid() { return made(mPyramid, "model/pyramid.comp"); }
-const gpu::Program& InstancePrograms::seen() { return made(mSeen, "model/seen.comp"); }
-
-bool InstancePrograms::compile(const Need& need) {
-  std::vector<const gpu::Program*> needed{
-      &cull(need.by, true), &cull(need.by, false), &splat(false), &splat(true), &arguments(), &pyramid(), &seen()};
-  if (need.by == CullBy::States) needed.insert(needed.end(), {&clip(need.hasMembranes), &shown()});
-  if (need.hasFocus)
-    needed.insert(needed.end(), {&focus(need.hasMembranes, false), &focus(need.hasMembranes, true), &flood()});
-  if (need.hasGhosts) needed.push_back(&cull(CullBy::Ghosts, false));
-  return std::all_of(needed.begin(), needed.end(), [](const gpu::Program* program) { return program->isReady(); });
+std::vector<std::pair<int, int>> copyRounds(int copies) {
+  std::vector<std::pair<int, int>> rounds;
+  for (int first = 0, count = kFirstRound; first < copies; first = rounds.back().second, count *= 2)
+    rounds.emplace_back(first, std::min(copies, first + count));
+  return rounds;
 }
 
-void InstanceTarget::resize(glm::ivec2 size, std::uint32_t instances, int copies) {
+std::uint32_t InstanceTarget::bundlesOfCopy() const {
+  return (mInstances + std::uint32_t(shared::kBundle) - 1) / std::uint32_t(shared::kBundle);
+}
+
+void InstanceTarget::resize(glm::ivec2 size, std::uint32_t instances, int copies, std::uint32_t room) {
   std::uint32_t count = instances * std::uint32_t(copies);
   if (instances != mInstances) forget();
   mInstances = instances;
-  mCopies = copies;
   if (size != mSize) {
     mSize = size;
     std::size_t bytes = std::size_t(size.x) * std::size_t(size.y) * sizeof(std::uint32_t);
@@ -100,15 +77,20 @@ void InstanceTarget::resize(glm::ivec2 size, std::uint32_t instances, int copies
     mPyramid = gpu::Texture::make2d("farthest depths", gpu::Format::R32f, mTiles, gpu::Filter::Nearest,
                                     gpu::levelCountOf({mTiles, 1}));
   }
-  if (count != mCount) {
+  constexpr auto kWhole = std::uint32_t(shared::kBundle);
+  room = std::max(std::min(room, count + kWhole - 1) / kWhole * kWhole, kWhole);
+  if (room != mRoom) {
+    mRoom = room;
+    mDraws = gpu::Buffer("draws", std::size_t(room) * shared::kDrawRooms * sizeof(shared::DrawRow));
+    mDrawTexels = gpu::Texture::makeOfBuffer("draws", gpu::Format::Rg32ui, mDraws);
+  }
+  if (!mCounts) mCounts = gpu::Buffer("counts of draws", kCountBytes + kCommandBytes);
+  if (count != mCount || copies != mCopies) {
     mCount = count;
-    // Who owns no pixels is drawn in one phase.
-    for (Lists& lists : std::span(mLists).first(mHasOwners ? 2 : 1)) {
-      lists.draws =
-          gpu::Buffer("draws", std::max<std::size_t>(1, count) * shared::kDrawRooms * sizeof(shared::DrawRow));
-      lists.drawTexels = gpu::Texture::makeOfBuffer("draws", gpu::Format::Rg32ui, lists.draws);
-      lists.counts = gpu::Buffer("counts of draws", kCountBytes + kCommandBytes);
-    }
+    mCopies = copies;
+    mBundles = gpu::Buffer("bundles that may show", kBundleHead + std::size_t(bundlesOfCopy()) * std::size_t(copies) *
+                                                                      sizeof(shared::BundleRow));
+    mOrder = gpu::Buffer("copies", 2 * std::size_t(copies) * sizeof(std::uint32_t));
     mSeen =
         gpu::Buffer("instances seen", (std::size_t(count) + 31) / 32 * sizeof(std::uint32_t) + sizeof(std::uint32_t));
     mNearest = gpu::Buffer("instances that are nearest", mSeen.bytes());
@@ -118,6 +100,7 @@ void InstanceTarget::resize(glm::ivec2 size, std::uint32_t instances, int copies
 
 void InstanceTarget::forget() {
   if (mSeen) mSeen.clear();
+  if (mNearest) mNearest.clear();
 }
 
 void InstanceTarget::begin(const shared::InstanceView& view) {
@@ -126,6 +109,7 @@ void InstanceTarget::begin(const shared::InstanceView& view) {
   whole.tilesX = mTiles.x;
   whole.tilesY = mTiles.y;
   whole.levelCount = mPyramid.levelCount();
+  whole.drawRoom = int(mRoom);
   if (!mView) mView = gpu::Buffer(mLabel, sizeof(whole));
   mView.write(0, sizeof(whole), &whole);
   mDepths.fill(shared::kNoDepth);
@@ -133,8 +117,9 @@ void InstanceTarget::begin(const shared::InstanceView& view) {
     mOwners.fill(shared::kNoInstance);
     mBalls.fill(shared::kNoInstance);
   }
-  for (Lists& lists : mLists)
-    if (lists.counts) lists.counts.clear();
+  auto order = copiesByDepth(view);
+  mOrder.write(0, order.size() * sizeof(order[0]), order.data());
+  if (!mHasOwners) std::swap(mSeen, mNearest);
   mNearest.clear();
 }
 
@@ -145,50 +130,94 @@ void InstanceTarget::bindOwners() const {
   mBalls.bindStorage(shared::kBallBinding);
 }
 
-void InstanceTarget::bindLists(const Lists& lists) const {
+void InstanceTarget::bindCounts() const {
   bindView(shared::kInstanceViewBinding);
-  lists.counts.bindStorage(shared::kCountBinding);
+  mCounts.bindStorage(shared::kCountBinding);
 }
 
-std::vector<InstancePart> InstanceTarget::partsOf(CullPhase phase, std::uint32_t most) const {
-  if (phase == CullPhase::SeenBefore) return instanceParts((mCount + 31) / 32, 1, most);
-  return instanceParts(mInstances, mCopies, most);
-}
-
-void InstanceTarget::cull(InstancePrograms& programs, CullBy by, CullPhase phase, const InstancePart& part) {
-  const Lists& lists = listsOf(phase);
-  bindLists(lists);
-  lists.drawTexels.bindImage(shared::kDrawImage, gpu::Access::Write);
-  mSeen.bindStorage(shared::kSeenBinding);
+const gpu::Program& InstanceTarget::bindBundles(InstancePrograms& programs, bool isOfCopies) const {
+  bindView(shared::kInstanceViewBinding);
+  mBundles.bindStorage(shared::kBundleBinding);
+  mOrder.bindStorage(shared::kCopyBinding);
   mPyramid.bindSampler(shared::kPyramidUnit);
   bindDepths(shared::kDepthUnit);
-  const gpu::Program& program = programs.cull(by, phase == CullPhase::SeenBefore);
-  program.set(0, static_cast<int>(phase));
-  program.set(1, int(part.first));
-  program.set(2, int(part.end));
-  if (phase != CullPhase::SeenBefore) program.set(3, part.firstCopy);
-  gpu::dispatch(program, {groupsOf(part.end - part.first), part.copies, 1});
+  return programs.bundles(isOfCopies);
 }
 
-void InstanceTarget::closeLists(InstancePrograms& programs, CullPhase phase) {
+void InstanceTarget::listCopies(InstancePrograms& programs, int first, int end) {
+  std::array<std::uint32_t, kBundleHead / sizeof(std::uint32_t)> none{};
+  mBundles.write(0, kBundleHead, none.data());
+  const gpu::Program& program = bindBundles(programs, true);
+  program.set(0, first);
+  program.set(1, end);
+  gpu::dispatch(program, {groupsOf(std::uint32_t(end - first)), 1, 1});
   gpu::barrier();
-  bindLists(listsOf(phase));
+}
+
+int InstanceTarget::listedCopies() const {
+  std::uint32_t count = 0;
+  mBundles.read(0, sizeof(count), &count);
+  return int(count);
+}
+
+void InstanceTarget::listBundles(InstancePrograms& programs, int first, int end) {
+  const gpu::Program& program = bindBundles(programs, false);
+  program.set(0, first);
+  program.set(1, end);
+  gpu::dispatch(program, {groupsOf(bundlesOfCopy()), end - first, 1});
+  gpu::barrier();
+}
+
+std::uint32_t InstanceTarget::listedBundles() const {
+  std::uint32_t count = 0;
+  mBundles.read(sizeof(count), sizeof(count), &count);
+  return count;
+}
+
+std::uint32_t InstanceTarget::itemsOf(CullPhase phase, int listedCopies) const {
+  return phase == CullPhase::Others ? bundlesOfCopy() * std::uint32_t(listedCopies) : (mCount + kWord - 1) / kWord;
+}
+
+std::uint32_t InstanceTarget::itemsOfList(CullPhase phase) const {
+  return mRoom / (phase == CullPhase::Others ? std::uint32_t(shared::kBundle) : kWord);
+}
+
+void InstanceTarget::openList() { mCounts.clear(); }
+
+void InstanceTarget::cull(InstancePrograms& programs, CullBy by, CullPhase phase, std::uint32_t first,
+                          std::uint32_t end) {
+  bindCounts();
+  mDrawTexels.bindImage(shared::kDrawImage, gpu::Access::Write);
+  (phase == CullPhase::Nearest ? mNearest : mSeen).bindStorage(shared::kSeenBinding);
+  mBundles.bindStorage(shared::kBundleBinding);
+  mPyramid.bindSampler(shared::kPyramidUnit);
+  bindDepths(shared::kDepthUnit);
+  bool isOfWords = phase != CullPhase::Others;
+  const gpu::Program& program = programs.cull(phase == CullPhase::Nearest ? CullBy::Nearest : by, isOfWords);
+  program.set(0, int(first));
+  program.set(1, int(end));
+  gpu::dispatchLine(program, isOfWords ? std::uint32_t(groupsOf(end - first)) : end - first);
+}
+
+void InstanceTarget::closeList(InstancePrograms& programs) {
+  gpu::barrier();
+  bindCounts();
   gpu::dispatch(programs.arguments(), {1, 1, 1});
   gpu::barrier();
 }
 
-std::array<std::uint32_t, 4> InstanceTarget::groupCounts(CullPhase phase) const {
+std::array<std::uint32_t, 4> InstanceTarget::groupCounts() const {
   std::array<shared::DispatchCommand, shared::kDrawLists> commands;
-  listsOf(phase).counts.read(kCountBytes, kCommandBytes, commands.data());
+  mCounts.read(kCountBytes, kCommandBytes, commands.data());
   std::array<std::uint32_t, 4> groups;
   for (std::size_t i = 0; i < groups.size(); ++i) groups[i] = commands[i].groupsX * commands[i].groupsY;
   return groups;
 }
 
-void InstanceTarget::drawList(InstancePrograms& programs, CullPhase phase, int list, bool owners) {
-  const Lists& lists = listsOf(phase);
-  bindLists(lists);
-  lists.drawTexels.bindSampler(shared::kDrawUnit);
+const gpu::Program& InstanceTarget::bindDraws(InstancePrograms& programs, CullPhase phase, int list,
+                                              std::uint32_t first) const {
+  bindCounts();
+  mDrawTexels.bindSampler(shared::kDrawUnit);
   mDepths.bindStorage(shared::kDepthBinding);
   mNearest.bindStorage(shared::kSeenBinding);
   bindDepths(shared::kDepthUnit);
@@ -196,29 +225,21 @@ void InstanceTarget::drawList(InstancePrograms& programs, CullPhase phase, int l
   if (mHasOwners) bindOwners();
   const gpu::Program& program = programs.splat(list == shared::kDrawLarge);
   program.set(0, list);
-  program.set(1, owners ? 1 : 0);
-  program.set(2, 0);
-  program.set(3, hasPyramid(phase, owners));
-  gpu::dispatchIndirect(program, lists.counts, list + int(kCountBytes / sizeof(shared::DispatchCommand)));
+  program.set(1, phase == CullPhase::Nearest ? 1 : 0);
+  program.set(2, int(first));
+  program.set(3, phase == CullPhase::SeenBefore ? 0 : 1);
+  return program;
 }
 
-void InstanceTarget::drawGroups(InstancePrograms& programs, CullPhase phase, int list, bool owners, std::uint32_t first,
+void InstanceTarget::drawList(InstancePrograms& programs, CullPhase phase, int list) {
+  const gpu::Program& program = bindDraws(programs, phase, list, 0);
+  gpu::dispatchIndirect(program, mCounts, list + int(kCountBytes / sizeof(shared::DispatchCommand)));
+}
+
+void InstanceTarget::drawGroups(InstancePrograms& programs, CullPhase phase, int list, std::uint32_t first,
                                 std::uint32_t count) {
-  const Lists& lists = listsOf(phase);
-  bindLists(lists);
-  lists.drawTexels.bindSampler(shared::kDrawUnit);
-  mDepths.bindStorage(shared::kDepthBinding);
-  mNearest.bindStorage(shared::kSeenBinding);
-  bindDepths(shared::kDepthUnit);
-  mPyramid.bindSampler(shared::kPyramidUnit);
-  if (mHasOwners) bindOwners();
-  const gpu::Program& program = programs.splat(list == shared::kDrawLarge);
-  program.set(0, list);
-  program.set(1, owners ? 1 : 0);
-  program.set(2, int(first));
-  program.set(3, hasPyramid(phase, owners));
-  int parts = list == shared::kDrawLarge ? shared::kLargeParts : 1;
-  gpu::dispatchLine(program, count, parts);
+  const gpu::Program& program = bindDraws(programs, phase, list, first);
+  gpu::dispatchLine(program, count, list == shared::kDrawLarge ? shared::kLargeParts : 1);
 }
 
 void InstanceTarget::makePyramid(InstancePrograms& programs) {

@@ -19,12 +19,12 @@ namespace velum::model {
 
 /// Which instances are drawn. Cuts, Membranes: those that the cuts leave, worked out while they are culled, without or
 /// with sheets among the cuts; States: those that InstanceStates leaves; Ghosts: those that InstanceStates has removed
-/// and that show as ghosts.
-enum class CullBy { Cuts, Membranes, States, Ghosts };
+/// and that show as ghosts; Nearest: all that are looked at.
+enum class CullBy { Cuts, Membranes, States, Ghosts, Nearest };
 
-/// The defines of the program that culls: by what it culls, and whether it takes the instances seen before or all
-/// others.
-gpu::Defines cullDefines(CullBy by, bool isOfSeen);
+/// The defines of the program that culls: by what it culls, and whether it looks at words of bits of instances or at
+/// bundles.
+gpu::Defines cullDefines(CullBy by, bool isOfWords);
 /// The defines of the focus program of InstanceStates.
 gpu::Defines focusDefines(bool hasMembranes, bool isOfOccluders);
 
@@ -39,7 +39,8 @@ std::vector<InstancePart> instanceParts(std::uint32_t instances, int copies, std
 /// The programs that draw instances into a target. GL thread.
 class InstancePrograms {
  public:
-  const gpu::Program& cull(CullBy by, bool isOfSeen);
+  const gpu::Program& bundles(bool isOfCopies);
+  const gpu::Program& cull(CullBy by, bool isOfWords);
   const gpu::Program& splat(bool isLarge);
   const gpu::Program& arguments();
   const gpu::Program& pyramid();
@@ -60,49 +61,70 @@ class InstancePrograms {
 
  private:
   std::map<std::pair<CullBy, bool>, gpu::Program> mCull;
-  std::map<bool, gpu::Program> mSplat, mClip;
+  std::map<bool, gpu::Program> mBundles, mSplat, mClip;
   std::map<std::pair<bool, bool>, gpu::Program> mFocus;
   gpu::Program mArguments, mPyramid, mSeen, mFlood, mShown;
 };
 
-/// Which instances a pass over all instances takes.
-enum class CullPhase { SeenBefore, Others, All };
+/// Which instances are looked at: those that were seen last time; all others, bundle by bundle; those that were nearest
+/// in some pixel while depths were drawn, and only these can own one.
+enum class CullPhase { SeenBefore, Others, Nearest };
+
+/// Ranges of copies, the nearest first: each is drawn before the next is looked at, and has twice as many.
+std::vector<std::pair<int, int>> copyRounds(int copies);
 
 /// The nearest ball of all instances in each pixel of a view: its depth along the view, its instance and its number.
 /// Drawn by compute shaders, as most balls cover only a pixel or two ([VE] 2.2; Differs: there they are rasterised).
-/// Cost: a look at each instance, twice; the pixels of all balls of seen instances, twice; four bytes of depth a pixel
-/// for the pyramid. GL thread.
+/// Cost: a look at each copy; at each bundle of a copy that may show; at each instance of such a bundle; the pixels of
+/// all balls of seen instances, twice; four bytes of depth a pixel for the pyramid. Memory: a few bits an instance, and
+/// lists that have room for some instances, which are filled and drawn as often as it takes. GL thread.
 ///
-/// A view is drawn by: begin(); cull() all instances for SeenBefore; drawList() for their depths; makePyramid(); cull()
-/// for Others; drawList(); and, where owners are wanted, drawList() for both phases once more, then noteSeen(). The
-/// result does not depend on which instances were seen before; knowing them only makes it faster.
+/// A view is drawn by: begin(); the list of SeenBefore; makePyramid(); then, for each of copyRounds(), listCopies(),
+/// listBundles(), the list of Others, makePyramid(); and, where owners are wanted, the list of Nearest, then
+/// noteSeen(). A list is drawn by openList(), cull(), closeList() and drawList(). The result does not depend on which
+/// instances were seen before; knowing them only makes it faster.
 class InstanceTarget {
  public:
-  /// @param hasOwners  the target also keeps which instance and ball are in each pixel, not only their depth
+  /// @param hasOwners  the target also keeps which instance and ball are in each pixel, not only their depth; else what
+  /// was nearest in some pixel counts as seen
   InstanceTarget(const char* label, bool hasOwners) : mLabel(label), mHasOwners(hasOwners) {}
 
   /// @param instances  instances of one copy. Where their number changes, it is forgotten which instances were seen
-  /// before.
-  void resize(glm::ivec2 size, std::uint32_t instances, int copies);
+  /// before. @param room  the most instances that a list may have room for
+  void resize(glm::ivec2 size, std::uint32_t instances, int copies, std::uint32_t room);
   /// Forgets which instances were seen before; to be called for another model.
   void forget();
   glm::ivec2 size() const { return mSize; }
+  int copies() const { return mCopies; }
+  std::uint32_t bundlesOfCopy() const;
 
   void begin(const shared::InstanceView& view);
-  /// All parts of a phase; for SeenBefore the parts count words of 32 instances over all copies. @param most  about how
-  /// many instances a part has at most
-  std::vector<InstancePart> partsOf(CullPhase phase, std::uint32_t most) const;
-  /// Callers must have bound the frame's cuts and spares, or its InstanceStates.
-  void cull(InstancePrograms& programs, CullBy by, CullPhase phase, const InstancePart& part);
-  /// To be called when all parts of a phase are culled: completes its lists.
-  void closeLists(InstancePrograms& programs, CullPhase phase);
-  /// How many groups each list of a phase takes. Waits for the GPU.
-  std::array<std::uint32_t, 4> groupCounts(CullPhase phase) const;
-  /// Draws all groups of a list.
-  void drawList(InstancePrograms& programs, CullPhase phase, int list, bool owners);
-  /// Draws some groups of a list.
-  void drawGroups(InstancePrograms& programs, CullPhase phase, int list, bool owners, std::uint32_t first,
-                  std::uint32_t count);
+  /// Lists those of a range of copies that may show, and no bundle.
+  void listCopies(InstancePrograms& programs, int first, int end);
+  /// How many copies are listed. Waits for the GPU.
+  int listedCopies() const;
+  /// Lists bundles of a range of the listed copies, which may be longer than the list.
+  void listBundles(InstancePrograms& programs, int first, int end);
+  /// How many bundles are listed. Waits for the GPU.
+  std::uint32_t listedBundles() const;
+
+  /// How many words of 32 instances a phase looks at, or bundles, at most.
+  std::uint32_t itemsOf(CullPhase phase, int listedCopies) const;
+  /// How many of them a list has room for.
+  std::uint32_t itemsOfList(CullPhase phase) const;
+  /// Empties the list of draws.
+  void openList();
+  /// Adds instances to it. Callers must have bound the frame's cuts and spares, or its InstanceStates.
+  /// @param first, end  of the phase's items
+  void cull(InstancePrograms& programs, CullBy by, CullPhase phase, std::uint32_t first, std::uint32_t end);
+  /// To be called when the list is complete.
+  void closeList(InstancePrograms& programs);
+  /// How many groups each kind of draws takes. Waits for the GPU.
+  std::array<std::uint32_t, 4> groupCounts() const;
+  /// Draws all groups of a kind.
+  void drawList(InstancePrograms& programs, CullPhase phase, int list);
+  /// Draws some groups of a kind.
+  void drawGroups(InstancePrograms& programs, CullPhase phase, int list, std::uint32_t first, std::uint32_t count);
   void makePyramid(InstancePrograms& programs);
   void noteSeen(InstancePrograms& programs);
 
@@ -114,23 +136,19 @@ class InstanceTarget {
   const gpu::Buffer& owners() const { return mOwners; }
 
  private:
-  /// The lists of draws of a phase.
-  struct Lists {
-    gpu::Buffer draws, counts;
-    gpu::Texture drawTexels;
-  };
-  Lists& listsOf(CullPhase phase) { return mLists[phase == CullPhase::Others ? 1 : 0]; }
-  const Lists& listsOf(CullPhase phase) const { return mLists[phase == CullPhase::Others ? 1 : 0]; }
-  void bindLists(const Lists& lists) const;
+  void bindCounts() const;
+  const gpu::Program& bindDraws(InstancePrograms& programs, CullPhase phase, int list, std::uint32_t first) const;
+  const gpu::Program& bindBundles(InstancePrograms& programs, bool isOfCopies) const;
 
   const char* mLabel;
   bool mHasOwners;
   glm::ivec2 mSize{0}, mTiles{0};
   std::uint32_t mInstances = 0, mCount = 0;  ///< Instances of one copy, and of all copies.
+  std::uint32_t mRoom = 0;                   ///< Instances that a list has room for: whole bundles.
   int mCopies = 1;
   gpu::Buffer mView, mDepths, mOwners, mBalls, mSeen, mNearest;
-  gpu::Texture mDepthTexels, mPyramid;
-  std::array<Lists, 2> mLists;
+  gpu::Buffer mDraws, mCounts, mBundles, mOrder;  ///< mOrder: copies by their depth, then the listed ones.
+  gpu::Texture mDepthTexels, mPyramid, mDrawTexels;
 };
 
 }  // namespace velum::model

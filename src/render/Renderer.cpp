@@ -41,7 +41,7 @@ struct Renderer::Impl {
         instances(model, states, surfaces),
         rayCast(gbuffer, limits.isSoftware),
         counts(gbuffer, model, states),
-        ghosts(gbuffer, instances.draw()),
+        ghosts(gbuffer, model, instances.draw()),
         finish(gbuffer),
         stats(known) {}
 

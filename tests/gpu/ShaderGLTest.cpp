@@ -142,7 +142,7 @@ const Offset kInstanceViewOffsets[] = {VELUM_OFFSET(InstanceView, eye),
                                        VELUM_OFFSET(InstanceView, wholeInstances),
                                        VELUM_OFFSET(InstanceView, levelCount),
                                        VELUM_OFFSET(InstanceView, stateWords),
-                                       VELUM_OFFSET(InstanceView, padding0)};
+                                       VELUM_OFFSET(InstanceView, drawRoom)};
 
 TEST_F(ShaderGL, InstanceViewsLieWhereTheDriverPutsThem) {
   auto members = membersOf("instance.h", "InstanceView");

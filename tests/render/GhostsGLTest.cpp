@@ -46,6 +46,40 @@ TEST_F(FocusGL, GhostsShowWhatIsRemovedWhereNothingIsNearer) {
   EXPECT_EQ(sampleOf(draw(scene, size, kLayers), {80, 50}, "ghosts.A"), 0.0f) << "not of this type";
 }
 
+TEST_F(FocusGL, GhostsOfAllAreWhereThePlainPictureShowsAll) {
+  ModelMaker maker;
+  maker.instances = 900;
+  scene::Scene plain;
+  plain.unit = LengthUnit::Angstrom;
+  plain.model.data = Shared<Model>(maker.make());
+  plain.lighting.shaded = false;
+  plain.rayCast.samplesPerPixel = 1;
+  plain.background.transparent = true;
+  plain.camera = scene::frameCamera(plain, scene::StandardView::Oblique, 1.0);
+  scene::Scene ghosts = plain;
+  ghosts.model.ghosts = scene::Ghosts::Filled;
+  ghosts.model.ghostOpacity = 1.0;
+  scene::Cut all;
+  all.shape = scene::CutShape::Everywhere;
+  scene::addCut(ghosts, all);
+  glm::ivec2 size(120, 120);
+  // Nothing was seen before; all was; something else was.
+  for (double turn : {0.0, 0.0, 0.7}) {
+    ghosts.camera.eye.x += turn * glm::length(plain.camera.eye - plain.camera.target);
+    plain.camera = ghosts.camera;
+    Image wanted = draw(plain, size, kLayers), image = draw(ghosts, size, kLayers);
+    int wrong = 0, shown = 0;
+    for (int y = 0; y < size.y; ++y)
+      for (int x = 0; x < size.x; ++x) {
+        bool isShown = sampleOf(wanted, {x, y}, "instance") > 0.0f;
+        shown += isShown;
+        wrong += isShown != (sampleOf(image, {x, y}, "ghosts.A") > 0.99f);
+      }
+    EXPECT_GT(shown, 2000);
+    EXPECT_EQ(wrong, 0);
+  }
+}
+
 TEST_F(FocusGL, LinesOfGhostsHaveOneColourHoweverStrongTheyAre) {
   scene::Scene scene = focusScene(17, 60);
   scene.model.ghosts = scene::Ghosts::Contour;

@@ -15,19 +15,17 @@ void GhostPass::prepare(FrameData& data) {
   mIsOn = isModelDrawn(data.frame.scene) && scene::hasGhosts(model) && !data.cuts.empty();
   if (!mIsOn) return;
   if (!mShade) mShade = gpu::Program({"render/ghosts.comp"});
-  mTarget.resize(data.frame.windowSize, std::uint32_t(model.data->instances.size()), scene::copyCount(model));
+  mTarget.resize(data.frame.windowSize, std::uint32_t(model.data->instances.size()), scene::copyCount(model),
+                 mModel.listRoom());
   if (!mSums || glm::ivec2(mSums.size()) != data.frame.windowSize)
     mSums = gpu::Texture::make2d("ghosts", gpu::Format::Rgba32f, data.frame.windowSize);
 }
 
 void GhostPass::addSteps(const FrameData& data, int sample, WorkQueue& queue) {
   if (!mIsOn) return;
-  using Phase = model::CullPhase;
-  mDraw.add(queue, [this, view = eyeViewOf(data, sample)] { mTarget.begin(view); });
-  mDraw.addCull(mTarget, model::CullBy::Ghosts, Phase::All, queue);
-  mDraw.addDraws(mTarget, Phase::All, false, queue);
-  mDraw.addPyramid(mTarget, queue);
-  mDraw.addDraws(mTarget, Phase::All, true, queue);
+  mDraw.addDepths(mTarget, eyeViewOf(data, sample), model::CullBy::Ghosts, queue);
+  mDraw.addOwners(mTarget, queue);
+  if (sample == 0) mDraw.add(queue, [this] { mTarget.noteSeen(mModel.programs()); });
   queue.add(*this, [this, &data] { shade(data); });
 }
 

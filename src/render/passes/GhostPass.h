@@ -6,6 +6,7 @@
 #include "render/FrameData.h"
 #include "render/Gbuffer.h"
 #include "render/passes/InstanceDraw.h"
+#include "render/passes/ModelPass.h"
 #include "render/passes/Pass.h"
 
 namespace velum::render {
@@ -16,7 +17,8 @@ namespace velum::render {
 class GhostPass : public Pass {
  public:
   /// @param draw  draws instances into targets; the ghosts are found in steps of its pass
-  GhostPass(const Gbuffer& gbuffer, InstanceDraw& draw) : Pass("Ghosts"), mGbuffer(gbuffer), mDraw(draw) {}
+  GhostPass(const Gbuffer& gbuffer, ModelPass& model, InstanceDraw& draw)
+      : Pass("Ghosts"), mGbuffer(gbuffer), mModel(model), mDraw(draw) {}
   void prepare(FrameData& data) override;
   void addSteps(const FrameData& data, int sample, WorkQueue& queue) override;
   /// Begins the next picture: nothing of it is there yet.
@@ -33,6 +35,7 @@ class GhostPass : public Pass {
   void shade(const FrameData& data);
 
   const Gbuffer& mGbuffer;
+  ModelPass& mModel;
   InstanceDraw& mDraw;
   model::InstanceTarget mTarget{"ghosts of instances", true};
   gpu::Program mShade;

@@ -14,49 +14,100 @@ void InstanceDraw::add(WorkQueue& queue, WorkQueue::Run run) {
   });
 }
 
-void InstanceDraw::addCull(model::InstanceTarget& target, model::CullBy by, Phase phase, WorkQueue& queue) {
-  for (const auto& part : target.partsOf(phase, mModel.atATime()))
-    add(queue, [this, &target, by, phase, part] {
-      mStates.bind();
-      target.cull(mModel.programs(), by, phase, part);
-    });
-  add(queue, [this, &target, phase] { target.closeLists(mModel.programs(), phase); });
+void InstanceDraw::addDepths(model::InstanceTarget& target, const shared::InstanceView& view, model::CullBy by,
+                             WorkQueue& queue) {
+  add(queue, [&target, view] { target.begin(view); });
+  addPhase(target, by, Phase::SeenBefore, queue);
+  addPyramid(target, queue);
+  for (const auto& copies : model::copyRounds(view.copies)) addRound(target, by, copies, queue);
 }
 
-void InstanceDraw::addDraws(model::InstanceTarget& target, Phase phase, bool owners, WorkQueue& queue) {
-  if (mModel.isSoftware()) {
-    add(queue, [this] { mPlace = {}; });
-    queue.addUntilDone(mPass, [this, &target, phase, owners] { return drawNext(target, phase, owners); });
-    return;
+void InstanceDraw::addOwners(model::InstanceTarget& target, WorkQueue& queue) {
+  addPhase(target, model::CullBy::Nearest, Phase::Nearest, queue);
+}
+
+void InstanceDraw::addRound(model::InstanceTarget& target, model::CullBy by, std::pair<int, int> copies,
+                            WorkQueue& queue) {
+  add(queue, [this, &target, copies] {
+    mRound = {};
+    target.listCopies(mModel.programs(), copies.first, copies.second);
+  });
+  queue.addUntilDone(mPass, [this, &target, copies] { return listNext(target, copies.second - copies.first); });
+  addPhase(target, by, Phase::Others, queue);
+  addPyramid(target, queue);
+}
+
+/// Lists bundles of some copies more. @param copies  of the round @return true when they are the last
+bool InstanceDraw::listNext(model::InstanceTarget& target, int copies) {
+  // The only copy there is is always listed.
+  if (mRound.copies < 0) mRound.copies = mModel.isSoftware() && target.copies() > 1 ? target.listedCopies() : copies;
+  int atATime = std::max(1, int(mModel.atATime() / std::max(1u, target.bundlesOfCopy())));
+  int end = std::min(mRound.copies, mRound.next + atATime);
+  if (end > mRound.next) target.listBundles(mModel.programs(), mRound.next, end);
+  mPace.handOver(0, 0);
+  mRound.next = end;
+  return end == mRound.copies;
+}
+
+void InstanceDraw::addPhase(model::InstanceTarget& target, model::CullBy by, Phase phase, WorkQueue& queue) {
+  add(queue, [this] { mPlace = {}; });
+  queue.addUntilDone(mPass, [this, &target, by, phase] { return drawNext(target, by, phase); });
+}
+
+/// Adds some of a phase's instances to the list.
+void InstanceDraw::cullNext(model::InstanceTarget& target, model::CullBy by, Phase phase) {
+  if (mPlace.culled == mPlace.listEnd) {
+    target.openList();
+    mPlace.listEnd = mPlace.culled + std::min(target.itemsOfList(phase), mPlace.items - mPlace.culled);
   }
-  for (int list = 0; list < shared::kDrawLists; ++list)
-    add(queue, [this, &target, phase, owners, list] {
-      target.drawList(mModel.programs(), phase, list, owners);
-      gpu::barrier();
-    });
+  // Of words most are empty.
+  std::uint32_t most = phase == Phase::Others ? mModel.atATime() / std::uint32_t(shared::kBundle) : mModel.atATime();
+  std::uint32_t end = mPlace.culled + std::min(std::max(1u, most), mPlace.listEnd - mPlace.culled);
+  mStates.bind();
+  target.cull(mModel.programs(), by, phase, mPlace.culled, end);
+  mPlace.culled = end;
+  if (end < mPlace.listEnd) return;
+  target.closeList(mModel.programs());
+  mPlace.isListed = true;
+  mPlace.groups = {};
+  mPlace.kind = 0;
+  mPlace.next = 0;
 }
 
-/// The next piece of what a software driver draws. @return true when it was the last
-bool InstanceDraw::drawNext(model::InstanceTarget& target, Phase phase, bool owners) {
+/// The next piece of a phase. @return true when it was the last
+bool InstanceDraw::drawNext(model::InstanceTarget& target, model::CullBy by, Phase phase) {
+  bool isSoftware = mModel.isSoftware();
   if (!mPlace.isKnown) {
-    mPlace.groups = target.groupCounts(phase);
+    bool asks = phase == Phase::Others && isSoftware;
+    mPlace.items = asks ? target.listedBundles() : target.itemsOf(phase, mRound.copies);
     mPlace.isKnown = true;
   }
-  while (mPlace.list < shared::kDrawLists && mPlace.next >= mPlace.groups[std::size_t(mPlace.list)]) {
-    ++mPlace.list;
+  if (!mPlace.isListed) {
+    if (mPlace.culled < mPlace.items) cullNext(target, by, phase);
+    mPace.handOver(0, 0);
+    return !mPlace.isListed && mPlace.culled == mPlace.items;
+  }
+  if (isSoftware && mPlace.kind == 0 && mPlace.next == 0) mPlace.groups = target.groupCounts();
+  std::uint32_t left = 0, count = 0;
+  while (isSoftware && mPlace.kind < shared::kDrawLists &&
+         (left = mPlace.groups[std::size_t(mPlace.kind)] - mPlace.next) == 0) {
+    ++mPlace.kind;
     mPlace.next = 0;
   }
-  if (mPlace.list >= shared::kDrawLists) {
-    mPace.handOver(0, 0);
-    return true;
+  if (mPlace.kind < shared::kDrawLists) {
+    if (isSoftware) {
+      count = std::min(left, mPace.groupsOf(mPlace.kind));
+      target.drawGroups(mModel.programs(), phase, mPlace.kind, mPlace.next, count);
+    } else {
+      target.drawList(mModel.programs(), phase, mPlace.kind);
+    }
+    gpu::barrier();
   }
-  std::uint32_t left = mPlace.groups[std::size_t(mPlace.list)] - mPlace.next;
-  std::uint32_t count = std::min(left, mPace.groupsOf(mPlace.list));
-  target.drawGroups(mModel.programs(), phase, mPlace.list, owners, mPlace.next, count);
-  gpu::barrier();
-  mPace.handOver(mPlace.list, count);
+  mPace.handOver(std::min(mPlace.kind, shared::kDrawLists - 1), count);
   mPlace.next += count;
-  return false;
+  if (!isSoftware) ++mPlace.kind;
+  mPlace.isListed = mPlace.kind < shared::kDrawLists;
+  return !mPlace.isListed && mPlace.culled == mPlace.items;
 }
 
 void InstanceDraw::addPyramid(model::InstanceTarget& target, WorkQueue& queue) {

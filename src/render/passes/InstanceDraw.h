@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <utility>
 
 #include "model/InstanceStates.h"
 #include "model/InstanceTarget.h"
@@ -11,8 +12,9 @@
 
 namespace velum::render {
 
-/// Draws instances into targets, in steps of a pass: culls instances, some at a time, and draws the resulting lists,
-/// which software drivers get piece by piece. GL thread.
+/// Draws instances into targets, in steps of a pass: finds which copies, bundles and instances may show, and draws them
+/// list by list. Software drivers get the lists piece by piece and are asked how much there is to do; other drivers are
+/// not waited for, and start groups that find nothing to do. GL thread.
 class InstanceDraw {
  public:
   using Phase = model::CullPhase;
@@ -25,26 +27,37 @@ class InstanceDraw {
 
   /// Adds work of the pass that draws nothing.
   void add(WorkQueue& queue, WorkQueue::Run run);
-  /// Adds steps that find which instances are drawn in a phase, and at which level of detail.
-  void addCull(model::InstanceTarget& target, model::CullBy by, Phase phase, WorkQueue& queue);
-  /// Adds steps that draw the depths of a phase's instances or, when all depths are known, which instance is in each
-  /// pixel.
-  void addDraws(model::InstanceTarget& target, Phase phase, bool owners, WorkQueue& queue);
-  void addPyramid(model::InstanceTarget& target, WorkQueue& queue);
+  /// Adds steps that draw the depths of instances as a view sees them: of what was seen before, then of what these do
+  /// not hide.
+  void addDepths(model::InstanceTarget& target, const shared::InstanceView& view, model::CullBy by, WorkQueue& queue);
+  /// Adds steps that find which instance is in each pixel, when all depths are drawn.
+  void addOwners(model::InstanceTarget& target, WorkQueue& queue);
 
  private:
-  bool drawNext(model::InstanceTarget& target, Phase phase, bool owners);
+  void addRound(model::InstanceTarget& target, model::CullBy by, std::pair<int, int> copies, WorkQueue& queue);
+  void addPhase(model::InstanceTarget& target, model::CullBy by, Phase phase, WorkQueue& queue);
+  void addPyramid(model::InstanceTarget& target, WorkQueue& queue);
+  bool listNext(model::InstanceTarget& target, int copies);
+  bool drawNext(model::InstanceTarget& target, model::CullBy by, Phase phase);
+  void cullNext(model::InstanceTarget& target, model::CullBy by, Phase phase);
 
   Pass& mPass;
   ModelPass& mModel;
   const model::InstanceStates& mStates;
   DrawPace mPace;
-  /// How far drawing in pieces has come.
+  /// How far a round has come: copies whose bundles are listed.
+  struct Round {
+    int copies = -1;  ///< That are listed; below 0: not known yet.
+    int next = 0;
+  } mRound;
+  /// How far a phase has come. Items are what InstanceTarget::itemsOf() counts.
   struct Place {
+    std::uint32_t items = 0, culled = 0, listEnd = 0;
+    bool isKnown = false;   ///< `items` are.
+    bool isListed = false;  ///< The list is complete, and is being drawn.
     std::array<std::uint32_t, 4> groups{};
-    int list = 0;
+    int kind = 0;  ///< Of draws.
     std::uint32_t next = 0;
-    bool isKnown = false;
   } mPlace;
 };
 

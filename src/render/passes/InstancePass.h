@@ -31,7 +31,6 @@ class InstancePass : public Pass {
 
  private:
   void addLight(const shared::InstanceView& view, WorkQueue& queue);
-  void addEye(const shared::InstanceView& view, WorkQueue& queue);
 
   ModelPass& mModel;
   InstanceDraw mDraw;

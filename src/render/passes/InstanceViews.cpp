@@ -10,16 +10,17 @@ namespace velum::render {
 
 namespace {
 
-constexpr int kLeastLightEdge = 128, kMostLightEdge = 1024;  // pixels of the light's view
-constexpr float kLightDetail = 2.0f;                         // shadows are soft
+constexpr int kLeastLightEdge = 128, kWholeLightEdge = 512, kMostLightEdge = 1024;  // pixels of the light's view
+constexpr float kLightDetail = 2.0f;                                                // shadows are soft
 constexpr float kPreviewDetail = 3.0f;
 constexpr float kLargeRadius = 10.0f;  // pixels: see docs/PERFORMANCE.md
 
-/// Pixels along each edge of the light's view: about as many as the picture has.
+/// Pixels along each edge of the light's view: about as many as a small picture has; half as many as a large one, as
+/// shadows are soft and the view's balls take most of the time of a picture.
 int lightEdge(const Frame& frame) {
-  int edge = kLeastLightEdge;
-  while (edge < kMostLightEdge && edge < std::max(frame.pictureSize.x, frame.pictureSize.y)) edge *= 2;
-  return edge;
+  int longest = std::max(frame.pictureSize.x, frame.pictureSize.y), edge = kLeastLightEdge;
+  while (edge < kWholeLightEdge && edge < longest) edge *= 2;
+  return std::max(edge, std::min(longest / 2, kMostLightEdge));
 }
 
 }  // namespace

@@ -18,6 +18,7 @@ namespace {
 
 constexpr std::uint32_t kSoftwareLooks = 1u << 17, kHardwareLooks = 1u << 22;  // instances at a time
 constexpr std::uint32_t kMostInstances = 1u << 27;  // over all copies: what numbers have room for
+constexpr std::uint32_t kMostListed = 1u << 21;     // 32 MB of draws a view
 
 model::InstancePrograms::Need needOf(const FrameData& data) {
   const Frame& frame = data.frame;
@@ -61,10 +62,15 @@ bool ModelPass::isReady() { return !isDrawn() || mPrograms.compile(mNeed); }
 
 std::uint32_t ModelPass::atATime() const { return mIsSoftware ? kSoftwareLooks : kHardwareLooks; }
 
+std::uint32_t ModelPass::listRoom() const {
+  return std::min(kMostListed, std::uint32_t(std::min<std::size_t>(mMostTexels, 1u << 30) / shared::kDrawRooms));
+}
+
 void ModelPass::checkCount(const scene::ModelLayer& layer) const {
   std::uint64_t count = scene::instanceCount(layer);
-  // Lists of draws are buffers' texels, two an instance.
-  std::uint64_t most = std::min<std::uint64_t>(kMostInstances, mMostTexels / shared::kDrawRooms);
+  // A copy's instances are buffers' texels, two each.
+  std::uint64_t most = kMostInstances;
+  if (layer.data->instances.size() > mMostTexels / 2) most = mMostTexels / 2;
   if (count > most)
     throw gpu::GpuError(
         fmt::format("{} instances are too many for this driver; {} are the most: take fewer copies", count, most));

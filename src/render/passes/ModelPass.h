@@ -38,6 +38,8 @@ class ModelPass : public Pass {
   bool isSoftware() const { return mIsSoftware; }
   /// About how many instances a dispatch looks at.
   std::uint32_t atATime() const;
+  /// How many instances a list of draws may have room for.
+  std::uint32_t listRoom() const;
 
  private:
   struct Key {

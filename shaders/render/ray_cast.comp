@@ -114,8 +114,9 @@ void main() {
   ivec2 inPicture = pixel + windowOrigin;
   Ray ray = rayThrough(vec2(inPicture) + 0.5 + frame.subpixel);
 
-  ivec2 surfacePixel = min(pixel, textureSize(surfaceColorTexture, 0) - 1);
-  if (hasFlag(kFlagNoData) && hasFlag(kFlagFinish)) surfacePixel = calmed(surfacePixel);
+  ivec2 ownPixel = min(pixel, textureSize(surfaceColorTexture, 0) - 1);
+  ivec2 surfacePixel = ownPixel;
+  if (hasFlag(kFlagNoData) && hasFlag(kFlagFinish)) surfacePixel = calmed(ownPixel);
   vec4 surface = texelFetch(surfaceColorTexture, surfacePixel, 0);
   vec4 surfaceAux = texelFetch(surfaceAuxTexture, surfacePixel, 0);
   float stop = surface.a > 0.0 ? surfaceAux.w : kFar;
@@ -138,12 +139,22 @@ void main() {
     }
     hit.color += (1.0 - hit.color.a) * vec4(surface.rgb, 1.0) * surface.a;
   }
+  if (hasFlag(kFlagFinish)) imageStore(sampleImage, pixel, packSample(ray, hit, group, size));
   if (frame.sampleIndex == 0) {
     bool found = hit.distance < kFar && hit.color.a > 0.0;
+    if (surfacePixel != ownPixel) {
+      // Counts and clicks ask who is there, not who is drawn there.
+      vec4 ownAux = texelFetch(surfaceAuxTexture, ownPixel, 0);
+      uvec4 ownIds = texelFetch(surfaceIdTexture, ownPixel, 0);
+      found = texelFetch(surfaceColorTexture, ownPixel, 0).a > 0.0;
+      hit.normal = ownAux.xyz;
+      hit.distance = ownAux.w;
+      hit.structure = ownIds.x;
+      instance = ownIds.y;
+    }
     imageStore(surfaceImage, pixel, found ? vec4(hit.normal, hit.distance) : vec4(0.0));
     imageStore(idImage, pixel, found ? uvec4(hit.structure, instance + 1u, 0u, 0u) : uvec4(0u));
   }
-  if (hasFlag(kFlagFinish)) imageStore(sampleImage, pixel, packSample(ray, hit, group, size));
   vec4 before = frame.sampleIndex == 0 ? vec4(0.0) : imageLoad(colorImage, pixel);
   imageStore(colorImage, pixel, before + hit.color);
 }

@@ -6,12 +6,12 @@
 
 layout(binding = kGroupOfUnit) uniform usamplerBuffer groupOf;  // by structure: its compartment
 
-// An edge is covered in full up to this share of the circle's radius, and its line is 1.65 radii wide: see kLineCircle.
+// So many times the share of places that lie across an edge is a line's cover: it is 1.65 radii wide in sum, see kLineCircle.
 const float kFullShare = 3.0;
 // Sizes of instances between which their lines come, pixels of a picture of 1000 rows, or of a smaller one.
 const float kNoLine = 6.0, kFullLine = 16.0;
 // And those between which faint lines within come, and how dark these are.
-const float kNoneWithin = 30.0, kFullWithin = 80.0, kFaint = 0.45;
+const float kNoneWithin = 25.0, kFullWithin = 55.0, kFaint = 0.27;
 // What is left of the outlines of the whole and of compartments around what is too small for a line of its own, and how dark
 // the line between compartments is where the depth does not fall.
 const float kLeastOutline = 0.5;

@@ -1,5 +1,7 @@
 #pragma once
 #include <glm/glm.hpp>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/Fields.h"
@@ -39,6 +41,17 @@ struct LabelStrength {
   bool operator==(const LabelStrength&) const = default;
   static void fields(auto& o, auto& visit) {
     visit("id", o.id, FieldInfo{"", {0, 65535}, "Label id of the structure."});
+    visit("strength", o.strength, FieldInfo{"", {-1000, 1000}, "Above 0 the sheet is repelled, below attracted."});
+  }
+};
+
+/// The force of the instances of a molecular type, or of all types of a compartment.
+struct TypeStrength {
+  std::string path;
+  double strength = 0.0;
+  bool operator==(const TypeStrength&) const = default;
+  static void fields(auto& o, auto& visit) {
+    visit("path", o.path, FieldInfo{"", {}, "Path of a type or compartment of the model, with dots."});
     visit("strength", o.strength, FieldInfo{"", {-1000, 1000}, "Above 0 the sheet is repelled, below attracted."});
   }
 };
@@ -85,6 +98,7 @@ struct ForceField {
   std::vector<StrengthPoint> byValue;     ///< ascending; 0 before the first and after the last; the parts add up
   std::vector<StrengthPoint> byGradient;  ///< as byValue, but over the gradient's magnitude
   std::vector<LabelStrength> byLabel;     ///< of structures, where there are labels
+  std::vector<TypeStrength> byType;       ///< of a model's types; of two that lead to a type the longer path counts
   bool denoise = false;                   ///< the curves are over the data with its noise taken out
   int leastPiece = -1;                    ///< pieces of fewer voxels protected by value do not count; -1: as noise says
   int level = 1;                          ///< super-voxels of 2^level voxels per axis
@@ -100,6 +114,7 @@ struct ForceField {
     visit("byValue", o.byValue, FieldInfo{"", {}, "Strength by value of the data: points of a curve."});
     visit("byGradient", o.byGradient, FieldInfo{"", {}, "Strength by gradient magnitude."});
     visit("byLabel", o.byLabel, FieldInfo{"", {}, "Strength of structures."});
+    visit("byType", o.byType, FieldInfo{"", {}, "Strength of molecular types, where their instances are dense."});
     visit("denoise", o.denoise, FieldInfo{"", {}, "The curves are over the data with its noise taken out."});
     visit("leastPiece", o.leastPiece,
           FieldInfo{"",
@@ -118,6 +133,10 @@ struct ForceField {
     visit("byValueBefore", o.byValueBefore, FieldInfo{"", {}, "The curve before the first stroke."});
   }
 };
+
+/// The strength that byType has for a type of the model; 0 where nothing in the list leads to it. @param path  the
+/// type's
+double strengthOf(const ForceField& field, std::string_view path);
 
 /// The elastic sheet ([IMC] 3.1). Forces and stiffness are in units of the rest plane, so that a sheet behaves alike at
 /// every size and resolution: strength 1 is an acceleration of 1/128 of the rest plane's mean edge per s^2.

@@ -14,7 +14,7 @@ namespace velum::scene {
 
 namespace {
 
-constexpr double kMostSamples = 2e6;
+constexpr double kMostFrameSamples = 2e6;
 constexpr double kSpecks = 1e-3;  ///< of what shows, that may be outside of the picture
 constexpr double kMargin = 1.08;
 constexpr std::size_t kFewPlaces = 50;
@@ -164,7 +164,7 @@ void standUp(Camera& camera, const std::vector<glm::dvec3>& places, double apart
 Camera frameVisible(const Scene& scene, StandardView view, double aspect) {
   Camera camera = frameCamera(scene, view, aspect);
   if (!fitsWhatShows(scene)) return camera;
-  std::vector<glm::dvec3> places = placesOf(shownVoxels(scene, kMostSamples, kVeil));
+  std::vector<glm::dvec3> places = placesOf(shownVoxels(scene, kMostFrameSamples, kVeil));
   return places.size() < kFewPlaces ? camera : fit(scene, camera, std::move(places), aspect);
 }
 
@@ -173,7 +173,7 @@ Camera firstCamera(const Scene& scene, double aspect) {
   StandardView view = defaultView(scene);
   Camera camera = frameCamera(scene, view, aspect);
   if (!fitsWhatShows(scene)) return camera;
-  ShownVoxels shown = shownVoxels(scene, kMostSamples, kVeil);
+  ShownVoxels shown = shownVoxels(scene, kMostFrameSamples, kVeil);
   std::vector<glm::dvec3> places = placesOf(shown);
   if (places.size() < kFewPlaces) return camera;
   if (view == StandardView::Oblique) standUp(camera, places, longestEdge(shown.worldFromVoxel));

@@ -1,10 +1,12 @@
 // Models of molecules in the real window: their page, clicks in the picture, and what cuts leave of them.
 #include <QComboBox>
 #include <QTabBar>
+#include <cmath>
 #include <map>
 
 #include "ModelFixture.h"
 #include "Shots.h"
+#include "core/ModelBuilder.h"
 #include "gui/cut/TypeSpareList.h"
 #include "patience.h"
 #include "session/cut/CutEdit.h"
@@ -17,6 +19,47 @@ TEST_F(ModelWindow, ThePageIsThereWithAModelOnly) {
   EXPECT_TRUE(hasPage());
   openPhantom();
   EXPECT_FALSE(hasPage());
+}
+
+namespace {
+
+/// A closed shell of balls with others in it.
+Model closedShell() {
+  ModelBuilder builder("shell");
+  auto add = [&](const std::vector<std::string>& path, float radius, int count, float from) {
+    MoleculeType type;
+    type.name = path.back();
+    type.compartment = builder.compartment(path);
+    std::uint32_t molecule = builder.addMolecule(builder.addType(type), {}, {{glm::vec4(0, 0, 0, radius)}});
+    for (int i = 0; i < count; ++i) {
+      float z = 1.0f - 2.0f * (float(i) + 0.5f) / float(count), turn = 2.39996323f * float(i);
+      glm::vec2 flat = std::sqrt(1.0f - z * z) * glm::vec2(std::cos(turn), std::sin(turn));
+      builder.addInstance(molecule, from * glm::vec3(flat, z), glm::quat(1, 0, 0, 0));
+    }
+  };
+  add({"membrane"}, 40.0f, 600, 200.0f);
+  add({"membrane", "capsid"}, 15.0f, 60, 80.0f);
+  return builder.build();
+}
+
+}  // namespace
+
+TEST_F(ModelWindow, WhatAMembraneHidesIsSaidAndOneClickCutsItOpen) {
+  scene::Scene shell;
+  shell.unit = LengthUnit::Angstrom;
+  shell.model.data = Shared<Model>(closedShell());
+  mWindow->resize(1100, 860);
+  mWindow->showScene(shell, "shell");
+  drawSoon();
+  auto* line = child<QWidget>("modelInside");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return line->isVisible(); }, kPatience));
+  EXPECT_TRUE(line->findChild<QLabel*>()->text().contains("capsid"));
+  QTest::mouseClick(child<QPushButton>("modelCutOpen"), Qt::LeftButton);
+  ASSERT_EQ(scene().cuts.size(), 1u);
+  EXPECT_FALSE(line->isVisible());
+  EXPECT_TRUE(list().isVisible()) << "the page stays";
+  mWindow->document().undo();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return line->isVisible(); }, kPatience));
 }
 
 TEST_F(ModelWindow, AnEyeHidesItsTypeAndUndoBringsItBack) {

@@ -276,7 +276,7 @@ TEST(ModelEdit, SoloComesBackToWhatIsSaidToHaveBeenShown) {
   EXPECT_EQ(scene, before);
 }
 
-TEST(ModelEdit, WhatIsLeftAsAboveHasNoRowOfItsOwnAndTypesAreProtectedByTheirNumbers) {
+TEST(ModelEdit, WhatIsLeftAsAboveHasNoRowOfItsOwnAndTypesAreProtectedByTheirPaths) {
   Document document;
   scene::Scene start = modelScene();
   scene::Cut sheet;
@@ -289,10 +289,8 @@ TEST(ModelEdit, WhatIsLeftAsAboveHasNoRowOfItsOwnAndTypesAreProtectedByTheirNumb
   edit(document, LeaveAsAbove{{path(start, 2)}, ""});
   EXPECT_EQ(findTypeSpare(document.scene().cuts[0], path(start, 2)), nullptr);
   edit(document, ProtectTypes{{path(start, 2)}, 60.0, ""});
-  const auto& strengths = document.scene().cuts[0].membrane->field.byLabel;
-  ASSERT_EQ(strengths.size(), 1u);
-  EXPECT_EQ(strengths[0].id, 3);
-  EXPECT_EQ(strengths[0].strength, 60.0);
+  EXPECT_EQ(document.scene().cuts[0].membrane->field.byType,
+            (std::vector<scene::TypeStrength>{{path(start, 2), 60.0}}));
   EXPECT_THROW(edit(document, parseCall("model.meetTargets")), ArgumentError) << "no number is wanted";
   EXPECT_THROW(edit(document, parseCall("model.letSee root.nothing 3")), ArgumentError);
 }

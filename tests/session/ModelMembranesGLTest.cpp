@@ -2,7 +2,9 @@
 #include <random>
 
 #include "GlFixture.h"
+#include "core/Error.h"
 #include "core/ModelBuilder.h"
+#include "membrane/forces/Kernels.h"
 #include "render/kept/KeptInstances.h"
 #include "session/cut/CutEdit.h"
 #include "session/membrane/DefaultField.h"
@@ -74,7 +76,7 @@ TEST_F(ModelMembranesGL, WhatIsProtectedStaysWholeWhereAPlaneWouldHalveIt) {
   for (auto unit : {LengthUnit::Angstrom, LengthUnit::Millimetre}) {
     scene::Scene scene = sceneOfShell(unit);
     EXPECT_NEAR(keptShare(scene, "CA"), 0.5, 0.05) << "a flat sheet halves it";
-    for (int id : protectableTypes(*scene.model.data, "capsid")) protectStructure(*scene.cuts[0].membrane, id);
+    for (const auto& type : protectableTypes(*scene.model.data, "capsid")) protectType(*scene.cuts[0].membrane, type);
     auto report = settleMembranes(scene, {true, false}, sProgress).at(0);
     EXPECT_TRUE(report.atRest);
     EXPECT_GT(report.kernels, 100u);
@@ -88,7 +90,7 @@ TEST_F(ModelMembranesGL, WhatIsProtectedStaysWholeWhereAPlaneWouldHalveIt) {
 
 TEST_F(ModelMembranesGL, OrGoesWholeWhereThatIsAskedFor) {
   scene::Scene scene = sceneOfShell();
-  protectStructure(*scene.cuts[0].membrane, protectableTypes(*scene.model.data, "capsid.CA").at(0));
+  protectType(*scene.cuts[0].membrane, protectableTypes(*scene.model.data, "capsid.CA").at(0));
   scene.cuts[0].membrane->field.side = scene::MembraneSide::Remove;
   settleMembranes(scene, {}, sProgress);
   EXPECT_EQ(keptShare(scene, "CA"), 0.0);
@@ -98,8 +100,7 @@ TEST_F(ModelMembranesGL, OrGoesWholeWhereThatIsAskedFor) {
 TEST_F(ModelMembranesGL, ANewOneProtectsTheCompartmentThatIsNotEverywhere) {
   scene::Scene scene = sceneOfShell();
   scene::ForceField field = defaultField(scene);
-  ASSERT_EQ(field.byLabel.size(), 1u);
-  EXPECT_EQ(protectableStructures(scene).at(std::size_t(field.byLabel[0].id - 1)).name, "CA");
+  EXPECT_EQ(field.byType, (std::vector<scene::TypeStrength>{{"root.capsid.CA", kProtectStrength}}));
 }
 
 TEST_F(ModelMembranesGL, CopiesAreProtectedEachWhereItStands) {
@@ -108,7 +109,7 @@ TEST_F(ModelMembranesGL, CopiesAreProtectedEachWhereItStands) {
   scene.cuts[0].size.x = 4.0 * kHalfEdge;
   scene.cuts[0].size.y = 2.0 * kHalfEdge;
   scene.cuts[0].centre.x = 0.5 * scene::copyGrid(scene.model).step.x;
-  protectStructure(*scene.cuts[0].membrane, protectableTypes(*scene.model.data, "CA").at(0));
+  protectType(*scene.cuts[0].membrane, protectableTypes(*scene.model.data, "CA").at(0));
   settleMembranes(scene, {}, sProgress);
   std::vector<std::uint8_t> kept = render::keptInstances(scene);
   std::size_t count = scene.model.data->instances.size();
@@ -117,10 +118,90 @@ TEST_F(ModelMembranesGL, CopiesAreProtectedEachWhereItStands) {
     for (std::size_t i = 0; i < 500; ++i) ASSERT_TRUE(kept[copy * count + i]) << copy << ", " << i;
 }
 
+/// A grey volume, in which nothing stands out, with an edge of `voxels` voxels about the origin.
+Volume greyVolume(int voxels, double edge) {
+  Volume volume;
+  volume.dims = glm::ivec3(voxels);
+  volume.worldFromVoxel = glm::dmat4(edge / voxels);
+  volume.worldFromVoxel[3] = glm::dvec4(glm::dvec3(0.5 * edge / voxels - 0.5 * edge), 1.0);
+  volume.lengthUnit = LengthUnit::Angstrom;
+  volume.voxels.assign(voxelCount(volume), std::byte(80));
+  return volume;
+}
+
+// The volume holds the model, or only its middle: then there are voxels around the volume, in which the model's types
+// are protected as well.
+TEST_F(ModelMembranesGL, TypesAreProtectedBesideAVolume) {
+  for (double edge : {2.4 * kHalfEdge, 1.2 * kShell}) {
+    scene::Scene scene = sceneOfShell();
+    scene.volume.data = Shared<Volume>(greyVolume(edge > kHalfEdge ? 100 : 40, edge));
+    EXPECT_NEAR(keptShare(scene, "CA"), 0.5, 0.05) << "a flat sheet halves it";
+    expectModelInReach(scene);
+    protectType(*scene.cuts[0].membrane, "root.capsid.CA");
+    auto report = settleMembranes(scene, {true, false}, sProgress).at(0);
+    EXPECT_TRUE(report.atRest);
+    EXPECT_EQ(keptShare(scene, "CA"), 1.0) << edge;
+    EXPECT_EQ(report.kept->cutAreaMembrane, 0);
+    EXPECT_NEAR(keptShare(scene, "albumin"), 0.5, 0.06);
+  }
+}
+
+TEST_F(ModelMembranesGL, WhatIsProtectedByValueStaysSoWhereAModelReachesOutOfTheVolume) {
+  scene::Scene alone = sceneOfShell();
+  Volume volume = greyVolume(40, kShell);
+  for (std::size_t i = 0; i < volume.voxels.size(); ++i) volume.voxels[i] = std::byte(i * 2654435761u >> 24);
+  alone.volume.data = Shared<Volume>(std::move(volume));
+  scene::Scene beside = alone;
+  alone.model = {};
+  scene::ForceField field;
+  field.byValue = {{100, 0}, {120, 50}, {200, 90}};
+  field.leastPiece = 1;
+  membrane::Potential own(alone), wide(beside);
+  glm::ivec3 from(glm::round(glm::dvec3(glm::inverse(wide.worldFromVoxel()) * own.worldFromVoxel()[3])));
+  ASSERT_TRUE(glm::all(glm::greaterThan(from, glm::ivec3(0))));
+  EXPECT_EQ(wide.computeStrengths(field, {from, from + own.dims()}, sProgress),
+            own.computeStrengths(field, {glm::ivec3(0), own.dims()}, sProgress));
+  auto whole = wide.computeStrengths(field, {glm::ivec3(0), wide.dims()}, sProgress);
+  auto inner = own.computeStrengths(field, {glm::ivec3(0), own.dims()}, sProgress);
+  auto some = [](float strength) { return strength != 0.0f; };
+  EXPECT_EQ(std::count_if(whole.begin(), whole.end(), some), std::count_if(inner.begin(), inner.end(), some));
+}
+
+TEST_F(ModelMembranesGL, AModelFarLargerThanTheVolumeIsToBeBroughtToSizeFirst) {
+  scene::Scene scene = sceneOfShell();
+  scene.volume.data = Shared<Volume>(greyVolume(200, 4.0));
+  EXPECT_THROW(expectModelInReach(scene), ArgumentError);
+  scene.model = {};
+  EXPECT_THROW(expectModelInReach(scene), ArgumentError);
+}
+
+// Scenes were written so while types could be protected of a model that is alone.
+TEST_F(ModelMembranesGL, TypesThatWereLabelsBecomeTypes) {
+  scene::Scene scene = sceneOfShell();
+  scene.cuts[0].membrane->field.byLabel = {{2, 70}, {9, 10}};
+  typesFromLabels(scene);
+  EXPECT_TRUE(scene.cuts[0].membrane->field.byLabel.empty());
+  EXPECT_EQ(scene.cuts[0].membrane->field.byType, (std::vector<scene::TypeStrength>{{"root.plasma.albumin", 70}}));
+}
+
+TEST_F(ModelMembranesGL, OfTwoStrengthsThatLeadToATypeTheNearerOneCounts) {
+  scene::Membrane membrane;
+  membrane.field.byType = {{"root.capsid.CA", 0}, {"root", 40}, {"root.cap", 9}, {"root.capsid", 60}};
+  EXPECT_EQ(scene::strengthOf(membrane.field, "root.capsid.CA"), 0.0);
+  EXPECT_EQ(scene::strengthOf(membrane.field, "root.capsid.MA"), 60.0);
+  EXPECT_EQ(scene::strengthOf(membrane.field, "root.plasma.albumin"), 40.0);
+  EXPECT_EQ(scene::strengthOf(membrane.field, "other"), 0.0);
+  protectType(membrane, "root.capsid.MA", 0.0);
+  EXPECT_EQ(scene::strengthOf(membrane.field, "root.capsid.MA"), 0.0);
+  protectType(membrane, "root.capsid.MA", 60.0);
+  EXPECT_EQ(membrane.field.byType.size(), 4u) << "what the compartment says need not be said again";
+}
+
 TEST_F(ModelMembranesGL, TypesAreFoundByWholeNames) {
   Model model = shellInPlasma();
-  EXPECT_EQ(protectableTypes(model, "root.capsid"), std::vector<int>{1});
-  EXPECT_EQ(protectableTypes(model, "root"), (std::vector<int>{1, 2}));
+  using Paths = std::vector<std::string>;
+  EXPECT_EQ(protectableTypes(model, "root.capsid"), Paths{"root.capsid.CA"});
+  EXPECT_EQ(protectableTypes(model, "root"), (Paths{"root.capsid.CA", "root.plasma.albumin"}));
   EXPECT_TRUE(protectableTypes(model, "caps").empty());
   EXPECT_TRUE(protectableTypes(model, "").empty());
 }

@@ -84,18 +84,18 @@ MembraneForm::MembraneForm(session::Document& document, Selection& selection, QW
   connect(mStructures, &StrengthTable::strengthAsked, this, &MembraneForm::setForceOf);
 }
 
-void MembraneForm::setForceOf(int id, double strength) {
+void MembraneForm::setForceOf(const session::Protectable& what, double strength) {
   if (!selectedMembrane(mDocument, mSelection)) return;
   const scene::Scene& scene = mDocument.scene();
   const char* verb = strength != 0 ? "Force of" : "No force of";
   std::string cut = session::cutKey(scene, mSelection.cut());
-  session::TypeNumbers types{std::uint32_t(id - 1)};
-  if (session::protectsTypes(scene))
-    session::edit(mDocument, session::ProtectTypes{session::typeNames(scene, types), strength, cut}, false,
-                  session::typesLabel(scene, verb, types));
+  if (what.structure)
+    session::edit(mDocument,
+                  session::ProtectStructures{session::structureNames(scene, {what.structure}), strength, cut}, false,
+                  session::structureLabel(scene, verb, {what.structure}));
   else
-    session::edit(mDocument, session::ProtectStructures{session::structureNames(scene, {id}), strength, cut}, false,
-                  session::structureLabel(scene, verb, {id}));
+    session::edit(mDocument, session::ProtectTypes{{what.type}, strength, cut}, false,
+                  session::typesLabel(scene, verb, session::typeNumbers(scene, {what.type})));
 }
 
 QWidget* MembraneForm::makeProtect() {
@@ -205,7 +205,7 @@ void MembraneForm::showCut(const scene::Cut& cut) {
   mStrength->showField(m.field);
   mHands->showCut(cut);
   mNoise->showField(m.field);
-  mStructures->showStrengths(session::protectableStructures(mDocument.scene()), m.field.byLabel);
+  mStructures->showRows(session::protectables(mDocument.scene(), m.field));
   mSketch->showLength(Length(mDocument.scene()));
   mSketch->showStrokes(m.field.strokes);
   mForm.refresh();

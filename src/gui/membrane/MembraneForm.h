@@ -44,7 +44,7 @@ class MembraneForm : public QWidget {
 
  private:
   /// Sets the force with which a structure, or a type of a model, acts on the sheet.
-  void setForceOf(int id, double strength);
+  void setForceOf(const session::Protectable& what, double strength);
   QWidget* makeProtect();
   QWidget* makePlayer();
   QWidget* makeLast();

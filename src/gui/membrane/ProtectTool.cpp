@@ -30,14 +30,13 @@ void ProtectTool::click(const PointerEvent& event) {
   double strength = mLetThrough ? 0.0 : session::kProtectStrength;
   std::optional<session::Tissue> tissue;
   const scene::Scene& scene = mDocument.scene();
-  bool isType = session::protectsTypes(scene) && event.at.type() >= 0;
-  if (isType) structure = event.at.type() + 1;
+  bool isType = event.at.type() >= 0;
   bool isStructure = isType || (structure > 0 && scene.labels.visible);
   std::string cut = session::cutKey(scene, mSelection.cut()),
               step = mLetThrough ? "Let sheet through" : "Protect from sheet";
   if (isType)
     session::edit(mDocument,
-                  session::ProtectTypes{session::typeNames(scene, {std::uint32_t(structure - 1)}), strength, cut},
+                  session::ProtectTypes{session::typeNames(scene, {std::uint32_t(event.at.type())}), strength, cut},
                   false, step);
   else if (isStructure)
     session::edit(mDocument, session::ProtectStructures{session::structureNames(scene, {structure}), strength, cut},

@@ -54,9 +54,8 @@ QIcon swatchOf(glm::vec3 color) {
   return pixmap;
 }
 
-QString nameOf(const scene::Structure& structure) {
-  return structure.name.empty() ? StrengthTable::tr("structure %1").arg(structure.id)
-                                : QString::fromStdString(structure.name);
+QString nameOf(const session::Protectable& one) {
+  return one.name.empty() ? StrengthTable::tr("structure %1").arg(one.structure) : QString::fromStdString(one.name);
 }
 
 }  // namespace
@@ -70,7 +69,7 @@ StrengthTable::StrengthTable(QWidget* parent)
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(6);
   mTable->setObjectName("strengthTable");
-  mTable->setAccessibleName(tr("Forces of structures"));
+  mTable->setAccessibleName(tr("Forces of structures and types"));
   mTable->setToolTip(
       tr("Force of each structure, -1000 to 1000: above 0 the sheet goes around it, below it is drawn to it.\n"
          "Double click a number to change it; Del removes a structure."));
@@ -102,53 +101,52 @@ StrengthTable::StrengthTable(QWidget* parent)
   connect(mRemove, &QPushButton::clicked, this, &StrengthTable::removeSelected);
   // When the field is closed: the answer may take its row away.
   connect(mTable, &QTableWidget::itemChanged, this, [this](QTableWidgetItem* item) {
-    int id = item->data(Qt::UserRole).toInt();
+    session::Protectable what = mRows.at(item->data(Qt::UserRole).toULongLong());
     double strength = item->data(Qt::EditRole).toDouble();
     QMetaObject::invokeMethod(
-        this, [this, id, strength] { emit strengthAsked(id, strength); }, Qt::QueuedConnection);
+        this, [this, what, strength] { emit strengthAsked(what, strength); }, Qt::QueuedConnection);
   });
   connect(mTable, &QTableWidget::itemSelectionChanged, this,
           [this] { mRemove->setEnabled(!mTable->selectedItems().isEmpty()); });
   connect(mAdd, &QComboBox::activated, this, [this](int index) {
-    if (index > 0) emit strengthAsked(mAdd->itemData(index).toInt(), session::kProtectStrength);
+    if (index > 0)
+      emit strengthAsked(session::Protectable(mRows.at(mAdd->itemData(index).toULongLong())),
+                         session::kProtectStrength);
   });
 }
 
-void StrengthTable::showStrengths(const std::vector<scene::Structure>& structures,
-                                  const std::vector<scene::LabelStrength>& strengths) {
-  setVisible(!structures.empty());
-  if (structures == mStructures && strengths == mStrengths && mAdd->count() > 0) return;
-  mStructures = structures;
-  mStrengths = strengths;
+void StrengthTable::showRows(const std::vector<session::Protectable>& rows) {
+  setVisible(!rows.empty());
+  if (rows == mRows && mAdd->count() > 0) return;
+  mRows = rows;
   fill();
 }
 
-/// In the order of the list of structures.
+/// In the order of the lists of structures and of types.
 void StrengthTable::fill() {
   const QSignalBlocker quiet(mTable), quietAdd(mAdd);
-  int selected =
-      mTable->currentRow() >= 0 ? mTable->item(mTable->currentRow(), Strength)->data(Qt::UserRole).toInt() : 0;
+  QString selected = mTable->currentRow() >= 0 ? mTable->item(mTable->currentRow(), Name)->text() : QString();
   mTable->setRowCount(0);
   mAdd->clear();
-  mAdd->addItem(tr("Add a structure"));
-  for (const auto& structure : mStructures) {
-    auto found =
-        std::find_if(mStrengths.begin(), mStrengths.end(), [&](const auto& s) { return s.id == structure.id; });
-    if (found == mStrengths.end()) {
-      mAdd->addItem(swatchOf(structure.color), nameOf(structure), structure.id);
+  bool hasTypes = std::any_of(mRows.begin(), mRows.end(), [](const auto& one) { return one.structure == 0; });
+  mAdd->addItem(hasTypes ? tr("Add a structure or a type") : tr("Add a structure"));
+  for (std::size_t i = 0; i < mRows.size(); ++i) {
+    const session::Protectable& one = mRows[i];
+    if (one.strength == 0.0) {
+      mAdd->addItem(swatchOf(one.color), nameOf(one), qulonglong(i));
       continue;
     }
     int row = mTable->rowCount();
     mTable->insertRow(row);
-    auto* name = new QTableWidgetItem(swatchOf(structure.color), nameOf(structure));
+    auto* name = new QTableWidgetItem(swatchOf(one.color), nameOf(one));
     name->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable);
     auto* number = new QTableWidgetItem;
-    number->setData(Qt::EditRole, found->strength);
-    number->setData(Qt::UserRole, structure.id);
+    number->setData(Qt::EditRole, one.strength);
+    number->setData(Qt::UserRole, qulonglong(i));
     number->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
     mTable->setItem(row, Name, name);
     mTable->setItem(row, Strength, number);
-    if (structure.id == selected) mTable->selectRow(row);
+    if (name->text() == selected) mTable->selectRow(row);
   }
   int rows = mTable->rowCount();
   mTable->setFixedHeight(std::min(rows, kMostRows) * kRowHeight + 4);
@@ -159,10 +157,10 @@ void StrengthTable::fill() {
 }
 
 void StrengthTable::removeSelected() {
-  std::vector<int> ids;
+  std::vector<session::Protectable> taken;
   for (const auto& index : mTable->selectionModel()->selectedRows(Strength))
-    ids.push_back(index.data(Qt::UserRole).toInt());
-  for (int id : ids) emit strengthAsked(id, 0.0);
+    taken.push_back(mRows.at(index.data(Qt::UserRole).toULongLong()));
+  for (const auto& what : taken) emit strengthAsked(what, 0.0);
 }
 
 /// Del comes before the command that has the same key.

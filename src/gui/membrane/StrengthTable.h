@@ -4,24 +4,22 @@
 #include <QTableWidget>
 #include <QWidget>
 
-#include "scene/Membrane.h"
-#include "scene/Structure.h"
+#include "session/membrane/MembraneEdit.h"
 
 namespace velum::gui {
 
-/// The structures that a membrane keeps whole, or that draw its sheet, each with its force; below them a list from
-/// which another structure is added. The table changes no data itself: it asks by signals.
+/// The structures and types that a membrane keeps whole, or that draw its sheet, each with its force; below them a list
+/// from which another one is added. The table changes no data itself: it asks by signals.
 class StrengthTable : public QWidget {
   Q_OBJECT
  public:
   explicit StrengthTable(QWidget* parent);
-  /// @param structures  all of the scene's structures; where there are none the table hides
-  void showStrengths(const std::vector<scene::Structure>& structures,
-                     const std::vector<scene::LabelStrength>& strengths);
+  /// @param rows  all that can be protected; where there is nothing the table hides
+  void showRows(const std::vector<session::Protectable>& rows);
 
  signals:
-  /// @param strength  0 takes the structure off
-  void strengthAsked(int id, double strength);
+  /// @param strength  0 takes it off
+  void strengthAsked(const velum::session::Protectable& what, double strength);
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -33,8 +31,7 @@ class StrengthTable : public QWidget {
   QTableWidget* mTable;
   QComboBox* mAdd;
   QPushButton* mRemove;
-  std::vector<scene::Structure> mStructures;
-  std::vector<scene::LabelStrength> mStrengths;
+  std::vector<session::Protectable> mRows;
 };
 
 }  // namespace velum::gui

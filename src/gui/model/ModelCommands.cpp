@@ -78,11 +78,10 @@ void ModelCommands::goToInstance(std::uint32_t instance) {
 /// What the selected membrane does with types; nothing where another cut is selected.
 void ModelCommands::fillMembraneMenu(QMenu& menu, const Types& types) {
   const scene::Cut* cut = selectedMembrane(mDocument, mSelection);
-  if (!cut || !session::protectsTypes(mDocument.scene())) return;
-  const auto& strengths = cut->membrane->field.byLabel;
+  if (!cut || !mDocument.scene().model.data) return;
+  const Model& model = *mDocument.scene().model.data;
   bool isProtected = std::all_of(types.begin(), types.end(), [&](std::uint32_t type) {
-    return std::any_of(strengths.begin(), strengths.end(),
-                       [&](const auto& one) { return one.id == int(type) + 1 && one.strength > 0.0; });
+    return scene::strengthOf(cut->membrane->field, pathOf(model, model.types[type])) > 0.0;
   });
   QAction* action = menu.addAction(tr("Protect by membrane"));
   action->setToolTip(tr("The selected membrane's sheet goes around it"));

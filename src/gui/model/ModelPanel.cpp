@@ -8,6 +8,7 @@
 #include "gui/rows/CountKey.h"
 #include "session/command/Command.h"
 #include "session/command/ModelCommands.h"
+#include "session/model/HiddenInside.h"
 #include "session/model/ModelScale.h"
 #include "session/model/TypesAt.h"
 
@@ -20,7 +21,11 @@ constexpr int kMostNotes = 3;  // lines that are read at once; the rest is in th
 }  // namespace
 
 ModelPanel::ModelPanel(ModelCommands& commands, Equalizer& equalizer, QWidget* parent)
-    : QWidget(parent), mCommands(commands), mDocument(commands.document()), mForm(mDocument, this) {
+    : QWidget(parent),
+      mCommands(commands),
+      mEqualizer(equalizer),
+      mDocument(commands.document()),
+      mForm(mDocument, this) {
   setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Expanding);
   auto* layout = makeColumn(this, 10);
   layout->addWidget(makeHead());
@@ -68,6 +73,7 @@ QWidget* ModelPanel::makeHead() {
   mNotes->setWordWrap(true);
   layout->addWidget(mNotes);
   layout->addWidget(makeScale(head));
+  layout->addWidget(makeInside(head));
   connect(mLegend, &QCheckBox::clicked, this, &ModelPanel::legendAsked);
   connect(mShown, &EyeButton::clicked, this, [this](bool on) { session::edit(mDocument, session::ShowModel{on}); });
   return head;
@@ -99,6 +105,36 @@ void ModelPanel::showScale(const scene::Scene& scene) {
   std::string words = session::scaleWords(scene);
   mScaleWords->setText(QString::fromStdString(words));
   mScale->setVisible(!words.empty());
+}
+
+/// Where a membrane hides what it holds: a line that says so, and a button that cuts it open.
+QWidget* ModelPanel::makeInside(QWidget* parent) {
+  mInside = new QWidget(parent);
+  mInside->setObjectName("modelInside");
+  auto* column = makeColumn(mInside, 4);
+  mInsideWords = new QLabel(mInside);
+  mInsideWords->setWordWrap(true);
+  column->addWidget(mInsideWords);
+  auto* button = new QPushButton(tr("Cut open"), mInside);
+  button->setObjectName("modelCutOpen");
+  button->setToolTip(tr("A plane through the middle that faces you (Shift+C)"));
+  column->addWidget(button, 0, Qt::AlignLeft);
+  connect(button, &QPushButton::clicked, this, &ModelPanel::cutAsked);
+  connect(&mEqualizer, &Equalizer::counted, this, &ModelPanel::showInside);
+  mInside->hide();
+  return mInside;
+}
+
+/// By the last complete picture; while something moves, the line stays as it is.
+void ModelPanel::showInside() {
+  const scene::Scene& scene = mDocument.scene();
+  const session::LiveCounts& counts = mEqualizer.counts();
+  bool isOfThis = counts.model() && counts.model() == scene.model.data;
+  if (isOfThis && !counts.isExact() && scene.cuts.empty()) return;
+  std::string words =
+      isOfThis ? session::hiddenWords(scene, session::hiddenInside(scene, counts.compartments())) : std::string();
+  mInsideWords->setText(QString::fromStdString(words));
+  mInside->setVisible(!words.empty());
 }
 
 QWidget* ModelPanel::makeSearch() {
@@ -250,6 +286,7 @@ void ModelPanel::refresh() {
   const scene::ModelLayer& layer = scene.model;
   if (layer.data) mLooks->refresh();  // follows more than this page shows
   showScale(scene);
+  if (!scene.cuts.empty()) showInside();
   mBar->refresh();
   mSteps->showScene(scene);
   mLegend->setChecked(scene.lettering.legend);

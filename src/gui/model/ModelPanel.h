@@ -29,11 +29,15 @@ class ModelPanel : public QWidget {
 
  signals:
   void legendAsked(bool shown);
+  /// A plane that shows what is inside.
+  void cutAsked();
 
  private:
   QWidget* makeHead();
   QWidget* makeScale(QWidget* parent);
   void showScale(const scene::Scene& scene);
+  QWidget* makeInside(QWidget* parent);
+  void showInside();
   QWidget* makeSearch();
   QWidget* makeFoot();
   QWidget* makeRows();
@@ -44,11 +48,12 @@ class ModelPanel : public QWidget {
   void showCount();
 
   ModelCommands& mCommands;
+  Equalizer& mEqualizer;
   session::Document& mDocument;
   EyeButton* mShown = nullptr;
-  QWidget* mScale = nullptr;
+  QWidget *mScale = nullptr, *mInside = nullptr;
   std::vector<std::uint64_t> mScaleOf;  ///< the data of which it was last asked whether they fit each other
-  QLabel *mName = nullptr, *mNotes = nullptr, *mScaleWords = nullptr, *mCount = nullptr;
+  QLabel *mName = nullptr, *mNotes = nullptr, *mScaleWords = nullptr, *mInsideWords = nullptr, *mCount = nullptr;
   QLabel* mOneColor = nullptr;  ///< why the palette tells nothing apart
   QCheckBox* mLegend = nullptr;
   QLineEdit* mSearch = nullptr;

@@ -26,6 +26,10 @@ ModelRoom::ModelRoom(const WindowParts& parts)
   parts.tabs.addPage(mPanel, tr("Model"), tr("Compartments and types of the model, its look"));
   parts.tabs.setPageShown(mPanel, false);
   connect(mPanel, &ModelPanel::legendAsked, this, &ModelRoom::showLegend);
+  connect(mPanel, &ModelPanel::cutAsked, this, [this] {
+    mParts.actions.find("cut.alongView")->trigger();
+    mParts.tabs.showPage(mPanel);
+  });
   connectViews();
   connectEqualizer();
   addActions();

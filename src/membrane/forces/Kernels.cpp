@@ -138,14 +138,27 @@ struct Potential::Data {
     std::shared_ptr<const SmallPieces> small;
   };
   static constexpr std::size_t kPiecesKept = 3;  ///< of so many curves: those of a scene's membranes
-  mutable std::mutex calmLock, gradientLock, piecesLock;
+  mutable std::mutex calmLock, gradientLock, piecesLock, typesLock;
   mutable std::optional<PotentialSource> calm;    ///< the source with its noise taken out
   mutable std::optional<Gradients> gradients[2];  ///< of the source, and of the calm one
   mutable std::vector<KnownPieces> pieces;        ///< that last asked for at the end
+  mutable Shared<LabelVolume> types;              ///< of the model
 
   bool isCalm(const scene::ForceField& field) const { return field.denoise && source.volume; }
   /// What the field's curves are over.
-  const PotentialSource& sourceFor(const scene::ForceField& field, Progress& progress) const {
+  PotentialSource sourceFor(const scene::ForceField& field, Progress& progress) const {
+    PotentialSource of = volumeSourceFor(field, progress);
+    if (!field.byType.empty() && source.model.data) of.types = typesOfModel(progress);
+    return of;
+  }
+  const Shared<LabelVolume>& typesOfModel(Progress& progress) const {
+    std::lock_guard guard(typesLock);
+    if (types) return types;
+    progress.report(0.0, "looking where types are dense");
+    isolated([&] { types = Shared<LabelVolume>(makeTypeGrid(source.model, source.frame, source.unit)); });
+    return types;
+  }
+  const PotentialSource& volumeSourceFor(const scene::ForceField& field, Progress& progress) const {
     if (!isCalm(field) || (field.byValue.empty() && field.byGradient.empty())) return source;
     std::lock_guard guard(calmLock);
     if (calm) return *calm;
@@ -174,7 +187,7 @@ struct Potential::Data {
     part.byValue = field.byValue;
     part.denoise = field.denoise;
     part.leastPiece = field.leastPiece;
-    const PotentialSource& of = sourceFor(part, progress);
+    const PotentialSource& of = volumeSourceFor(part, progress);
     std::lock_guard guard(piecesLock);
     auto found = std::find_if(pieces.begin(), pieces.end(), [&](const auto& known) { return known.field == part; });
     if (found != pieces.end()) {
@@ -184,17 +197,19 @@ struct Potential::Data {
     progress.report(0.0, "looking for specks");
     KnownPieces made{part, nullptr};
     StrengthRows rows(of, nullptr, part);
-    auto row = [&](int y, int z, float* out) { rows.fill(0, of.dims.x, y, z, out); };
+    auto row = [&](int y, int z, float* out) { rows.fillOfVolume(0, of.volume->dims.x, y, z, out); };
     isolated([&] {
-      made.small = std::make_shared<const SmallPieces>(findSmallPieces(of.dims, part.leastPiece, row, progress));
+      made.small =
+          std::make_shared<const SmallPieces>(findSmallPieces(of.volume->dims, part.leastPiece, row, progress));
     });
     if (pieces.size() >= kPiecesKept) pieces.erase(pieces.begin());
     pieces.push_back(std::move(made));
     return pieces.back().small;
   }
   StrengthRows rowsFor(const scene::ForceField& field, Progress& progress) const {
-    const PotentialSource& of = sourceFor(field, progress);
-    return StrengthRows(of, gradientsFor(field, of, progress), field, smallFor(field, progress));
+    PotentialSource of = sourceFor(field, progress);
+    const Gradients* slopes = gradientsFor(field, of, progress);
+    return StrengthRows(std::move(of), slopes, field, smallFor(field, progress));
   }
   void checkBox(VoxelBox box) const {
     if (glm::any(glm::lessThan(box.min, glm::ivec3(0))) || glm::any(glm::greaterThan(box.end, source.dims)) ||
@@ -205,10 +220,46 @@ struct Potential::Data {
 
 namespace {
 
+/// A model that is far larger than the rest does not make the grid so: this many times its voxels, or this many.
+constexpr double kMostWider = 4.0, kFewVoxels = 1 << 26;
+
+/// The voxels of a grid, and outside of it, that a box in the world reaches into.
+VoxelBox voxelsOf(const scene::ModelBox& world, const glm::dmat4& worldFromVoxel) {
+  glm::dmat4 voxelFromWorld = glm::inverse(worldFromVoxel);
+  glm::dvec3 low(1e9), high(-1e9);
+  for (int corner = 0; corner < 8; ++corner) {
+    glm::bvec3 isHigh(corner & 1, corner & 2, corner & 4);
+    glm::dvec3 voxel(voxelFromWorld * glm::dvec4(glm::mix(world.low, world.high, isHigh), 1.0));
+    low = glm::min(low, voxel);
+    high = glm::max(high, voxel);
+  }
+  low = glm::clamp(glm::floor(low), -1e8, 1e8), high = glm::clamp(glm::ceil(high) + 1.0, -1e8, 1e8);
+  return {glm::ivec3(low), glm::ivec3(high)};
+}
+
+double voxelsIn(glm::ivec3 size) { return double(size.x) * size.y * size.z; }
+
+scene::ModelBox worldBoxOf(const PotentialSource& source) {
+  scene::ModelBox box = scene::modelBox(source.model);
+  return {source.frame.worldOf(box.low), source.frame.worldOf(box.high)};
+}
+
+/// Adds voxels around the volume, or the labels, so that the grid holds the model, too.
+void widenToModel(PotentialSource& source) {
+  VoxelBox of = voxelsOf(worldBoxOf(source), source.worldFromVoxel);
+  glm::ivec3 low = glm::min(of.min, glm::ivec3(0)), high = glm::max(of.end, source.dims);
+  if (voxelsIn(high - low) > std::max(kMostWider * voxelsIn(source.dims), kFewVoxels)) return;
+  source.volumeFrom = -low;
+  source.dims = high - low;
+  source.worldFromVoxel[3] = source.worldFromVoxel * glm::dvec4(low, 1.0);
+}
+
 PotentialSource sourceOf(const scene::Scene& scene) {
   PotentialSource source;
   source.volume = scene.volume.data;
   source.labels = scene.labels.data;
+  source.unit = scene.unit;
+  if (scene.model.data) source.model = scene.model, source.frame = scene::modelFrame(scene);
   if (source.volume) {
     source.timeStep = scene::shownTimeStep(scene.volume);
     source.channel = scene::shownChannel(scene.volume);
@@ -217,23 +268,21 @@ PotentialSource sourceOf(const scene::Scene& scene) {
   } else if (source.labels) {
     source.dims = source.labels->dims();
     source.worldFromVoxel = source.labels->worldFromVoxel();
+  }
+  if (!source.model.data) return source;
+  if (source.dims.x > 0) {
+    widenToModel(source);
   } else {
-    source.model = scene.model.data, source.copies = scene.model.copies;
-    source.frame = scene::modelFrame(scene), source.unit = scene.unit;
+    TypeLattice lattice = typeLattice(source.model, source.frame);
+    source.dims = lattice.dims;
+    source.worldFromVoxel = lattice.worldFromVoxel;
   }
   return source;
 }
 
 }  // namespace
 
-Potential::Potential(const scene::Scene& scene) : mData(std::make_unique<Data>()) {
-  PotentialSource& source = mData->source;
-  source = sourceOf(scene);
-  if (!source.model) return;
-  source.labels = Shared<LabelVolume>(makeTypeGrid(scene.model, source.frame, scene.unit));
-  source.dims = source.labels->dims();
-  source.worldFromVoxel = source.labels->worldFromVoxel();
-}
+Potential::Potential(const scene::Scene& scene) : mData(std::make_unique<Data>()) { mData->source = sourceOf(scene); }
 Potential::~Potential() = default;
 Potential::Potential(Potential&&) noexcept = default;
 Potential& Potential::operator=(Potential&&) noexcept = default;
@@ -241,13 +290,24 @@ Potential& Potential::operator=(Potential&&) noexcept = default;
 bool Potential::matches(const scene::Scene& scene) const {
   PotentialSource other = sourceOf(scene);
   const PotentialSource& own = mData->source;
-  bool isSameModel = own.model == other.model &&
-                     (!own.model || (own.copies == other.copies && own.frame == other.frame && own.unit == other.unit));
-  bool isSameLabels = own.model || own.labels == other.labels;  // a model's are made of it
-  return own.volume == other.volume && isSameModel && isSameLabels && own.timeStep == other.timeStep &&
-         own.channel == other.channel;
+  bool isSameModel = own.model.data == other.model.data &&
+                     (!own.model.data || (own.model.copies == other.model.copies && own.frame == other.frame));
+  return own.volume == other.volume && own.labels == other.labels && isSameModel && own.unit == other.unit &&
+         own.timeStep == other.timeStep && own.channel == other.channel;
 }
 
+bool Potential::holdsModel() const {
+  const PotentialSource& source = mData->source;
+  if (!source.model.data) return false;
+  VoxelBox of = voxelsOf(worldBoxOf(source), source.worldFromVoxel);
+  // What reaches out by less than a voxel is rounding.
+  return glm::all(glm::greaterThanEqual(of.min, glm::ivec3(-1))) &&
+         glm::all(glm::lessThanEqual(of.end, source.dims + 1));
+}
+
+Shared<LabelVolume> Potential::types(Progress& progress) const {
+  return mData->source.model.data ? mData->typesOfModel(progress) : Shared<LabelVolume>();
+}
 glm::ivec3 Potential::dims() const { return mData->source.dims; }
 const Shared<LabelVolume>& Potential::labels() const { return mData->source.labels; }
 const glm::dmat4& Potential::worldFromVoxel() const { return mData->source.worldFromVoxel; }
@@ -316,6 +376,7 @@ double strongestOf(const scene::ForceField& field) {
   for (auto* curve : {&field.byValue, &field.byGradient})
     for (const auto& point : *curve) most = std::max(most, point.strength);
   for (const auto& one : field.byLabel) most = std::max(most, one.strength);
+  for (const auto& one : field.byType) most = std::max(most, one.strength);
   for (const auto& kernel : field.kernels) most = std::max(most, kernel.strength);
   return most;
 }
@@ -330,9 +391,11 @@ bool isAlike(const scene::ForceField& field) {
                       std::max(curve[i].strength, curve[i - 1].strength) <= 0.0);
     return flat;
   };
-  int attributes = int(!field.byValue.empty()) + int(!field.byGradient.empty()) + int(!field.byLabel.empty());
+  int attributes = int(!field.byValue.empty()) + int(!field.byGradient.empty()) + int(!field.byLabel.empty()) +
+                   int(!field.byType.empty());
   return attributes <= 1 && isFlat(field.byValue) && isFlat(field.byGradient) &&
          std::all_of(field.byLabel.begin(), field.byLabel.end(), isOne) &&
+         std::all_of(field.byType.begin(), field.byType.end(), isOne) &&
          std::all_of(field.kernels.begin(), field.kernels.end(), isOne);
 }
 
@@ -340,7 +403,8 @@ bool attracts(const scene::ForceField& field) {
   auto isBelow = [](const auto& one) { return one.strength < 0.0; };
   return std::any_of(field.byValue.begin(), field.byValue.end(), isBelow) ||
          std::any_of(field.byGradient.begin(), field.byGradient.end(), isBelow) ||
-         std::any_of(field.byLabel.begin(), field.byLabel.end(), isBelow);
+         std::any_of(field.byLabel.begin(), field.byLabel.end(), isBelow) ||
+         std::any_of(field.byType.begin(), field.byType.end(), isBelow);
 }
 
 std::uint8_t weightOf(double strength, double strongest) {

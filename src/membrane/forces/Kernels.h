@@ -65,10 +65,10 @@ bool attracts(const scene::ForceField& field);
 std::uint8_t weightOf(double strength, double strongest);
 
 /// The potential field transfer function (PFTF) over a scene's data: strengths by value, by gradient magnitude and by
-/// structure, which add up ([IMC] 3.2). Its grid is the volume's, or that of the labels where there is no volume. In a
-/// scene with only a model the structures are the model's types, numbered from 1, in the voxels that their instances
-/// fill, so that a kernel is as strong as the instances are dense; this grid is made by the constructor (a second for
-/// the largest models).
+/// structure and by molecular type, which add up ([IMC] 3.2). A type's strength is that of the voxels that its
+/// instances fill, so that a kernel is as strong as the instances are dense; where they are is found when first asked
+/// for (a second for the largest models). The grid is the volume's, or that of the labels where there is no volume,
+/// with more voxels around it where a model reaches out of it; in a scene with only a model a grid of its own.
 ///
 /// The potential keeps the data and, once asked for, gradient magnitudes (16 bits a voxel), so that an edited curve is
 /// evaluated anew in a few tens of milliseconds. Samples of 8 and 16 bits go through a table over the raw values;
@@ -86,9 +86,12 @@ class Potential {
 
   /// True when this potential was made from the same data, time step and channel.
   bool matches(const scene::Scene& scene) const;
-  glm::ivec3 dims() const;  ///< 0 when the scene has no data
-  /// The scene's labels, or a grid of the model's types; empty where the scene has neither
-  const Shared<LabelVolume>& labels() const;
+  glm::ivec3 dims() const;                    ///< 0 when the scene has no data
+  const Shared<LabelVolume>& labels() const;  ///< the scene's; may be empty
+  /// The model's types by their numbers, counted from 1, as makeTypeGrid(); empty where there is no model.
+  Shared<LabelVolume> types(Progress& progress) const;
+  /// False where there is no model, and where it reaches far out of the other data, so that the grid does not hold it.
+  bool holdsModel() const;
   const glm::dmat4& worldFromVoxel() const;
 
   /// The kernels of the field's level, all cores. The mean is taken over strengths, never the strength of a mean.

@@ -14,6 +14,8 @@ namespace {
 
 using Curve = std::vector<scene::StrengthPoint>;
 
+constexpr int kNumbers = 65536;  ///< of labels, and of types
+
 /// The curve in order, without points that are no numbers: what a file says is not always sound.
 Curve soundCurve(Curve curve) {
   std::erase_if(curve, [](const auto& p) { return !std::isfinite(p.value) || !std::isfinite(p.strength); });
@@ -40,23 +42,39 @@ double strengthAt(std::span<const scene::StrengthPoint> curve, double value) {
   return a.strength + (after->strength - a.strength) * (value - a.value) / (after->value - a.value);
 }
 
-StrengthRows::StrengthRows(const PotentialSource& source, const Gradients* gradients, const scene::ForceField& field,
+StrengthRows::StrengthRows(PotentialSource source, const Gradients* gradients, const scene::ForceField& field,
                            std::shared_ptr<const SmallPieces> small)
-    : mSource(source), mGradients(gradients), mSmall(std::move(small)) {
-  if (source.volume && !field.byValue.empty()) tabulateValues(soundCurve(field.byValue));
+    : mSource(std::move(source)), mGradients(gradients), mSmall(std::move(small)) {
+  if (mSource.volume && !field.byValue.empty()) tabulateValues(soundCurve(field.byValue));
   if (mGradients) {
     Curve curve = soundCurve(field.byGradient);
     mByCode.resize(65536);
     for (int code = 0; code < 65536; ++code)
       mByCode[std::size_t(code)] = float(strengthAt(curve, mGradients->magnitude(code)));
   }
-  if (!source.labels || field.byLabel.empty()) return;
-  mById.resize(65536);
-  for (const auto& label : field.byLabel)
-    if (label.id >= 0 && label.id < 65536 && std::isfinite(label.strength))
-      mById[std::size_t(label.id)] += float(label.strength);
-  mLabelFromVoxel = glm::inverse(source.labels->worldFromVoxel()) * source.worldFromVoxel;
-  mSameGrid = isSameGrid(mLabelFromVoxel, source.dims, source.labels->dims());
+  if (mSource.labels && !field.byLabel.empty()) {
+    mLabels = byNumber(mSource.labels);
+    for (const auto& label : field.byLabel)
+      if (label.id >= 0 && label.id < kNumbers && std::isfinite(label.strength))
+        mLabels.strengths[std::size_t(label.id)] += float(label.strength);
+  }
+  if (mSource.types && !field.byType.empty()) {
+    mTypes = byNumber(mSource.types);
+    const auto& types = mSource.model.data->types;
+    for (std::size_t t = 0; t < types.size() && t + 1 < std::size_t(kNumbers); ++t) {
+      double strength = scene::strengthOf(field, pathOf(*mSource.model.data, types[t]));
+      if (std::isfinite(strength)) mTypes.strengths[t + 1] = float(strength);
+    }
+  }
+}
+
+StrengthRows::ByNumber StrengthRows::byNumber(const Shared<LabelVolume>& grid) const {
+  ByNumber by;
+  by.grid = &*grid;
+  by.strengths.resize(std::size_t(kNumbers));
+  by.gridFromVoxel = glm::inverse(grid->worldFromVoxel()) * mSource.worldFromVoxel;
+  by.isSameGrid = isSameGrid(by.gridFromVoxel, mSource.dims, grid->dims());
+  return by;
 }
 
 void StrengthRows::tabulateValues(const Curve& curve) {
@@ -112,38 +130,37 @@ void StrengthRows::fillValues(std::ptrdiff_t first, int count, float* out) const
   });
 }
 
-void StrengthRows::addLabels(int x, int end, int y, int z, float* out) const {
-  const LabelVolume& labels = *mSource.labels;
-  if (mSameGrid) {
+void StrengthRows::addNumbers(const ByNumber& by, int x, int end, int y, int z, float* out) {
+  if (by.isSameGrid) {
     thread_local std::vector<std::uint16_t> ids;
     ids.resize(std::size_t(end - x));
-    labels.read({x, y, z}, {end - x, 1, 1}, ids);
-    for (std::size_t i = 0; i < ids.size(); ++i) out[i] += mById[ids[i]];
+    by.grid->read({x, y, z}, {end - x, 1, 1}, ids);
+    for (std::size_t i = 0; i < ids.size(); ++i) out[i] += by.strengths[ids[i]];
     return;
   }
-  addNearestLabels(x, end, y, z, out);
+  addNearest(by, x, end, y, z, out);
 }
 
-void StrengthRows::addNearestLabels(int x, int end, int y, int z, float* out) const {
+void StrengthRows::addNearest(const ByNumber& by, int x, int end, int y, int z, float* out) {
   constexpr double kOne = 4294967296.0;  // places are walked in fixed point, 32 bits after the point
   constexpr double kFar = 1e9;
   constexpr int kBrick = LabelVolume::kBrickSize;
-  const LabelVolume& labels = *mSource.labels;
-  glm::dvec3 start(mLabelFromVoxel * glm::dvec4(x, y, z, 1.0)), step(mLabelFromVoxel[0]);
+  const LabelVolume& labels = *by.grid;
+  glm::dvec3 start(by.gridFromVoxel * glm::dvec4(x, y, z, 1.0)), step(by.gridFromVoxel[0]);
   if (glm::any(glm::greaterThan(glm::abs(start) + glm::abs(step) * double(end - x), glm::dvec3(kFar)))) return;
-  std::int64_t at[3], by[3];
+  std::int64_t at[3], walk[3];
   for (int axis = 0; axis < 3; ++axis) {
     at[axis] = std::llround((start[axis] + 0.5) * kOne);
-    by[axis] = std::llround(step[axis] * kOne);
+    walk[axis] = std::llround(step[axis] * kOne);
   }
   glm::ivec3 current(-1);
   const LabelVolume::Brick* brick = nullptr;
-  for (int i = 0; i < end - x; ++i, at[0] += by[0], at[1] += by[1], at[2] += by[2]) {
+  for (int i = 0; i < end - x; ++i, at[0] += walk[0], at[1] += walk[1], at[2] += walk[2]) {
     glm::ivec3 voxel(int(at[0] >> 32), int(at[1] >> 32), int(at[2] >> 32));
     bool inside = unsigned(voxel.x) < unsigned(labels.dims().x) && unsigned(voxel.y) < unsigned(labels.dims().y) &&
                   unsigned(voxel.z) < unsigned(labels.dims().z);
     if (!inside) {
-      out[i] += mById[0];
+      out[i] += by.strengths[0];
       continue;
     }
     if (glm::ivec3 index = voxel / kBrick; index != current) {
@@ -151,7 +168,8 @@ void StrengthRows::addNearestLabels(int x, int end, int y, int z, float* out) co
       brick = &labels.brick(index);
     }
     glm::ivec3 in = voxel - current * kBrick;
-    out[i] += mById[brick->size() == 1 ? (*brick)[0] : (*brick)[std::size_t((in.z * kBrick + in.y) * kBrick + in.x)]];
+    out[i] +=
+        by.strengths[brick->size() == 1 ? (*brick)[0] : (*brick)[std::size_t((in.z * kBrick + in.y) * kBrick + in.x)]];
   }
 }
 
@@ -162,18 +180,30 @@ void StrengthRows::leaveOutSmall(int x, int end, std::size_t row, float* out) co
   }
 }
 
-void StrengthRows::fill(int x, int end, int y, int z, float* out) const {
-  std::ptrdiff_t first = (std::ptrdiff_t(z) * mSource.dims.y + y) * mSource.dims.x + x;
+void StrengthRows::fillOfVolume(int x, int end, int y, int z, float* out) const {
+  glm::ivec3 dims = mSource.volume ? mSource.volume->dims : mSource.dims;
+  std::ptrdiff_t first = (std::ptrdiff_t(z) * dims.y + y) * dims.x + x;
   if (mHasValues)
     fillValues(first, end - x, out);
   else
     std::fill_n(out, end - x, 0.0f);
-  if (mSmall) leaveOutSmall(x, end, std::size_t(z) * std::size_t(mSource.dims.y) + std::size_t(y), out);
+  if (mSmall) leaveOutSmall(x, end, std::size_t(z) * std::size_t(dims.y) + std::size_t(y), out);
   if (mGradients) {
     const std::uint16_t* codes = mGradients->codes.data() + first;
     for (int i = 0; i < end - x; ++i) out[i] += mByCode[codes[i]];
   }
-  if (!mById.empty()) addLabels(x, end, y, z, out);
+}
+
+void StrengthRows::fill(int x, int end, int y, int z, float* out) const {
+  std::fill_n(out, end - x, 0.0f);
+  if (mHasValues || mGradients) {
+    glm::ivec3 from = mSource.volumeFrom, dims = mSource.volume->dims;
+    int low = std::max(x, from.x), high = std::min(end, from.x + dims.x), row = y - from.y, slice = z - from.z;
+    if (low < high && row >= 0 && row < dims.y && slice >= 0 && slice < dims.z)
+      fillOfVolume(low - from.x, high - from.x, row, slice, out + (low - x));
+  }
+  if (mLabels.grid) addNumbers(mLabels, x, end, y, z, out);
+  if (mTypes.grid) addNumbers(mTypes, x, end, y, z, out);
 }
 
 }  // namespace velum::membrane

@@ -15,17 +15,18 @@
 
 namespace velum::membrane {
 
-/// The data that a potential is made from: a volume, and labels that may lie on another grid.
+/// The data that a potential is made from: a volume, labels and a model, which may lie on other grids than the volume.
 struct PotentialSource {
   Shared<Volume> volume;
   int timeStep = 0, channel = 0;
   Shared<LabelVolume> labels;
-  Shared<Model> model;      ///< only where there is nothing else; then `labels` are its types
-  int copies = 1;           ///< copies of the model
-  scene::ModelFrame frame;  ///< how it lies in the world
+  scene::ModelLayer model;
+  scene::ModelFrame frame;  ///< how the model lies in the world
   LengthUnit unit = LengthUnit::Millimetre;
-  glm::ivec3 dims{0};
-  glm::dmat4 worldFromVoxel{1.0};
+  glm::ivec3 dims{0};              ///< of the potential's grid
+  glm::ivec3 volumeFrom{0};        ///< where the volume's first voxel is in this grid
+  glm::dmat4 worldFromVoxel{1.0};  ///< of this grid
+  Shared<LabelVolume> types;       ///< the model's types by their numbers, from 1; made when a field asks for them
 };
 
 /// Strengths of rows of voxels for one field: tables made once, then read by all threads.
@@ -33,10 +34,12 @@ class StrengthRows {
  public:
   /// @param gradients  needed where the field has a curve over gradients, else null
   /// @param small  pieces protected by value that are too small and get no strength by value; null: there are none
-  StrengthRows(const PotentialSource& source, const Gradients* gradients, const scene::ForceField& field,
+  StrengthRows(PotentialSource source, const Gradients* gradients, const scene::ForceField& field,
                std::shared_ptr<const SmallPieces> small = nullptr);
   /// Writes strengths of voxels (min x .. end x, y, z).
   void fill(int x, int end, int y, int z, float* out) const;
+  /// The same of what comes from the volume alone, for voxels of the volume.
+  void fillOfVolume(int x, int end, int y, int z, float* out) const;
 
  private:
   /// One piece of a curve: for from <= value < end the strength is at + slope * value.
@@ -48,19 +51,25 @@ class StrengthRows {
   void fillValues(std::ptrdiff_t first, int count, float* out) const;
   void leaveOutSmall(int x, int end, std::size_t row, float* out) const;
   static void selectPiece(const Piece& piece, const double* values, int count, double* strengths);
-  void addLabels(int x, int end, int y, int z, float* out) const;
-  void addNearestLabels(int x, int end, int y, int z, float* out) const;
+  /// Strengths by number on a grid of their own.
+  struct ByNumber {
+    const LabelVolume* grid = nullptr;  ///< null: there are none
+    std::vector<float> strengths;       ///< of each number
+    glm::dmat4 gridFromVoxel{1.0};
+    bool isSameGrid = false;  ///< it lies on the voxels
+  };
+  ByNumber byNumber(const Shared<LabelVolume>& grid) const;
+  static void addNumbers(const ByNumber& by, int x, int end, int y, int z, float* out);
+  static void addNearest(const ByNumber& by, int x, int end, int y, int z, float* out);
 
-  const PotentialSource& mSource;
+  PotentialSource mSource;
   const Gradients* mGradients = nullptr;
   std::shared_ptr<const SmallPieces> mSmall;
   bool mHasValues = false;
   std::vector<float> mByRaw;   ///< of types with 8 and 16 bits, from the smallest raw value
   std::vector<Piece> mPieces;  ///< of the other types
   std::vector<float> mByCode;  ///< of gradients
-  std::vector<float> mById;    ///< of labels
-  bool mSameGrid = false;      ///< labels lie on the voxels
-  glm::dmat4 mLabelFromVoxel{1.0};
+  ByNumber mLabels, mTypes;
 };
 
 }  // namespace velum::membrane

@@ -112,12 +112,23 @@ std::vector<glm::vec3> shiftsOf(const scene::CopyGrid& copies, int count) {
 
 }  // namespace
 
+TypeLattice typeLattice(const scene::ModelLayer& layer, const scene::ModelFrame& frame) {
+  scene::ModelBox box = scene::modelBox(layer);
+  glm::dvec3 edges = box.high - box.low;
+  TypeLattice lattice;
+  lattice.voxel = std::max(kLeastVoxel, std::max(edges.x, std::max(edges.y, edges.z)) / kVoxelsAlongEdge);
+  lattice.dims = glm::max(glm::ivec3(glm::ceil(edges / lattice.voxel)), glm::ivec3(1));
+  lattice.worldFromVoxel = glm::dmat4(lattice.voxel * frame.length);
+  lattice.worldFromVoxel[3] = glm::dvec4(frame.worldOf(box.low + 0.5 * lattice.voxel), 1.0);
+  return lattice;
+}
+
 LabelVolume makeTypeGrid(const scene::ModelLayer& layer, const scene::ModelFrame& frame, LengthUnit unit) {
   const Model& model = *layer.data;
   scene::ModelBox box = scene::modelBox(layer);
-  glm::dvec3 edges = box.high - box.low;
-  double voxel = std::max(kLeastVoxel, std::max(edges.x, std::max(edges.y, edges.z)) / kVoxelsAlongEdge);
-  glm::ivec3 dims = glm::max(glm::ivec3(glm::ceil(edges / voxel)), glm::ivec3(1));
+  TypeLattice lattice = typeLattice(layer, frame);
+  double voxel = lattice.voxel;
+  glm::ivec3 dims = lattice.dims;
   std::vector<glm::vec3> shifts = shiftsOf(scene::copyGrid(layer), scene::copyCount(layer));
   Filling filling(dims, float(voxel * voxel * voxel));
   std::size_t most = std::numeric_limits<std::uint16_t>::max();
@@ -135,9 +146,7 @@ LabelVolume makeTypeGrid(const scene::ModelLayer& layer, const scene::ModelFrame
     }
     filling.finish(std::uint16_t(t + 1));
   }
-  glm::dmat4 worldFromVoxel(voxel * frame.length);
-  worldFromVoxel[3] = glm::dvec4(frame.worldOf(box.low + 0.5 * voxel), 1.0);
-  LabelVolume grid(dims, worldFromVoxel, unit);
+  LabelVolume grid(dims, lattice.worldFromVoxel, unit);
   grid.write(glm::ivec3(0), dims, filling.ids());
   return grid;
 }

@@ -105,8 +105,10 @@ void soloTypes(Scene& scene, const SoloTypes& a) {
 void protectTypes(Scene& scene, const ProtectTypes& a) {
   Cut& cut = cutOf(scene, a.cut);
   if (!scene::isMembrane(cut)) throw ArgumentError("model.protect: the cut is no membrane");
-  if (!protectsTypes(scene)) throw ArgumentError("model.protect: membranes go around types where no volume is open");
-  for (std::uint32_t type : typeNumbers(scene, a.types)) protectStructure(*cut.membrane, int(type) + 1, a.strength);
+  expectModelInReach(scene);
+  const Model& model = *scene.model.data;
+  for (std::uint32_t type : typeNumbers(scene, a.types))
+    protectType(*cut.membrane, pathOf(model, model.types[type]), a.strength);
 }
 
 /// @return what could not be met

@@ -31,6 +31,7 @@
 #include "session/document/PaperFile.h"
 #include "session/document/StructureShapes.h"
 #include "session/growth/Growths.h"
+#include "session/membrane/MembraneEdit.h"
 #include "session/model/LevelCache.h"
 
 namespace velum::session {
@@ -247,6 +248,7 @@ void add(scene::Scene& scene, const scene::Source& source, Progress& progress, s
     bool isAlone = !scene::hasData(scene);
     scene.model.source = source;
     readModelInto(scene.model, progress, Notes{notes});
+  typesFromLabels(scene);
     if (isAlone) scene::applyModelLook(scene, scene::kFirstModelLook);
     return;
   }

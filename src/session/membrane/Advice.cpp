@@ -31,20 +31,37 @@ bool helps(const Advice& advice, const CoarseLook::Outlook& now) {
   return 1.0 - advice.fate.kept <= kHelps * (1.0 - now.fate.kept) || advice.cutShare <= kHelps * now.cutShare();
 }
 
-/// The membrane without the structure that takes up most room; nothing where it is the only structure.
-std::optional<scene::Membrane> withoutLargest(scene::Membrane membrane, const membrane::Potential& potential,
-                                              const CoarseLook& look) {
-  const Shared<LabelVolume>& labels = potential.labels();
-  if (!labels || membrane.field.byLabel.size() < 2) return std::nullopt;
-  std::map<int, int> voxels;
-  for (const auto& one : membrane.field.byLabel) voxels[one.id] = 0;
-  glm::dmat4 labelFromVoxel = glm::inverse(labels->worldFromVoxel()) * potential.worldFromVoxel();
+/// How many of the places that are protected lie in each number of a grid.
+std::map<int, int> placesByNumber(const LabelVolume& grid, const membrane::Potential& potential,
+                                  const CoarseLook& look) {
+  std::map<int, int> places;
+  glm::dmat4 gridFromVoxel = glm::inverse(grid.worldFromVoxel()) * potential.worldFromVoxel();
   look.forEachProtected([&](glm::ivec3 voxel, glm::dvec3) {
-    glm::ivec3 at(glm::round(glm::dvec3(labelFromVoxel * glm::dvec4(voxel, 1.0))));
-    if (auto found = voxels.find(labels->at(at)); found != voxels.end()) ++found->second;
+    glm::ivec3 at(glm::round(glm::dvec3(gridFromVoxel * glm::dvec4(voxel, 1.0))));
+    ++places[grid.at(at)];
   });
-  auto largest = std::max_element(voxels.begin(), voxels.end(), [](auto& a, auto& b) { return a.second < b.second; });
-  protectStructure(membrane, largest->first, 0.0);
+  return places;
+}
+
+/// The membrane without the structure, or type, that takes up most room; nothing where it is the only one.
+std::optional<scene::Membrane> withoutLargest(scene::Membrane membrane, const membrane::Potential& potential,
+                                              const scene::Scene& scene, const CoarseLook& look, Progress& progress) {
+  const scene::ForceField field = membrane.field;
+  std::map<int, int> ofLabels, ofTypes;
+  if (potential.labels() && !field.byLabel.empty()) ofLabels = placesByNumber(*potential.labels(), potential, look);
+  if (Shared<LabelVolume> types = field.byType.empty() ? Shared<LabelVolume>() : potential.types(progress))
+    ofTypes = placesByNumber(*types, potential, look);
+  int most = -1, count = 0, type = 0;
+  std::optional<Protectable> largest;
+  for (const Protectable& one : protectables(scene, field)) {
+    if (one.structure == 0) ++type;  // a model's types follow each other by their numbers
+    if (one.strength == 0.0) continue;
+    ++count;
+    int places = one.structure ? ofLabels[one.structure] : ofTypes[type];
+    if (places > most) most = places, largest = one;
+  }
+  if (count < 2) return std::nullopt;
+  largest->structure ? protectStructure(membrane, largest->structure, 0.0) : protectType(membrane, largest->type, 0.0);
   return membrane;
 }
 
@@ -92,7 +109,7 @@ std::vector<Advice> adviseMembrane(const membrane::Potential& potential, const s
   CoarseLook look(potential, cut.membrane->field, progress);
   CoarseLook::Outlook now = look.outlookOf(cut, progress);
   std::vector<Advice> steps;
-  auto less = withoutLargest(*cut.membrane, potential, look);
+  auto less = withoutLargest(*cut.membrane, potential, scene, look, progress);
   if (!less) less = withHalfTheValues(*cut.membrane, scene, look);
   if (less) {
     Placed spared{cut, {}};

@@ -124,18 +124,18 @@ void protectCompartments(scene::ForceField& field, const Model& model) {
   std::sort(ordered.begin(), ordered.end());
   for (auto [mass, compartment] : ordered) {
     sum += mass;
-    if (sum > kLargestLabelledShare * total && !field.byLabel.empty()) break;
-    for (std::size_t t = 0; t < model.types.size(); ++t)
-      if (model.types[t].compartment == compartment) field.byLabel.push_back({int(t) + 1, kProtectStrength});
+    if (sum > kLargestLabelledShare * total && !field.byType.empty()) break;
+    for (const MoleculeType& type : model.types)
+      if (type.compartment == compartment) field.byType.push_back({pathOf(model, type), kProtectStrength});
   }
-  std::sort(field.byLabel.begin(), field.byLabel.end(), [](const auto& a, const auto& b) { return a.id < b.id; });
 }
 
 }  // namespace
 
 scene::ForceField defaultField(const scene::Scene& scene) {
   scene::ForceField field;
-  if (protectsTypes(scene)) protectCompartments(field, *scene.model.data);
+  bool isModelAlone = scene.model.data && !scene.volume.data && !scene.labels.data;
+  if (isModelAlone) protectCompartments(field, *scene.model.data);
   if (scene.labels.data && scene.labels.visible) protectStructures(field, scene.labels);
   if (field.byLabel.empty() && scene.volume.data) protectOpaque(field, scene.volume);
   return field;

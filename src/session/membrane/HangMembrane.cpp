@@ -91,15 +91,15 @@ void sketch(const scene::VolumeLayer& layer, scene::ForceField& field, const Han
 }
 
 void protectTypes(const scene::Scene& scene, scene::Membrane& membrane, const std::vector<std::string>& types) {
+  if (!types.empty()) expectModelInReach(scene);
   for (const auto& path : types) {
-    if (!protectsTypes(scene)) throw ArgumentError("types: types are protected of a model that is alone in its scene");
-    std::vector<int> ids = protectableTypes(*scene.model.data, path);
-    if (ids.empty()) {
+    std::vector<std::string> found = protectableTypes(*scene.model.data, path);
+    if (found.empty()) {
       std::string meant = nearestPath(*scene.model.data, path);
       throw ArgumentError(fmt::format("types {}: no type or compartment of the model is called so{}", path,
                                       meant.empty() ? "" : fmt::format(" (is {} meant?)", meant)));
     }
-    for (int id : ids) protectStructure(membrane, id);
+    for (const auto& type : found) protectType(membrane, type);
   }
 }
 

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
+#include "core/Error.h"
+#include "membrane/forces/Kernels.h"
 #include "scene/Shown.h"
 #include "session/membrane/TissueInNoise.h"
 
-#include "membrane/forces/Kernels.h"
 #include "scene/Scene.h"
 #include "session/look/ValueHistogram.h"
 
@@ -102,31 +104,65 @@ void protectStructure(scene::Membrane& membrane, int id, double strength) {
   if (strength != 0.0) list.push_back({id, strength});
 }
 
-bool protectsTypes(const scene::Scene& scene) { return scene.model.data && !scene.volume.data && !scene.labels.data; }
-
-std::vector<scene::Structure> protectableStructures(const scene::Scene& scene) {
-  if (!protectsTypes(scene)) return scene.labels.structures;
-  const Model& model = *scene.model.data;
-  std::vector<glm::vec3> colors = scene::typeColors(scene.model);
-  std::vector<scene::Structure> types;
-  for (std::size_t t = 0; t < model.types.size(); ++t) {
-    scene::Structure& type = types.emplace_back();
-    type.id = int(t) + 1;
-    type.name = scene::shownName(scene.model, pathOf(model, model.types[t]), model.types[t].name);
-    type.color = colors[t];
-  }
-  return types;
+void protectType(scene::Membrane& membrane, const std::string& path, double strength) {
+  auto& list = membrane.field.byType;
+  std::erase_if(list, [&](const auto& one) { return one.path == path; });
+  // A compartment may have given it another strength.
+  if (scene::strengthOf(membrane.field, path) != strength) list.push_back({path, strength});
 }
 
-std::vector<int> protectableTypes(const Model& model, std::string_view path) {
-  std::vector<int> ids;
+std::vector<Protectable> protectables(const scene::Scene& scene, const scene::ForceField& field) {
+  std::vector<Protectable> rows;
+  for (const scene::Structure& structure : scene.labels.structures) {
+    Protectable& row = rows.emplace_back();
+    row.structure = structure.id;
+    row.name = structure.name;
+    row.color = structure.color;
+    auto own = [&](const auto& one) { return one.id == structure.id; };
+    auto found = std::find_if(field.byLabel.begin(), field.byLabel.end(), own);
+    if (found != field.byLabel.end()) row.strength = found->strength;
+  }
+  if (!scene.model.data) return rows;
+  const Model& model = *scene.model.data;
+  std::vector<glm::vec3> colors = scene::typeColors(scene.model);
+  for (std::size_t t = 0; t < model.types.size(); ++t) {
+    Protectable& row = rows.emplace_back();
+    row.type = pathOf(model, model.types[t]);
+    row.name = scene::shownName(scene.model, row.type, model.types[t].name);
+    row.color = colors[t];
+    row.strength = scene::strengthOf(field, row.type);
+  }
+  return rows;
+}
+
+std::vector<std::string> protectableTypes(const Model& model, std::string_view path) {
+  std::vector<std::string> paths;
   // Whole names between dots: "caps" is no part of "capsid".
   std::string wanted = "." + std::string(path) + ".";
-  for (std::size_t t = 0; t < model.types.size(); ++t) {
-    std::string own = "." + pathOf(model, model.types[t]) + ".";
-    if (!path.empty() && own.find(wanted) != std::string::npos) ids.push_back(int(t) + 1);
+  for (const MoleculeType& type : model.types) {
+    std::string own = pathOf(model, type);
+    if (!path.empty() && ("." + own + ".").find(wanted) != std::string::npos) paths.push_back(std::move(own));
   }
-  return ids;
+  return paths;
+}
+
+void expectModelInReach(const scene::Scene& scene) {
+  if (!scene.model.data) throw ArgumentError("there is no model whose types a membrane could go around");
+  if (!membrane::Potential(scene).holdsModel())
+    throw ArgumentError(
+        "the model is far larger than the data beside it, and sheets go by that data's grid; bring it to size first "
+        "(model.bringToSize)");
+}
+
+void typesFromLabels(scene::Scene& scene) {
+  if (!scene.model.data || scene.volume.data || scene.labels.data) return;
+  const auto& types = scene.model.data->types;
+  for (scene::Cut& cut : scene.cuts) {
+    if (!cut.membrane) continue;
+    for (const auto& one : std::exchange(cut.membrane->field.byLabel, {}))
+      if (one.id >= 1 && std::size_t(one.id) <= types.size())
+        protectType(*cut.membrane, pathOf(*scene.model.data, types[std::size_t(one.id - 1)]), one.strength);
+  }
 }
 
 }  // namespace velum::session

@@ -25,14 +25,28 @@ std::optional<Tissue> protectTissue(scene::Membrane& membrane, const scene::Volu
 /// Protects a structure in the same way. @param id  label id; 0 does nothing
 void protectStructure(scene::Membrane& membrane, int id, double strength = kProtectStrength);
 
-/// What a membrane can protect by protectStructure(): the scene's structures, or, where a model is all that there is,
-/// its types, numbered from 1, in their colours.
-std::vector<scene::Structure> protectableStructures(const scene::Scene& scene);
-/// True where protectableStructures() are the types of a model.
-bool protectsTypes(const scene::Scene& scene);
-/// The numbers, as of protectableStructures(), of the types with a path, or in the compartment with this path and
-/// below, ascending. @param path  with dots, or its last parts ("capsid", "capsid.CA")
-std::vector<int> protectableTypes(const Model& model, std::string_view path);
+/// Protects the instances of a type of the model in the same way. @param path  the type's
+void protectType(scene::Membrane& membrane, const std::string& path, double strength = kProtectStrength);
+
+/// What a membrane can protect as a whole: a structure, or a type of the model.
+struct Protectable {
+  int structure = 0;  ///< label id; 0: it is a type
+  std::string type;   ///< the type's path
+  std::string name;   ///< for people; may be empty
+  glm::vec3 color{0.0f};
+  double strength = 0.0;  ///< in the field at hand; 0: no force
+  bool operator==(const Protectable&) const = default;
+};
+/// The scene's structures, then the types of its model, with the strengths that a field gives them.
+std::vector<Protectable> protectables(const scene::Scene& scene, const scene::ForceField& field);
+
+/// The paths of the types with a path, or in the compartment with this path and below, in the model's order.
+/// @param path  with dots, or its last parts ("capsid", "capsid.CA")
+std::vector<std::string> protectableTypes(const Model& model, std::string_view path);
+/// @throw ArgumentError that says what to do where there is no model that a sheet could go around
+void expectModelInReach(const scene::Scene& scene);
+/// Scenes of before had the types of a model that was alone as labels with the types' numbers: they become types.
+void typesFromLabels(scene::Scene& scene);
 
 /// Protects all values from `low` to `high`, in the volume's unit, in the same way.
 void protectValues(scene::Membrane& membrane, double low, double high, double strength = kProtectStrength);

@@ -91,13 +91,16 @@ vec3 albedoOf(uint type, int ball, float nearest) {
   return mix(out_, mix(out_, elementColor(kind.x, out_), 0.6), shade.nearColors * smoothstep(3.0, 8.0, pixels));
 }
 
+// How much it counts that where nothing is known nothing hides the light: next to nothing, beside a place that lies as deep.
+const float kAlone = 1e-4;
+
 /// Openness and share of the key light, from the four places about a pixel where they are known: those count that lie as deep.
 vec2 lightOn(ivec2 pixel, float depth) {
   ivec2 last = textureSize(openTexture, 0) - 1;
   vec2 place = vec2(pixel - shade.openShift) / float(kOpenStep);
   ivec2 from = ivec2(floor(place));
   vec2 part = place - vec2(from);
-  vec3 sum = vec3(0.0);
+  vec3 sum = vec3(kAlone);
   for (int i = 0; i < 4; ++i) {
     ivec2 at = ivec2(i & 1, i >> 1);
     vec4 there = texelFetch(openTexture, clamp(from + at, ivec2(0), last), 0);

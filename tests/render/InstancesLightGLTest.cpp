@@ -36,6 +36,32 @@ TEST_F(InstancesGL, InFullFogTheDeepestIsTheBackgroundBehindIt) {
   EXPECT_GT(far, 200);
 }
 
+// Openness and shadows are known at every other pixel: around what is smaller than that nothing may be known.
+TEST_F(InstancesGL, WhatStandsAloneInAPixelIsLitAsAnyOther) {
+  std::vector<glm::vec3> places;
+  for (int i = 0; i < 400; ++i) places.emplace_back(7 * (i % 20) - 66, 0, 7 * (i / 20) - 66);
+  scene::Scene scene = sceneOfModel(modelOfAtoms(places, kResidue));
+  scene.camera.target = {0, 0, 0};
+  scene.camera.projection = Projection::Orthographic;
+  scene.camera.height = 150;
+  lookAlong(scene, {0, -1, 0}, 400);
+  scene.background = {{0, 0, 0}, {0, 0, 0}, false};
+  scene.lighting.specular = 0.0;
+  scene.lighting.ambient = 0.3, scene.lighting.diffuse = 0.5;
+  scene.model.types = {{.type = "root.atom", .color = glm::vec3(0.5f)}};
+  for (int rows : {20, 31, 47, 80}) {
+    Image image = draw(scene, {rows, rows}, kLayers);
+    int shown = 0;
+    for (int y = 0; y < rows; ++y)
+      for (int x = 0; x < rows; ++x) {
+        glm::vec3 color(colorOf(image, {x, y}));
+        shown += color.r > 0.01f;
+        ASSERT_TRUE(color.r <= 0.55f) << rows << " rows: " << x << ", " << y << ": " << color.r;
+      }
+    EXPECT_GT(shown, 20) << rows;
+  }
+}
+
 /// Atoms so close on a plane across y that it is nearly flat, in a rectangle of x and z.
 void addFloor(std::vector<glm::vec3>& places, float y, glm::vec2 low, glm::vec2 high) {
   for (float x = low.x; x <= high.x; x += 2.0f)

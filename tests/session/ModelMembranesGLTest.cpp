@@ -167,9 +167,11 @@ TEST_F(ModelMembranesGL, WhatIsProtectedByValueStaysSoWhereAModelReachesOutOfThe
   EXPECT_EQ(std::count_if(whole.begin(), whole.end(), some), std::count_if(inner.begin(), inner.end(), some));
 }
 
-TEST_F(ModelMembranesGL, AModelFarLargerThanTheVolumeIsToBeBroughtToSizeFirst) {
+TEST_F(ModelMembranesGL, AModelOfAnotherScaleThanTheVolumeIsToBeBroughtToSizeFirst) {
   scene::Scene scene = sceneOfShell();
   scene.volume.data = Shared<Volume>(greyVolume(200, 4.0));
+  EXPECT_THROW(expectModelInReach(scene), ArgumentError);
+  scene.volume.data = Shared<Volume>(greyVolume(50, 1e6));
   EXPECT_THROW(expectModelInReach(scene), ArgumentError);
   scene.model = {};
   EXPECT_THROW(expectModelInReach(scene), ArgumentError);

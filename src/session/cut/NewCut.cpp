@@ -8,6 +8,7 @@
 #include "scene/Project.h"
 #include "scene/SectionPlane.h"
 #include "session/cut/CutEdit.h"
+#include "session/model/ModelScale.h"
 
 namespace velum::session {
 
@@ -71,15 +72,29 @@ NewCut newCutIn(const scene::Scene& scene) {
 
 glm::dvec3 frameSize(double width, double height) { return {width, height, 0.22 * std::sqrt(width * height)}; }
 
-void hangMembrane(scene::Cut& cut, const NewCut& at) {
-  glm::dmat3 axes(1.0);
-  glm::dvec3 edges = at.data.edges, middle = at.data.middle;
-  if (at.scene.volume.data) {
-    const Volume& volume = *at.scene.volume.data;
-    axes = direction(volume);
-    edges = spacingOf(volume) * glm::dvec3(volume.dims);
-    middle = centreOf(volume);
+namespace {
+
+/// The volume's box along its own axes, so large that it holds a model beside the volume, too.
+DataBox boxAlong(const glm::dmat3& axes, const scene::Scene& scene) {
+  const Volume& volume = *scene.volume.data;
+  DataBox box{centreOf(volume), spacingOf(volume) * glm::dvec3(volume.dims)};
+  if (!scene.model.data || isOutOfScale(scene)) return box;
+  scene::ModelBox model = scene::worldBoxOfModel(scene);
+  glm::dvec3 low = -0.5 * box.edges, high = 0.5 * box.edges;
+  for (int corner = 0; corner < 8; ++corner) {
+    glm::bvec3 isHigh(corner & 1, corner & 2, corner & 4);
+    glm::dvec3 at = glm::transpose(axes) * (glm::mix(model.low, model.high, isHigh) - box.middle);
+    low = glm::min(low, at);
+    high = glm::max(high, at);
   }
+  return {box.middle + axes * (0.5 * (low + high)), high - low};
+}
+
+}  // namespace
+
+void hangMembrane(scene::Cut& cut, const NewCut& at) {
+  glm::dmat3 axes = at.scene.volume.data ? direction(*at.scene.volume.data) : glm::dmat3(1.0);
+  auto [middle, edges] = at.scene.volume.data ? boxAlong(axes, at.scene) : at.data;
   glm::dvec3 along = glm::transpose(axes) * at.toEye, size = glm::abs(along);
   int k = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
   glm::dvec3 z = cleaned(axes[k] * (along[k] < 0 ? -1.0 : 1.0));

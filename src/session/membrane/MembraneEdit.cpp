@@ -12,6 +12,7 @@
 
 #include "scene/Scene.h"
 #include "session/look/ValueHistogram.h"
+#include "session/model/ModelScale.h"
 
 namespace velum::session {
 
@@ -148,9 +149,9 @@ std::vector<std::string> protectableTypes(const Model& model, std::string_view p
 
 void expectModelInReach(const scene::Scene& scene) {
   if (!scene.model.data) throw ArgumentError("there is no model whose types a membrane could go around");
-  if (!membrane::Potential(scene).holdsModel())
+  if (isOutOfScale(scene) || !membrane::Potential(scene).holdsModel())
     throw ArgumentError(
-        "the model is far larger than the data beside it, and sheets go by that data's grid; bring it to size first "
+        "the model is of another scale than the data beside it, by whose grid sheets go; bring it to size first "
         "(model.bringToSize)");
 }
 

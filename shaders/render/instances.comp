@@ -137,13 +137,13 @@ void shadePixel(ivec2 pixel, int at, uint owner) {
   vec3 toEye = -normalize(ray);
   vec3 rgb = albedoOf(molecule.type, ball.number, depth);
   float size = molecule.sphere.w * unitsPerLength(depth);
+  vec3 side = litNormal(ball, place, molecule, hit, normal, depth);
   if (hasFlag(kFlagShaded)) {
     vec2 known = lightOn(pixel, depth);
     // What molecules of a few pixels do to each other is grain, too.
     known = mix(vec2(1.0), known, mix(kLeastShaded, 1.0, smoothstep(kLeastShading, kFullShading, size)));
     float open = mix(1.0, known.x, frame.occlusionStrength);
     float lit = mix(1.0, known.y, frame.shadowStrength);
-    vec3 side = litNormal(ball, place, molecule, hit, normal, depth);
     float sky = 0.85 + 0.15 * dot(side, frame.pictureUp.xyz);
     float lambert = max(dot(side, frame.keyLight.xyz), 0.0);
     vec3 halfway = normalize(frame.keyLight.xyz + toEye);
@@ -156,7 +156,7 @@ void shadePixel(ivec2 pixel, int at, uint owner) {
   vec3 behind = mix(shade.fogTop.rgb, shade.fogBottom.rgb, up);
   float fog = shade.fog * smoothstep(0.0, 1.0, (depth - shade.fogNear) / max(shade.fogFar - shade.fogNear, 1e-9));
   imageStore(colorImage, pixel, vec4(mix(rgb, behind, fog), 1.0));
-  imageStore(auxImage, pixel, vec4(normal, depth * length(ray)));
+  imageStore(auxImage, pixel, vec4(side, depth * length(ray)));
   // Small ones of a type have no lines between them: there would be nothing else.
   uint structure = shade.firstType + molecule.type;
   uint group = size < kLeastOutlined ? structure : shade.firstInstance + owner;

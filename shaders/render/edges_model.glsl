@@ -10,6 +10,9 @@ layout(binding = kGroupOfUnit) uniform usamplerBuffer groupOf;  // by structure:
 const float kFullShare = 3.0;
 // Sizes of instances between which their lines come, pixels of a picture of 1000 rows, or of a smaller one.
 const float kNoLine = 6.0, kFullLine = 16.0;
+// The widest pen for a size, as a share of it, and the finest one, which fades where it is too wide; of a strength of one:
+// what is drawn half as dark may be twice as wide.
+const float kMostPen = 0.035, kFinestPen = 0.65;
 // And those between which faint lines within come, and how dark these are.
 const float kNoneWithin = 25.0, kFullWithin = 55.0, kFaint = 0.27;
 // What is left of the outlines of the whole and of compartments around what is too small for a line of its own, and how dark
@@ -19,6 +22,12 @@ const float kLeastBorder = 0.7;
 const int kPlaces = 12;
 
 float shownOf(float size) { return smoothstep(kNoLine, kFullLine, size); }
+
+/// How wide a pen a place has: as wide as is asked for, or finer where what is drawn is small, as lines would be all that is seen.
+float penOf(Sample s) {
+  float most = max(kFinestPen, kMostPen * s.size) / (finish.contours * unitsOfSizes());
+  return s.opacity > 0.5 ? min(finish.contourPixels, most) : finish.contourPixels;
+}
 
 /// Distance from the picture plane. @param depth  of a sample
 float alongOf(float depth) { return hasFlag(kFlagOrthographic) ? depth : 1.0 / max(depth, 1e-9); }
@@ -61,8 +70,9 @@ float edgeAt(ivec2 pixel, Sample centre) {
   vec3 strong = vec3(0.0);
   vec3 fine = vec3(0.0);
   float folds = 0.0;
-  float wide = kStrongLine * kLineCircle * finish.contourPixels;
-  float narrow = kFineLine * kLineCircle * finish.contourPixels;
+  float pen = penOf(centre);
+  float wide = kStrongLine * kLineCircle * pen;
+  float narrow = kFineLine * kLineCircle * pen;
   for (int i = 0; i < kPlaces / 2; ++i) {
     int across = i + kPlaces / 2;
     strong += betweenOf(centre, sampleAt(pixel + placeOn(wide, i)), group);

@@ -21,10 +21,15 @@ layout(location = 1) uniform int isFirst;  // 1: nothing is there yet
 #include "render/edges_data.glsl"
 #endif
 
+// Sizes between which lit spheres come to show a form, pixels of a picture of 1000 rows, or of a smaller one. What is small has
+// none of its own: light and shade on each of many would be grain.
+const float kNoForm = 8.0, kFullForm = 40.0;
+
 vec3 litSphereAt(Sample s) {
   float size = float(kSphereTexels);
   uint row = texelFetch(sphereOf, min(int(s.ids & 0xffffu), textureSize(sphereOf) - 1)).r;
-  vec2 at = clamp((vec2(s.normal.x, -s.normal.y) * 0.5 + 0.5) * size, 0.5, size - 0.5);
+  float form = smoothstep(kNoForm, kFullForm, s.size);
+  vec2 at = clamp((form * vec2(s.normal.x, -s.normal.y) * 0.5 + 0.5) * size, 0.5, size - 0.5);
   return textureLod(litSphereTexture, vec2(at.x, at.y + float(row) * size) / vec2(size, size * float(finish.sphereRows)), 0.0).rgb;
 }
 

@@ -11,6 +11,18 @@ const float kSurface = 0.12;
 /// How far something counts as a surface: what is thin has no edges, nor has a haze, however deep.
 float solidity(Sample s) { return clamp(3.0 * s.opacity - 0.8, 0.0, 1.0) * smoothstep(kHaze, kSurface, s.solid); }
 
+/// Sizes in a pixel: they are in pixels of a picture of 1000 rows, or of a smaller one.
+float unitsOfSizes() { return min(finish.unitsPerPixel, 1.0); }
+
+// Sizes between which strokes come to follow the form and to be as dark as it is, in distances from stroke to stroke.
+const float kNoRoom = 3.0, kFullRoom = 8.0;
+
+/// How far what is seen has room for strokes, 0..1: on what is small they would be all that is seen.
+float roomOf(Sample s) {
+  float inStrokes = s.size / (finish.strokePixels * unitsOfSizes());
+  return s.opacity > 0.0 ? smoothstep(kNoRoom, kFullRoom, inStrokes) : 1.0;
+}
+
 bool isSame(Sample a, Sample b) { return a.ids == b.ids && a.moreIds == b.moreIds; }
 
 uint hashOf(uvec2 p) {

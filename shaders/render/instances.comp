@@ -114,13 +114,18 @@ vec2 lightOn(ivec2 pixel, float depth) {
 // Radii of balls from which on, and up to which, each has its own light: smaller ones would be grain.
 const float kLeastLit = 2.0;
 const float kFullLit = 7.0;
+// How much more than by that a finish is told that a molecule faces the eye: it is not as round as the sphere around it.
+const float kFlatter = 0.8;
 // How much of their neighbours' shade falls on molecules of a few pixels.
 const float kLeastShaded = 0.45;
+
+/// How far a ball has its own light, 0..1.
+float ownLight(Placed ball, float depth) { return smoothstep(kLeastLit, kFullLit, ball.radius * unitsPerLength(depth)); }
 
 /// By which a place on a ball is lit: of the molecule's whole shape, where balls are small.
 vec3 litNormal(Placed ball, Place place, MoleculeRow molecule, vec3 hit, vec3 own, float depth) {
   vec3 middle = place.position - view.eye.xyz + turned(place.rotation, molecule.sphere.xyz);
-  float share = smoothstep(kLeastLit, kFullLit, ball.radius * unitsPerLength(depth));
+  float share = ownLight(ball, depth);
   return normalize(mix((hit - middle) / molecule.sphere.w, own, share) + 1e-6 * own);
 }
 
@@ -140,13 +145,13 @@ void shadePixel(ivec2 pixel, int at, uint owner) {
   vec3 toEye = -normalize(ray);
   vec3 rgb = albedoOf(molecule.type, ball.number, depth);
   float size = molecule.sphere.w * unitsPerLength(depth);
+  vec3 side = litNormal(ball, place, molecule, hit, normal, depth);
   if (hasFlag(kFlagShaded)) {
     vec2 known = lightOn(pixel, depth);
     // What molecules of a few pixels do to each other is grain, too.
     known = mix(vec2(1.0), known, mix(kLeastShaded, 1.0, smoothstep(kLeastShading, kFullShading, size)));
     float open = mix(1.0, known.x, frame.occlusionStrength);
     float lit = mix(1.0, known.y, frame.shadowStrength);
-    vec3 side = litNormal(ball, place, molecule, hit, normal, depth);
     float sky = 0.85 + 0.15 * dot(side, frame.pictureUp.xyz);
     float lambert = max(dot(side, frame.keyLight.xyz), 0.0);
     vec3 halfway = normalize(frame.keyLight.xyz + toEye);
@@ -159,7 +164,7 @@ void shadePixel(ivec2 pixel, int at, uint owner) {
   vec3 behind = mix(shade.fogTop.rgb, shade.fogBottom.rgb, up);
   float fog = shade.fog * smoothstep(0.0, 1.0, (depth - shade.fogNear) / max(shade.fogFar - shade.fogNear, 1e-9));
   imageStore(colorImage, pixel, vec4(mix(rgb, behind, fog), 1.0));
-  imageStore(auxImage, pixel, vec4(normal, depth * length(ray)));
+  imageStore(auxImage, pixel, vec4(normalize(side + kFlatter * (1.0 - ownLight(ball, depth)) * toEye), depth * length(ray)));
   // Small ones of a type have no lines between them: there would be nothing else.
   uint structure = shade.firstType + molecule.type;
   uint group = size < kLeastOutlined ? structure : shade.firstInstance + owner;

@@ -7,6 +7,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #ifdef FINISH
 #include "render/strokes.glsl"
 layout(binding = kFinishImage, rgba32f) uniform readonly image2D finishImage;
+layout(binding = kSampleUnit) uniform usampler2D sampleTexture;  // the last of the samples
 layout(binding = kPaperUnit) uniform sampler2D paperTexture;
 layout(location = 7) uniform int finishSamples;  // that finishImage is the sum of
 layout(location = 8) uniform int finishRows;     // rows from the top that have one more
@@ -36,7 +37,8 @@ vec3 inkLeaves(float share) { return 1.0 - share * (1.0 - finish.contourColor.rg
 float hatchingAt(ivec2 pixel, vec4 color) {
 #ifdef STROKES
   float tone = color.a > 0.0 ? dot(color.rgb, vec3(0.30, 0.59, 0.11)) / max(color.a, 1e-3) : 1.0;
-  return finish.hatching * color.a * strokesAt(vec2(pixel + windowOrigin) + 0.5, 1.0 - min(tone, 1.0));
+  float roomy = roomOf(unpackSample(texelFetch(sampleTexture, pixel, 0)));
+  return finish.hatching * color.a * strokesAt(vec2(pixel + windowOrigin) + 0.5, 1.0 - min(tone, 1.0), roomy);
 #else
   return 0.0;
 #endif

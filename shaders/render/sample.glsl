@@ -13,8 +13,8 @@ struct Sample {
 };
 
 // Sizes are kept as eighths of a power of two, in six bits.
-const float kSmallestSize = 0.25;
-const float kLargestSize = 58.0;
+const float kSmallestSize = 2.0;
+const float kLargestSize = 469.0;
 
 #ifdef FINISH
 Sample unpackSample(uvec4 words) {

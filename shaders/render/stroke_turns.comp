@@ -17,6 +17,7 @@ void main() {
   ivec2 last = textureSize(sampleTexture, 0) - 1;
   vec3 tensor = vec3(0.0);
   float weight = 0.0;
+  float room = 0.0;
   for (int j = 0; j < kAlong - 1; ++j)
     for (int i = 0; i < kAlong - 1; ++i) {
       vec2 at = middle + (vec2(i, j) - 2.0) * 0.5 * finish.cellPixels;
@@ -30,9 +31,12 @@ void main() {
       bool bends = isSame(a, b) && isSame(a, c) && dot(x, x) < 0.8 && dot(y, y) < 0.8;
       tensor += bends ? solid * vec3(dot(x, x), dot(x, y), dot(y, y)) : vec3(0.0);
       weight += bends ? solid : 0.0;
+      room += bends ? solid * roomOf(a) : 0.0;
     }
   tensor /= max(weight, 1.0);
+  // What is small has no form that strokes could go round.
+  room /= max(weight, 1e-6);
   // A sharp bend says no more of directions than a clear one.
-  float share = 1.0 / (tensor.x + tensor.z + 0.004);
+  float share = room * room / (tensor.x + tensor.z + 0.004);
   imageStore(turnImage, cell, vec4(tensor * share, 1.0) * min(weight, 4.0));
 }

@@ -35,13 +35,19 @@ vec2 waveOf(float angle) {
   return arch + 0.225 * (arch * abs(arch) - arch);
 }
 
+// Of the darkness of a hatched place, what is left where everything is small: one family of fine strokes, an even tone.
+const float kLeastPressed = 0.4;
+const float kMostEven = 0.3;
+
 // No stroke is on what is lighter, however hard a hand presses.
 const float kLeastDark = 0.08;
 
 layout(binding = kStrokeUnit) uniform sampler2D strokeTexture;
 
-/// How dark strokes make a place. @param at  pixels of the whole picture; darkness  of the shading, 0..1
-float strokesAt(vec2 at, float darkness) {
+/// How dark strokes make a place.
+/// @param at  pixels of the whole picture; darkness  of the shading, 0..1; roomy  how far there is room for strokes, see roomOf()
+float strokesAt(vec2 at, float darkness, float roomy) {
+  darkness = mix(min(kLeastPressed * darkness, kMostEven), darkness, roomy);
   vec2 inCells = at / finish.cellPixels - 0.5;
   vec2 whole = floor(inCells);
   vec2 part = inCells - whole;

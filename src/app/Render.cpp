@@ -176,7 +176,7 @@ Run registerRender(CLI::App& verb) {
       "in the EXR, or as PNGs beside");
   verb.add_flag("--transparent", options->transparent, "no background, with alpha");
   verb.add_flag("--legend", options->legend,
-                "colours and names of a model's types over the picture (lettering.legend)");
+                "colours and names of a model's types and of structures over the picture (lettering.legend)");
   verb.add_flag("--scale-bar", options->scaleBar, "a bar that says how long things are (lettering.scaleBar)");
   verb.add_flag("--brute-force", options->bruteForce,
                 "without skipping and early ends: the reference for every acceleration");

@@ -6,6 +6,7 @@
 #include "io/phantoms/Virion.h"
 #include "model/Levels.h"
 #include "render/RenderPicture.h"
+#include "scene/Finishes.h"
 #include "scene/ModelLooks.h"
 #include "scene/Scene.h"
 
@@ -16,6 +17,8 @@ constexpr int kReduced = 500;          // rows at which pictures are compared
 constexpr double kMostApart = 4.0;     // of 255, root of the mean square
 constexpr double kDark = 0.7;          // of an instance's median tone
 constexpr std::size_t kLeastMark = 6;  // pixels
+constexpr double kLeastLight = 0.55;   // mean of a dense interior, of the paper's
+constexpr double kMostToneApart = 0.02;
 
 class PlateGL : public GlTest {
  protected:
@@ -57,6 +60,26 @@ class PlateGL : public GlTest {
               float(edge * edge);
     return out;
   }
+  /// The virion cut in two, in a finish, as a window draws it.
+  static scene::Scene asWindow(const char* finish) {
+    scene::Scene scene = plate();
+    scene.model.detail = 1.0;
+    scene.rayCast.samplesPerPixel = 2;
+    scene::applyFinish(scene, finish);
+    return scene;
+  }
+  static double toneOf(glm::vec3 color) { return double(glm::dot(color, glm::vec3(0.30f, 0.59f, 0.11f))); }
+  /// The mean tone of the middle of a picture.
+  static double toneOf(const Image& image) {
+    double sum = 0.0, count = 0.0;
+    std::size_t channels = image.channels.size();
+    for (int y = image.height / 4; y < 3 * image.height / 4; ++y)
+      for (int x = 0; x < image.width; ++x, ++count) {
+        const float* pixel = &image.pixels[(std::size_t(y) * std::size_t(image.width) + std::size_t(x)) * channels];
+        sum += toneOf(glm::vec3(pixel[0], pixel[1], pixel[2]));
+      }
+    return sum / count;
+  }
   static double apart(const std::vector<float>& a, const std::vector<float>& b) {
     double sum = 0.0;
     for (std::size_t i = 0; i < a.size(); ++i) sum += double(a[i] - b[i]) * double(a[i] - b[i]);
@@ -71,6 +94,21 @@ TEST_F(PlateGL, APlateLooksAlikeHoweverManyRowsItHas) {
   EXPECT_LT(apart(seen[1000], seen[2000]), kMostApart);
   EXPECT_LT(apart(seen[1000], seen[4000]), kMostApart);
   EXPECT_LT(apart(seen[2000], seen[4000]), kMostApart);
+}
+
+/// Strokes and lines of all that lies in a cell would be black.
+TEST_F(PlateGL, DenseInteriorsStayLightInEveryFinish) {
+  for (const char* finish : {"plate", "pencil", "ink", "engraving", "cartoon"}) {
+    scene::Scene scene = asWindow(finish);
+    double paper = toneOf(scene.finish.paperColor);
+    double tone = toneOf(draw(scene, {250, 1000}));
+    EXPECT_GT(tone, kLeastLight * paper) << finish;
+  }
+}
+
+TEST_F(PlateGL, HatchingIsAsDarkHoweverManyRowsItHas) {
+  scene::Scene scene = asWindow("ink");
+  EXPECT_NEAR(toneOf(draw(scene, {250, 1000})), toneOf(draw(scene, {1000, 4000})), kMostToneApart);
 }
 
 TEST_F(PlateGL, NoDarkMarkInsideAnInstanceIsASpeck) {

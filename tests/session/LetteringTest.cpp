@@ -12,11 +12,14 @@
 #include "makeVolume.h"
 #include "scene/Project.h"
 #include "scene/Scene.h"
+#include "scene/SectionPlane.h"
 #include "session/command/Command.h"
+#include "session/command/DocumentCommands.h"
 #include "session/command/LetteringCommands.h"
 #include "session/command/ModelCommands.h"
 #include "session/lettering/Letters.h"
 #include "session/model/CountFiles.h"
+#include "session/model/ModelEdit.h"
 
 namespace velum::session {
 
@@ -130,6 +133,65 @@ TEST(Lettering, TypesThatAreCalledAlikeShareAnEntry) {
   scene = after(scene, RenameType{"root.a.type0", "Spike"});
   scene = after(scene, RenameType{"root.b.type3", "Spike"});
   EXPECT_EQ(namesOf(scene), (std::vector<std::string>{"type4", "Spike", "type2", "type1"}));
+}
+
+TEST(Lettering, StructuresStandInTheLegendThatAreShownOrListed) {
+  scene::Scene scene = lettered(glm::vec3(1.0f));
+  scene.labels.data = Shared<LabelVolume>(LabelVolume{});
+  scene.labels.structures = {{1, "liver", {0.6f, 0.2f, 0.1f}}, {2, "spleen", {0.4f, 0.1f, 0.3f}}, {3, "", {1, 1, 1}}};
+  EXPECT_EQ(namesOf(scene, {{1, 2000, 0, 0, 0}, 1000000}), (std::vector<std::string>{"type1", "liver", "spleen"}));
+  scene.model.visible = false;
+  EXPECT_EQ(namesOf(scene), (std::vector<std::string>{"liver", "spleen"}));
+  EXPECT_EQ(legendEntries(scene, {})[1].colors, std::vector<glm::vec3>{scene.labels.structures[1].color});
+  scene.labels.structures[0].visible = false;
+  EXPECT_EQ(namesOf(scene), std::vector<std::string>{"spleen"});
+  scene.model.visible = true;
+  scene.lettering.entries = {"liver", "root.a.type2"};
+  EXPECT_EQ(namesOf(scene), (std::vector<std::string>{"liver", "type2"})) << "whoever lists it wants it";
+  scene.labels.visible = false;
+  EXPECT_EQ(namesOf(scene), std::vector<std::string>{"type2"});
+}
+
+TEST(Lettering, WhatALegendListsInVainIsSaidInOneLine) {
+  scene::Scene scene = lettered(glm::vec3(1.0f));
+  scene.lettering.entries = {"root.a.type2", "root.b"};
+  EXPECT_EQ(whatLegendLacks(scene), "");
+  scene.lettering.entries = {"root.x", "root.b", "liver"};
+  EXPECT_EQ(whatLegendLacks(scene), "the legend leaves out what the data do not have: root.x, liver");
+  EXPECT_EQ(namesOf(scene), std::vector<std::string>{"b"});
+  scene.lettering.entries.clear();
+  Progress progress;
+  EXPECT_EQ(editOf(scene, SetField{"lettering.entries", R"(["root.y"])"}, progress).told,
+            std::vector<std::string>{"the legend leaves out what the data do not have: root.y"});
+}
+
+TEST(Lettering, ASectionsBarIsAsLongAsItSaysInItsPicture) {
+  scene::Scene scene;
+  scene.unit = LengthUnit::Millimetre;
+  Volume volume = makeVolume({64, 48, 40}, SampleType::UInt8, [](glm::ivec3) { return 0; });
+  volume.isSpacingKnown = true;
+  scene.volume.data = Shared<Volume>(volume);
+  scene.background.bottom = glm::vec3(0.0f);
+  glm::ivec2 size(600, 400);
+  for (auto kind : {scene::SectionKind::Axial, scene::SectionKind::Coronal, scene::SectionKind::Sagittal}) {
+    auto bar = scaleBarOf(scene, kind, size);
+    ASSERT_TRUE(bar);
+    scene::SectionPlane plane = scene::makeSectionPlane(scene, kind, glm::dvec2(size));
+    EXPECT_NEAR(bar->pixels * plane.lengthPerPixel, bar->length, 1e-9);
+    EXPECT_TRUE(bar->text.ends_with(" mm")) << bar->text;
+    EXPECT_TRUE(letteringMarks(scene, kind, size).empty()) << "nobody asked for it";
+    scene.lettering.scaleBar = true;
+    Image image = blank(size, glm::vec3(0.0f));
+    layMarks(letteringMarks(scene, kind, size), image);
+    double widest = 0.0;
+    for (int y = 0; y < size.y; ++y) {
+      double ink = 0.0;
+      for (int x = 0; x < size.x; ++x) ink += double(image.pixels[std::size_t(3 * (y * size.x + x))]) / 0.96;
+      widest = std::max(widest, ink);
+    }
+    EXPECT_NEAR(widest, bar->pixels, 0.6) << "light on dark";
+    scene.lettering.scaleBar = false;
+  }
 }
 
 TEST(Lettering, LinksInNamesAreTheirWords) {

@@ -24,9 +24,15 @@ void FinishGrid::refresh() {
   const scene::Scene& scene = document().scene();
   setEnabled(scene::hasData(scene));
   list().mark(textOf(scene::finishName(scene)));
-  Key key{scene.volume.data, scene.volume.channel, scene::currentTransfer(scene.volume), {}};
-  if (!key.volume) key.model = scene.model;
-  key.model.targets.clear();  // they change nothing that is seen
+  Key key{scene.volume.data, scene.volume.channel, scene::currentTransfer(scene.volume)};
+  if (!key.volume) {
+    key.model = scene.model;
+    key.lighting = scene.lighting;
+    key.top = scene.background.top, key.bottom = scene.background.bottom;
+  }
+  // Neither changes anything that is seen.
+  key.model.targets.clear();
+  scene::dropNames(key.model);
   if (key == mKey) return;
   mKey = key;
   renew(key.volume || key.model.data);

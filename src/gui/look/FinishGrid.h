@@ -17,7 +17,10 @@ class FinishGrid : public PictureGrid {
     Shared<Volume> volume;  ///< Kept alive, so that no other volume can get its id.
     int channel = 0;
     scene::TransferFunction transfer;
-    scene::ModelLayer model;  ///< Where there is no volume.
+    // Where there is no volume.
+    scene::ModelLayer model;
+    scene::Lighting lighting;
+    glm::vec3 top{0.0f}, bottom{0.0f};  ///< Of the background.
     bool operator==(const Key&) const = default;
   };
   Key mKey;

@@ -13,6 +13,16 @@
 
 namespace velum::gui {
 
+namespace {
+
+/// Molecules are round all over: in a picture of a model alone no surface turns sharply.
+bool hasCreases(const scene::Scene& scene) {
+  bool hasVoxels = (scene.volume.data && scene.volume.visible) || (scene.labels.data && scene.labels.visible);
+  return scene::hasData(scene) && (hasVoxels || !scene.model.data || !scene.model.visible);
+}
+
+}  // namespace
+
 FinishPanel::FinishPanel(session::Document& document, QWidget* parent)
     : QWidget(parent),
       mDocument(document),
@@ -87,8 +97,9 @@ void FinishPanel::addContours() {
              .name = tr("Contours between structures")});
   mForm.add("contourCreases", tr("Creases"),
             {.object = "contourCreases",
-             .tip = tr("How much of them where the surface turns sharply, %"),
-             .name = tr("Contours of creases")});
+             .tip = tr("How much of them where the surface turns sharply, %; molecules of models have none"),
+             .name = tr("Contours of creases"),
+             .isEnabled = [this] { return hasCreases(mDocument.scene()); }});
   mForm.add("contourColor", tr("Ink"), {.object = "contourColor", .tip = tr("Colour of contours and strokes")});
 }
 

@@ -130,13 +130,14 @@ QWidget* LookPanel::makeLettering() {
   mForm.setGrid(rows);
   auto lettering = [this]() -> const scene::Lettering& { return mDocument.scene().lettering; };
   const QStringList corners{tr("Top left"), tr("Top right"), tr("Bottom left"), tr("Bottom right")};
-  auto hasModel = [this] { return bool(mDocument.scene().model.data); };
+  auto hasNames = [this] { return mDocument.scene().model.data || mDocument.scene().labels.data; };
   mForm.add(
       "lettering.legend", tr("Legend"),
       {.object = "legend",
-       .tip = tr("Colours and names of a model's types over the picture, also in files; the menu of a type lists it"),
+       .tip =
+           tr("Colours and names of types and structures over the picture, also in files; the menu of a type lists it"),
        .step = tr("Legend"),
-       .isEnabled = hasModel});
+       .isEnabled = hasNames});
   mForm.add("lettering.legendCorner", tr("Stands"),
             {.object = "legendCorner",
              .tip = tr("The corner in which the legend stands"),

@@ -27,12 +27,12 @@
 #include "scene/json/Json.h"
 #include "session/document/Folders.h"
 #include "session/document/LabelPlace.h"
-#include "session/document/LitSphereFiles.h"
 #include "session/document/PaperFile.h"
 #include "session/document/StructureShapes.h"
 #include "session/growth/Growths.h"
 #include "session/membrane/MembraneEdit.h"
 #include "session/model/LevelCache.h"
+#include "session/model/ModelEdit.h"
 
 namespace velum::session {
 
@@ -296,8 +296,8 @@ void loadData(scene::Scene& scene, const fs::path& folder, Progress& progress, c
   } catch (const ArgumentError& error) {
     throw InputError(fmt::format("labels.growths: {}", error.what()));  // of a file, or of another volume
   }
-  for (const std::string& note : loadLitSpheres(scene, folder)) Notes{notes}.add(note);
-  if (auto note = loadPaper(scene, folder)) Notes{notes}.add(*note);
+  for (const std::string& note : loadOwnPictures(scene, folder)) Notes{notes}.add(note);
+  if (std::string note = whatLegendLacks(scene); !note.empty()) Notes{notes}.add(note);
 }
 
 std::string sceneTextFor(const scene::Scene& scene, const fs::path& path) {

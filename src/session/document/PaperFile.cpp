@@ -6,6 +6,7 @@
 #include "io/images/ImageFile.h"
 #include "scene/PaperPicture.h"
 #include "scene/Scene.h"
+#include "session/document/LitSphereFiles.h"
 #include "session/document/Sources.h"
 
 namespace velum::session {
@@ -45,6 +46,12 @@ std::optional<std::string> loadPaper(scene::Scene& scene, const fs::path& folder
     return fmt::format("own paper: {}; it is smooth", wrong.what());
   }
   return std::nullopt;
+}
+
+std::vector<std::string> loadOwnPictures(scene::Scene& scene, const fs::path& folder) {
+  std::vector<std::string> notes = loadLitSpheres(scene, folder);
+  if (auto note = loadPaper(scene, folder)) notes.push_back(*note);
+  return notes;
 }
 
 }  // namespace velum::session

@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "scene/SceneFwd.h"
 
@@ -15,5 +16,9 @@ void takePaper(scene::Scene& scene, const std::filesystem::path& path);
 /// taken relative to `folder`. Where the picture cannot be read the paper is smooth.
 /// @return a line that says so
 std::optional<std::string> loadPaper(scene::Scene& scene, const std::filesystem::path& folder);
+
+/// Reads the paper and the lit spheres that are the user's own, as loadPaper() and loadLitSpheres() do.
+/// @return lines that say what could not be read
+std::vector<std::string> loadOwnPictures(scene::Scene& scene, const std::filesystem::path& folder);
 
 }  // namespace velum::session

@@ -13,6 +13,7 @@
 #include "session/document/PaperFile.h"
 #include "session/document/StructureShapes.h"
 #include "session/document/WorkFile.h"
+#include "session/model/ModelEdit.h"
 
 namespace velum::session {
 
@@ -124,6 +125,8 @@ std::vector<std::string> followPictures(scene::Scene& after, const scene::Scene&
     takePaper(after, paper);
     after.finish.paper = chosen;
   }
+  if (after.lettering.entries != before.lettering.entries)
+    if (std::string note = whatLegendLacks(after); !note.empty()) notes.push_back(note);
   return notes;
 }
 

@@ -6,6 +6,7 @@
 
 #include "scene/Project.h"
 #include "scene/Scene.h"
+#include "scene/SectionPlane.h"
 #include "scene/Units.h"
 #include "session/lettering/Letters.h"
 #include "session/section/SectionTool.h"
@@ -123,8 +124,12 @@ void addRectangle(Mark& mark, glm::dvec2 low, glm::dvec2 high, double radius, do
 /// Lays out one part after the other: parts in the same corner do not cover each other.
 class Layout {
  public:
-  Layout(const scene::Scene& scene, glm::ivec2 size)
-      : mScene(scene), mSize(size), mLetters(std::max(kLeastEm, scene.lettering.textSize * size.y / 1000.0)) {}
+  /// @param ground  before which all stands; none: the paper or background of the scene
+  Layout(const scene::Scene& scene, glm::ivec2 size, std::optional<glm::vec3> ground = std::nullopt)
+      : mScene(scene),
+        mSize(size),
+        mGround(ground),
+        mLetters(std::max(kLeastEm, scene.lettering.textSize * size.y / 1000.0)) {}
 
   void addLegend(const std::vector<LegendEntry>& entries);
   void addScaleBar(const ScaleBar& bar);
@@ -136,9 +141,11 @@ class Layout {
   /// The marks of a part, with room for its glow.
   Block blockAt(glm::dvec2 corner, glm::dvec2 room) const;
   void finish(const Block& block, scene::Corner corner);
+  glm::vec3 ground(scene::Corner corner) const { return mGround ? *mGround : groundOf(mScene, corner); }
 
   const scene::Scene& mScene;
   glm::dvec2 mSize;
+  std::optional<glm::vec3> mGround;
   Letters mLetters;
   std::map<scene::Corner, double> mTaken;  ///< pixels from the picture's edge on
   std::vector<Mark> mMarks;
@@ -158,7 +165,7 @@ Block Layout::blockAt(glm::dvec2 corner, glm::dvec2 room) const {
 }
 
 void Layout::finish(const Block& block, scene::Corner corner) {
-  std::vector<Mark> marks = block.onGlow(groundOf(mScene, corner), mLetters.em());
+  std::vector<Mark> marks = block.onGlow(ground(corner), mLetters.em());
   mMarks.insert(mMarks.end(), marks.begin(), marks.end());
 }
 
@@ -176,7 +183,7 @@ void Layout::addLegend(const std::vector<LegendEntry>& entries) {
   scene::Corner corner = mScene.lettering.legendCorner;
   glm::dvec2 size(before + room, line * double(rows)), at = place(corner, size);
   Block block = blockAt(at, size);
-  glm::vec3 ink = inkOn(groundOf(mScene, corner));
+  glm::vec3 ink = inkOn(ground(corner));
   for (std::size_t i = 0; i < rows; ++i) {
     const std::vector<glm::vec3>& colors = entries[i].colors;
     glm::dvec2 low(at.x, at.y + line * double(i) + 0.5 * (line - swatch)), high = low + swatch;
@@ -202,7 +209,7 @@ void Layout::addScaleBar(const ScaleBar& bar) {
   scene::Corner corner = mScene.lettering.scaleBarCorner;
   glm::dvec2 at = place(corner, size);
   Block block = blockAt(at, size);
-  Mark& mark = block.add(inkOn(groundOf(mScene, corner)));
+  Mark& mark = block.add(inkOn(ground(corner)));
   double middle = isLeft(corner) ? at.x + 0.5 * bar.pixels : at.x + size.x - 0.5 * bar.pixels;
   glm::dvec2 low(middle - 0.5 * bar.pixels, at.y + (kCapHeight + kBarGap) * em),
       high(low.x + bar.pixels, at.y + size.y);
@@ -211,16 +218,24 @@ void Layout::addScaleBar(const ScaleBar& bar) {
   finish(block, corner);
 }
 
-}  // namespace
-
-std::optional<ScaleBar> scaleBarOf(const scene::Scene& scene, glm::ivec2 size) {
+/// The bar for a picture of that width. @param perPixel  length of a pixel, scene units
+std::optional<ScaleBar> barOf(const scene::Scene& scene, double perPixel, int width) {
   const auto& volume = scene.volume.data;
   if (!scene::hasData(scene) || (volume && !volume->isSpacingKnown)) return std::nullopt;
-  double perPixel = scene::lengthPerPixel(scene.camera, glm::dvec2(size), scene.camera.target);
-  double most = perPixel * kLongestBar * size.x;
+  double most = perPixel * kLongestBar * width;
   if (!std::isfinite(most) || most <= 0.0) return std::nullopt;
   double length = rulerLength(most);
   return ScaleBar{length, length / perPixel, scene::roundLengthText(length, scene.unit)};
+}
+
+}  // namespace
+
+std::optional<ScaleBar> scaleBarOf(const scene::Scene& scene, glm::ivec2 size) {
+  return barOf(scene, scene::lengthPerPixel(scene.camera, glm::dvec2(size), scene.camera.target), size.x);
+}
+
+std::optional<ScaleBar> scaleBarOf(const scene::Scene& scene, scene::SectionKind kind, glm::ivec2 size) {
+  return barOf(scene, scene::makeSectionPlane(scene, kind, glm::dvec2(size)).lengthPerPixel, size.x);
 }
 
 std::vector<Mark> letteringMarks(const scene::Scene& scene, glm::ivec2 size, const TypePixels& pixels) {
@@ -229,6 +244,16 @@ std::vector<Mark> letteringMarks(const scene::Scene& scene, glm::ivec2 size, con
   if (scene.lettering.legend) layout.addLegend(legendEntries(scene, pixels));
   if (scene.lettering.scaleBar)
     if (auto bar = scaleBarOf(scene, size)) layout.addScaleBar(*bar);
+  return std::move(layout).marks();
+}
+
+std::vector<Mark> letteringMarks(const scene::Scene& scene, scene::SectionKind kind, glm::ivec2 size) {
+  if (!scene.lettering.scaleBar) return {};
+  auto bar = scaleBarOf(scene, kind, size);
+  if (!bar) return {};
+  // Beyond the data's end a section shows the background's lower colour.
+  Layout layout(scene, size, scene.background.bottom);
+  layout.addScaleBar(*bar);
   return std::move(layout).marks();
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "scene/SceneFwd.h"
+#include "scene/Sections.h"
 #include "session/lettering/Legend.h"
 #include "session/lettering/Mark.h"
 
@@ -19,9 +20,13 @@ struct ScaleBar {
 };
 /// The bar for a picture of so many pixels; none where there is nothing, or nobody knows how long a voxel is.
 std::optional<ScaleBar> scaleBarOf(const scene::Scene& scene, glm::ivec2 size);
+/// The bar for a picture of a section, in which it holds everywhere.
+std::optional<ScaleBar> scaleBarOf(const scene::Scene& scene, scene::SectionKind kind, glm::ivec2 size);
 
 /// What is to be laid over a picture of so many pixels: dark on a light ground, light on a dark one, each letter on a
 /// little of the ground's colour. Sizes go with the picture's rows.
 std::vector<Mark> letteringMarks(const scene::Scene& scene, glm::ivec2 size, const TypePixels& pixels);
+/// The same for a picture of a section: it has no legend.
+std::vector<Mark> letteringMarks(const scene::Scene& scene, scene::SectionKind kind, glm::ivec2 size);
 
 }  // namespace velum::session

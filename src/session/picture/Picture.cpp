@@ -109,13 +109,13 @@ Image drawPicture(render::Renderer& renderer, const scene::Scene& scene, const P
   frame.pictureSize = options.size;
   render::Layers layers;
   if (options.layers) layers = {true, true, true, true, true, bool(scene.model.data)};
-  bool hasLegend = scene.lettering.legend && scene.model.data;
-  layers.type = layers.type || hasLegend;
+  bool hasTypes = scene.lettering.legend && scene.model.data;
+  layers.type = layers.type || hasTypes;
   int window = std::min(4096, limits.texture2d);
   Image image = render::renderPicture(renderer, frame, layers, window, progress);
-  TypePixels types = hasLegend ? countPixels(image, scene.model.data->types.size()) : TypePixels{};
+  TypePixels types = hasTypes ? countPixels(image, scene.model.data->types.size()) : TypePixels{};
   layMarks(letteringMarks(frame.scene, options.size, types), image);
-  if (hasLegend && !options.layers) {
+  if (hasTypes && !options.layers) {
     std::vector<std::string> asked = image.channels;
     std::erase(asked, "type");
     image = channelsOf(image, asked);
@@ -138,6 +138,7 @@ Image drawSectionPicture(const scene::Scene& scene, scene::SectionKind kind, con
   image.pixels.reserve(section.pixels.size() * 4);
   for (std::uint32_t pixel : section.pixels)
     for (int shift : {16, 8, 0, 24}) image.pixels.push_back(float(pixel >> shift & 255u) / 255.0f);
+  layMarks(letteringMarks(scene, kind, options.size), image);
   return image;
 }
 

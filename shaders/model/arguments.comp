@@ -12,7 +12,7 @@ layout(std430, binding = kCountBinding) buffer CountBlock {
 
 void main() {
   uint list = gl_LocalInvocationIndex;
-  uint threads = list == uint(kDrawOne) ? 1u : list == uint(kDrawFew) ? uint(kFewSpheres) : uint(kInstanceGroup);
+  uint threads = list == uint(kDrawOne) ? 1u : list == uint(kDrawFew) ? uint(kFewThreads) : uint(kInstanceGroup);
   uint inGroup = uint(kInstanceGroup) / threads;
   uint groups = (counts[list] + inGroup - 1u) / inGroup;
   uint across = min(groups, kGroupsAcross);

@@ -20,6 +20,7 @@ layout(location = 0) uniform int list;        // kDraw*
 layout(location = 1) uniform int writesOwner; // 0: depths; 1: who has them
 layout(location = 2) uniform int firstGroup;  // of this dispatch
 layout(location = 3) uniform int hasPyramid;  // the pyramid is of depths that are drawn already
+layout(location = 4) uniform ivec2 order;     // of the dispatch's groups: how many, 0: as they come; stride
 
 /// @param least  bits of the depth of the ball's nearest place
 /// @return whether it is nearer than what was there
@@ -65,11 +66,13 @@ bool isHidden(ivec4 rect, uint least) { return hasPyramid != 0 && uintBitsToFloa
 
 void main() {
   int lane = int(gl_LocalInvocationIndex);
-  int group = firstGroup + int(lineGroup());
+  // A software driver gives each of its threads a run of groups: with a stride, those that take long are not all one thread's.
+  int inDispatch = int(lineGroup());
+  int group = firstGroup + (order.x > 0 ? inDispatch * order.y % order.x : inDispatch);
 #ifdef LARGE
   int threads = kInstanceGroup;
 #else
-  int threads = list == kDrawOne ? 1 : list == kDrawFew ? kFewSpheres : kInstanceGroup;
+  int threads = list == kDrawOne ? 1 : list == kDrawFew ? kFewThreads : kInstanceGroup;
 #endif
   int place = group * (kInstanceGroup / threads) + lane / threads;
   if (place >= int(counts[list])) return;

@@ -13,7 +13,7 @@ layout(binding = kPictureSurfaceUnit) uniform sampler2D surfaceTexture;
 layout(binding = kGhostImage, rgba32f) uniform image2D ghostImage;  // the sum of samples, premultiplied
 
 layout(location = 0) uniform float opacity;
-layout(location = 1) uniform int isFirst;  // of the samples
+layout(location = 1) uniform ivec2 corner;  // of the dispatch
 
 // Radius in pixels from which on an instance has a line of its own; smaller ones of a type have one together.
 const float kLeastOutlined = 4.5;
@@ -64,8 +64,7 @@ vec4 ghostAt(ivec2 pixel) {
 }
 
 void main() {
-  ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+  ivec2 pixel = corner + ivec2(gl_GlobalInvocationID.xy);
   if (any(greaterThanEqual(pixel, view.size))) return;
-  vec4 before = isFirst != 0 ? vec4(0.0) : imageLoad(ghostImage, pixel);
-  imageStore(ghostImage, pixel, before + ghostAt(pixel));
+  imageStore(ghostImage, pixel, imageLoad(ghostImage, pixel) + ghostAt(pixel));
 }

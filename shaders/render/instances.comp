@@ -17,7 +17,7 @@ layout(binding = kSurfaceColorImage, rgba16f) uniform writeonly image2D colorIma
 layout(binding = kSurfaceAuxImage, rgba32f) uniform image2D auxImage;  // normal, distance along the ray
 layout(binding = kSurfaceIdImage, rgba32ui) uniform uimage2D idImage;  // structure, instance, what a contour goes around, how large it is
 
-layout(location = 0) uniform int firstRow;  // of this dispatch
+layout(location = 0) uniform ivec2 corner;  // of this dispatch
 
 // Sizes are in pixels of a picture of 1000 rows, so that pictures of any size look alike.
 float unitsPerLength(float depth) { return pixelsPerLength(depth) * 1000.0 / view.pictureSize.y; }
@@ -172,7 +172,7 @@ void shadePixel(ivec2 pixel, int at, uint owner) {
 }
 
 void main() {
-  ivec2 pixel = ivec2(gl_GlobalInvocationID.xy) + ivec2(0, firstRow);
+  ivec2 pixel = ivec2(gl_GlobalInvocationID.xy) + corner;
   if (any(greaterThanEqual(pixel, view.size))) return;
   int at = pixel.y * view.size.x + pixel.x;
   uint owner = owners[at];

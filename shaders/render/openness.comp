@@ -12,7 +12,7 @@ layout(binding = kShadowUnit) uniform usamplerBuffer shadowTexture;
 layout(binding = kNoiseUnit) uniform sampler2D noiseTexture;
 layout(binding = kOpenImage, rgba32f) uniform writeonly image2D openImage;  // openness, share of the light, depth
 
-layout(location = 0) uniform int firstRow;  // of this dispatch
+layout(location = 0) uniform ivec2 corner;  // of this dispatch
 
 float depthOf(ivec2 pixel) {
   ivec2 at = clamp(pixel, ivec2(0), view.size - 1);
@@ -76,7 +76,7 @@ vec3 wideNormal(ivec2 pixel, float depth, vec3 hit) {
 }
 
 void main() {
-  ivec2 at = ivec2(gl_GlobalInvocationID.xy) + ivec2(0, firstRow);
+  ivec2 at = ivec2(gl_GlobalInvocationID.xy) + corner;
   if (any(greaterThanEqual(at, imageSize(openImage)))) return;
   ivec2 pixel = min(at * kOpenStep + shade.openShift, view.size - 1);
   float depth = depthOf(pixel);

@@ -7,11 +7,12 @@ SHARED_BEGIN
 
 // How the spheres of an instance are shared out to threads: a list of each kind, with as many threads an instance.
 SHARED_CONST int kDrawOne = 0;    // a single sphere: one thread
-SHARED_CONST int kDrawFew = 1;    // up to kFewSpheres: a thread each
+SHARED_CONST int kDrawFew = 1;    // up to kFewSpheres: kFewThreads, over and over
 SHARED_CONST int kDrawMany = 2;   // a group, over and over
 SHARED_CONST int kDrawLarge = 3;  // spheres of many pixels: a group for each, a thread for some of its pixels
 SHARED_CONST int kDrawLists = 4;
-SHARED_CONST int kFewSpheres = 8;
+SHARED_CONST int kFewSpheres = 64;
+SHARED_CONST int kFewThreads = 8;      // as many as a software driver runs side by side
 SHARED_CONST int kOutlineBalls = 16;  // at most, of the level by which an instance is told to be hidden
 SHARED_CONST int kInstanceGroup = 64;  // threads of a group
 SHARED_CONST int kLargeParts = 16;     // groups that share the balls of an instance of large ones

@@ -4,6 +4,7 @@
 #include <numeric>
 #include <string>
 
+#include "gpu/Strided.h"
 #include "shared/bindings.h"
 #include "shared/draw.h"
 #include "shared/instance.h"
@@ -233,13 +234,17 @@ const gpu::Program& InstanceTarget::bindDraws(InstancePrograms& programs, CullPh
 
 void InstanceTarget::drawList(InstancePrograms& programs, CullPhase phase, int list) {
   const gpu::Program& program = bindDraws(programs, phase, list, 0);
+  program.set(4, glm::ivec2(0));
   gpu::dispatchIndirect(program, mCounts, list + int(kCountBytes / sizeof(shared::DispatchCommand)));
 }
 
 void InstanceTarget::drawGroups(InstancePrograms& programs, CullPhase phase, int list, std::uint32_t first,
                                 std::uint32_t count) {
   const gpu::Program& program = bindDraws(programs, phase, list, first);
-  gpu::dispatchLine(program, count, list == shared::kDrawLarge ? shared::kLargeParts : 1);
+  // Some groups of the next piece may be drawn twice, which changes nothing.
+  gpu::Strided order = gpu::stridedGroups(int(count));
+  program.set(4, glm::ivec2(order.count, order.stride));
+  gpu::dispatchLine(program, std::uint32_t(order.count), list == shared::kDrawLarge ? shared::kLargeParts : 1);
 }
 
 void InstanceTarget::makePyramid(InstancePrograms& programs) {

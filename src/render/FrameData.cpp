@@ -55,6 +55,11 @@ Opaque opaqueOf(const scene::Scene& scene) {
   return hasShapes ? Opaque::Anywhere : Opaque::InBox;
 }
 
+glm::ivec4 drawnRect(const FrameData& data) {
+  bool isInBox = opaqueOf(data.frame.scene) != Opaque::Anywhere;
+  return isInBox ? coveredRect(data.params, data.frame) : glm::ivec4(0, 0, data.frame.windowSize);
+}
+
 Frame withSizes(const Frame& frame) {
   Frame out = frame;
   if (out.windowSize == glm::ivec2(0)) out.windowSize = out.pictureSize;

@@ -8,6 +8,7 @@
 #include "gpu/Buffer.h"
 #include "gpu/GpuError.h"
 #include "gpu/Program.h"
+#include "gpu/Strided.h"
 #include "gpu/Texture.h"
 
 namespace velum::gpu {
@@ -58,6 +59,16 @@ TEST_F(DispatchGL, PartsRunOfEachGroup) {
 }
 
 TEST_F(DispatchGL, NoGroupsRunNothing) { EXPECT_EQ(run(makeCounting(1), 3, 0, 1), std::vector<std::uint32_t>(3)); }
+
+TEST(Strided, ComesToEachGroupOnce) {
+  for (int groups : {1, 2, 3, 64, 1000, 4095}) {
+    Strided order = stridedGroups(groups);
+    ASSERT_GE(order.count, groups);
+    std::vector<int> times(std::size_t(order.count));
+    for (int n = 0; n < order.count; ++n) ++times[std::size_t(n * order.stride % order.count)];
+    EXPECT_EQ(times, std::vector<int>(std::size_t(order.count), 1)) << groups;
+  }
+}
 
 #ifndef NDEBUG
 TEST_F(DispatchGL, MoreGroupsAlongAnAxisThanDriversPromiseAreOurMistake) {

@@ -134,5 +134,23 @@ TEST_F(InstancesGL, WhatLiesOpenIsDarkWhereItIsCovered) {
   EXPECT_NEAR(z / sum / pixel, 0.0, 0.2);
 }
 
+TEST_F(InstancesGL, WhatEarlierPicturesLeftAroundAModelChangesNothing) {
+  std::vector<glm::vec3> places;
+  addFloor(places, 0.0f, {-20, -20}, {20, 20});
+  for (int i = 0; i < 9; ++i) places.emplace_back(4 * (i % 3) - 4, -12, 4 * (i / 3) - 4);
+  scene::Scene scene = floorScene(places);
+  scene.camera.height = 300;
+  scene.rayCast.samplesPerPixel = 2;
+  // So near that the model was where there is none afterwards.
+  scene::Scene before = scene;
+  before.camera.height = 60;
+  glm::ivec2 size(120, 120);
+  draw(before, size, kLayers);
+  Image image = draw(scene, size, kLayers);
+  renderer().clear();
+  EXPECT_EQ(image.pixels, draw(scene, size, kLayers).pixels);
+  EXPECT_GT(shownIn(image).size(), 20u);
+}
+
 }  // namespace
 }  // namespace velum

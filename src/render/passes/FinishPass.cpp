@@ -182,8 +182,7 @@ void FinishPass::addSteps(const FrameData& data, int sample, WorkQueue& queue) {
 /// What rays may have changed, and as far around as lines go.
 glm::ivec4 FinishPass::rectOf(const FrameData& data) const {
   glm::ivec2 size = data.frame.windowSize;
-  if (opaqueOf(data.frame.scene) == Opaque::Anywhere) return {0, 0, size};
-  glm::ivec4 covered = coveredRect(data.params, data.frame);
+  glm::ivec4 covered = drawnRect(data);
   int reach = lineMargin(data.frame);
   glm::ivec2 from = glm::max(glm::ivec2(covered) - reach, glm::ivec2(0));
   glm::ivec2 to = glm::min(glm::ivec2(covered.x + covered.z, covered.y + covered.w) + reach, size);

@@ -34,10 +34,12 @@ void GhostPass::shade(const FrameData& data) {
   mTarget.bindOwners();
   mTarget.bindDepths(shared::kDepthUnit);
   mGbuffer.bindSamplers();
+  if (mSamples == 0) mSums.clear();
   mSums.bindImage(shared::kGhostImage, gpu::Access::ReadWrite);
   mShade.set(0, float(data.frame.scene.model.ghostOpacity));
-  mShade.set(1, mSamples == 0 ? 1 : 0);
-  gpu::dispatch(mShade, {(mTarget.size().x + 7) / 8, (mTarget.size().y + 7) / 8, 1});
+  glm::ivec4 drawn = drawnRect(data);
+  mShade.set(1, glm::ivec2(drawn));
+  gpu::dispatch(mShade, {(drawn.z + 7) / 8, (drawn.w + 7) / 8, 1});
   gpu::barrier();
   ++mSamples;
 }

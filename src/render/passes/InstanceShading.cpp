@@ -43,6 +43,13 @@ shared::InstanceShade shadeOf(const FrameData& data, int sample, const InstanceS
   return values;
 }
 
+/// The places of openness that pixels look at.
+glm::ivec4 placesAbout(glm::ivec4 pixels, glm::ivec2 places) {
+  glm::ivec2 from = glm::max(glm::ivec2(pixels) / shared::kOpenStep - 1, glm::ivec2(0));
+  glm::ivec2 to = glm::min(glm::ivec2(pixels.x + pixels.z, pixels.y + pixels.w) / shared::kOpenStep + 2, places);
+  return {from, glm::max(to - from, glm::ivec2(0))};
+}
+
 }  // namespace
 
 void InstanceShading::compile() {
@@ -52,29 +59,33 @@ void InstanceShading::compile() {
 
 void InstanceShading::addSteps(const FrameData& data, int sample, Views views, InstanceDraw& draw, WorkQueue& queue) {
   glm::ivec2 size = data.frame.windowSize, places = (size + shared::kOpenStep - 1) / shared::kOpenStep;
+  glm::ivec4 drawn = drawnRect(data);
   draw.add(queue, [this, &data, sample, views, places] {
     mParams.set(shadeOf(data, sample, views));
     if (!mOpen || glm::ivec2(mOpen.size()) != places)
       mOpen = gpu::Texture::make2d("openness", gpu::Format::Rgba32f, places);
   });
   // Openness first, all of it: a pixel looks at its neighbours'.
-  if (data.frame.scene.lighting.shaded) addStrips(mOpenness, places, data.isSoftware, views, draw, queue);
-  addStrips(mShade, size, data.isSoftware, views, draw, queue);
+  if (data.frame.scene.lighting.shaded)
+    addStrips(mOpenness, placesAbout(drawn, places), data.isSoftware, views, draw, queue);
+  addStrips(mShade, drawn, data.isSoftware, views, draw, queue);
 }
 
 /// Strips of rows, each as much as a software driver has done before anybody notices.
-void InstanceShading::addStrips(const gpu::Program& program, glm::ivec2 size, bool isSoftware, Views views,
+void InstanceShading::addStrips(const gpu::Program& program, glm::ivec4 rect, bool isSoftware, Views views,
                                 InstanceDraw& draw, WorkQueue& queue) {
-  int rows = isSoftware ? std::max(kSoftwareShaded / std::max(size.x, 1), 1) : size.y;
+  glm::ivec2 corner(rect), size(rect.z, rect.w);
+  if (size.x == 0) return;
+  int rows = isSoftware ? std::max(kSoftwareShaded / size.x, 1) : size.y;
   rows = (rows + kEdge - 1) / kEdge * kEdge;
   for (int first = 0; first < size.y; first += rows)
-    draw.add(queue, [this, &program, size, first, rows, views] {
+    draw.add(queue, [this, &program, corner, size, first, rows, views] {
       bind(views);
       if (&program == &mOpenness)
         mOpen.bindImage(shared::kOpenImage, gpu::Access::Write);
       else
         mSurfaces.bindImages();
-      program.set(0, first);
+      program.set(0, corner + glm::ivec2(0, first));
       gpu::dispatch(program, {(size.x + kEdge - 1) / kEdge, (std::min(rows, size.y - first) + kEdge - 1) / kEdge, 1});
       gpu::barrier();
     });

@@ -28,7 +28,7 @@ class InstanceShading {
   void addSteps(const FrameData& data, int sample, Views views, InstanceDraw& draw, WorkQueue& queue);
 
  private:
-  void addStrips(const gpu::Program& program, glm::ivec2 size, bool isSoftware, Views views, InstanceDraw& draw,
+  void addStrips(const gpu::Program& program, glm::ivec4 rect, bool isSoftware, Views views, InstanceDraw& draw,
                  WorkQueue& queue);
   void bind(const Views& views) const;
 

@@ -1,9 +1,8 @@
 #include "render/passes/RayCastPass.h"
 
 #include <algorithm>
-#include <numeric>
-#include <thread>
 
+#include "gpu/Strided.h"
 #include "render/WorkQueue.h"
 
 namespace velum::render {
@@ -22,9 +21,6 @@ RayVariant rayVariantOf(const FrameData& data) {
   variant.hasGradients = data.volume && data.volume->gradient && usesGradients(variant.data);
   return variant;
 }
-
-/// Threads that a software driver has.
-int threadCount() { return std::max(1, int(std::thread::hardware_concurrency())); }
 
 }  // namespace
 
@@ -73,8 +69,7 @@ void RayCastPass::took(double ms) { mPace.took(ms); }
 
 void RayCastPass::addSteps(const FrameData& data, int sample, WorkQueue& queue) {
   // Where neither the volume's box nor a surface can be, rays have nothing to do.
-  bool isInBox = opaqueOf(data.frame.scene) != Opaque::Anywhere;
-  glm::ivec4 covered = isInBox ? coveredRect(data.params, data.frame) : glm::ivec4(0, 0, data.frame.windowSize);
+  glm::ivec4 covered = drawnRect(data);
   queue.addUntilDone(
       *this, [this, &data, sample, covered] { return castNext(data, sample, covered); },
       [this, covered] { return covered.w > 0 ? double(mNext.y) / covered.w : 1.0; });
@@ -116,14 +111,12 @@ void RayCastPass::finishSample(int sample) {
 void RayCastPass::castTile(const FrameData& data, glm::ivec4 rect) {
   mTarget.bindImages();
   glm::ivec2 groups = (glm::ivec2(rect.z, rect.w) + shared::kTileGroup - 1) / shared::kTileGroup;
-  // With no common factor the stride comes to every group; those beyond the tile have nothing to do.
-  static const int stride = threadCount();
-  int count = groups.x * groups.y;
-  while (std::gcd(count, stride) != 1) ++count;
+  // Groups beyond the tile have nothing to do.
+  gpu::Strided order = gpu::stridedGroups(groups.x * groups.y);
   mProgram->set(0, rect);
   mProgram->set(1, data.frame.windowOrigin);
-  mProgram->set(2, glm::ivec2(groups.x, stride));
-  gpu::dispatch(*mProgram, {count, 1, 1});
+  mProgram->set(2, glm::ivec2(groups.x, order.stride));
+  gpu::dispatch(*mProgram, {order.count, 1, 1});
   gpu::barrier();
 }
 

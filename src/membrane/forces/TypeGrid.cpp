@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 #include <vector>
-#include "scene/Shown.h"
+#include "scene/Crowd.h"
 
 namespace velum::membrane {
 
@@ -113,6 +113,7 @@ std::vector<glm::vec3> shiftsOf(const scene::CopyGrid& copies, int count) {
 }  // namespace
 
 LabelVolume makeTypeGrid(const scene::ModelLayer& layer, const scene::ModelFrame& frame, LengthUnit unit) {
+  scene::refuseCrowd(layer, "what membranes protect");
   const Model& model = *layer.data;
   scene::ModelBox box = scene::modelBox(layer);
   glm::dvec3 edges = box.high - box.low;

@@ -4,12 +4,14 @@
 // WORDS: a thread looks at a word of 32 instances, of which few have their bit set: those that were seen last time, which come
 // first. Else a group looks at a bundle of those that listed bundles hold (bundles.comp): at all that were not seen, when the
 // depths of those that were are known. STATES: it is known already which of them cuts leave; GHOSTS: those are drawn that cuts
-// have removed and that show as ghosts; NEAREST: what has a bit is drawn. Else it is worked out here.
+// have removed and that show as ghosts; NEAREST: what has a bit is drawn. Else it is worked out here. WHOLES: it looks at copies
+// that are drawn as wholes, of which cuts leave what they leave ball by ball: a group at a listed block of them.
 layout(local_size_x = 64) in;
 
 #include "model/instances.glsl"
 #include "common/line.glsl"
-#if defined(STATES) || defined(GHOSTS) || defined(NEAREST)
+#if defined(WHOLES)
+#elif defined(STATES) || defined(GHOSTS) || defined(NEAREST)
 layout(std430, binding = kStateBinding) readonly buffer StateBlock { uint states[]; };
 layout(binding = kTypeUnit) uniform samplerBuffer typeTexture;
 #else
@@ -22,6 +24,11 @@ layout(binding = kDrawImage, rg32ui) uniform writeonly uimageBuffer drawImage;  
 layout(std430, binding = kCountBinding) buffer CountBlock { uint counts[]; };
 #ifndef WORDS
 #include "model/bundles.glsl"
+#ifdef WHOLES
+layout(std430, binding = kCopyBinding) readonly buffer CopyBlock { uint blocks[]; };
+layout(binding = kSlottedUnit) uniform usamplerBuffer slottedTexture;
+layout(location = 2) uniform int listAt;  // where the listed ones stand
+#endif
 #endif
 
 layout(location = 0) uniform int first;  // of this dispatch, words or listed bundles
@@ -34,7 +41,7 @@ bool isRemoved(uint instance) {
 }
 #endif
 
-#ifndef WORDS
+#if !defined(WORDS) && !defined(WHOLES)
 bool isOutlineHidden(Place place, MoleculeRow molecule) {
   LevelRow row = levelAt(molecule.outlineLevel);
   bool isHiddenSoFar = true;
@@ -50,8 +57,9 @@ bool isOutlineHidden(Place place, MoleculeRow molecule) {
 #endif
 
 /// Draws one, where it shows.
-void cullOne(uint instance, Place place) {
+void cullOne(uint instance, uint number, Place place) {
   MoleculeRow molecule = moleculeAt(place.molecule);
+#ifndef WHOLES
   float shows = texelFetch(typeTexture, int(molecule.type)).a;
 #ifdef GHOSTS
   if (shows < kTypeFilled || !isRemoved(instance)) return;
@@ -60,6 +68,7 @@ void cullOne(uint instance, Place place) {
 #endif
 #ifdef STATES
   if (isRemoved(instance)) return;
+#endif
 #endif
   // Exactly: by which level it is drawn must not depend on whether it was seen before, which is another program.
   precise vec3 middle = place.position + turned(place.rotation, molecule.sphere.xyz);
@@ -77,15 +86,15 @@ void cullOne(uint instance, Place place) {
 #ifndef WORDS
   if (nearest > 0.0 && isHidden(pixels, nearest)) return;
 #endif
-#if !defined(STATES) && !defined(GHOSTS) && !defined(NEAREST)
-  if (!cutsLeave(instance, molecule.type, middle, molecule.sphere.w)) return;
+#if !defined(STATES) && !defined(GHOSTS) && !defined(NEAREST) && !defined(WHOLES)
+  if (!cutsLeave(number, molecule.type, middle, molecule.sphere.w)) return;
 #endif
   // The coarsest level that is fine enough where the instance is nearest.
   precise float perLength = pixelsPerLength(nearest);
   uint level = molecule.firstLevel + molecule.levelCount - 1u;
   LevelRow row = levelAt(level);
   while (level > molecule.firstLevel && row.error * perLength > view.detail) row = levelAt(--level);
-#ifndef WORDS
+#if !defined(WORDS) && !defined(WHOLES)
   // Closer to its shape than the sphere around it: what shows in its gaps lies behind many that nobody sees.
   if (nearest > 0.0 && level <= molecule.outlineLevel && isOutlineHidden(place, molecule)) return;
 #endif
@@ -101,21 +110,40 @@ void main() {
   if (index >= end) return;
   for (uint bits = seen[index]; bits != 0u; bits &= bits - 1u) {
     uint instance = uint(32 * index + findLSB(bits));
-    cullOne(instance, placeOf(instance));
+#ifdef WHOLES
+    cullOne(instance, instance, wholePlace(instance));
+#else
+    int slot = int(instance / uint(view.instanceCount));
+    int row = int(instance) - slot * view.instanceCount;
+    cullOne(instance, numberOf(slot, row), placeIn(row, slotShift(slot)));
+#endif
   }
 #else
   int place = first + int(lineGroup());
   int inBundle = int(gl_LocalInvocationIndex);
   // As a loop: software drivers leave one that no thread is in, and run what stands under a condition all the same.
+#ifdef WHOLES
+  int turns = place < end && place < int(copyCount) ? 1 : 0;
+  for (int turn = 0; turn < turns; ++turn) {
+    ivec3 at = blockOrigin(int(blocks[listAt + place])) + inBundle / ivec3(1, kBlockEdge, kBlockEdge * kBlockEdge) % kBlockEdge;
+    int copy = (at.z * view.copiesY + at.y) * view.copiesX + at.x;
+    if (any(greaterThanEqual(at.xy, ivec2(view.copiesX, view.copiesY))) || copy >= view.allCopies) return;
+    if ((texelFetch(slottedTexture, copy >> 5).r >> (copy & 31) & 1u) != 0u) return;
+    uint instance = view.firstWhole + uint(copy);
+    if ((seen[instance >> 5] >> (instance & 31u) & 1u) != 0u) return;
+    cullOne(instance, instance, wholePlace(instance));
+  }
+#else
   int turns = place < end && place < int(bundleCount) ? 1 : 0;
   for (int turn = 0; turn < turns; ++turn) {
     BundleRow bundle = bundles[place];
     int order = int(bundle.bundle) * kBundle + inBundle;
     if (order >= view.instanceCount) return;
     int index = int(texelFetch(orderTexture, order).r);
-    uint instance = bundle.copy * uint(view.instanceCount) + uint(index);
+    uint instance = bundle.slot * uint(view.instanceCount) + uint(index);
     if ((seen[instance >> 5] >> (instance & 31u) & 1u) != 0u) return;
-    cullOne(instance, placeIn(index, copyShift(int(bundle.copy))));
+    cullOne(instance, numberOf(int(bundle.slot), index), placeIn(index, slotShift(int(bundle.slot))));
   }
+#endif
 #endif
 }

@@ -33,10 +33,10 @@ bool isBefore(vec3 q, float radius, ivec4 rect, float aperture) {
 void main() {
   int index = firstIndex + int(gl_GlobalInvocationID.x);
   if (index >= endIndex) return;
-  int copy = firstCopy + int(gl_WorkGroupID.y);
-  uint instance = uint(copy * view.instanceCount + index);
+  int slot = firstSlot + int(gl_WorkGroupID.y);
+  uint instance = uint(slot * view.instanceCount + index);
   if (isRemoved(instance)) return;
-  Place place = placeIn(index, copyShift(copy));
+  Place place = placeIn(index, slotShift(slot));
   MoleculeRow molecule = moleculeAt(place.molecule);
   TypeSpareRow spare = typeSpareOf(molecule.type, focus.cut);
   bool isFocus = spare.isFocus != 0.0;
@@ -44,7 +44,7 @@ void main() {
   vec3 q = middle - focus.eye.xyz;
   float radius = molecule.sphere.w;
 #ifdef OCCLUDERS
-  if (isFocus || spare.aperture <= 0.0 || instanceRandom(instance, 1u) < spare.viewShare) return;
+  if (isFocus || spare.aperture <= 0.0 || instanceRandom(numberOf(slot, index), 1u) < spare.viewShare) return;
   ivec4 rect = focusRect(focus, q, radius);
   if (any(greaterThan(rect.xy, rect.zw))) return;
   if (instanceAnswer(cutAt(focus.cut), 0.0, reachFor(focus.cut, radius), middle) != kCutRemoves) return;

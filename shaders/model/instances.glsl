@@ -7,6 +7,7 @@ layout(binding = kInstanceUnit) uniform samplerBuffer instanceTexture;
 layout(binding = kMoleculeUnit) uniform samplerBuffer moleculeTexture;
 layout(binding = kLevelUnit) uniform usamplerBuffer levelTexture;
 layout(binding = kBallUnit) uniform samplerBuffer ballTexture;
+layout(binding = kSlotUnit) uniform samplerBuffer slotTexture;
 
 /// Where an instance stands.
 struct Place {
@@ -15,13 +16,34 @@ struct Place {
   int molecule;
 };
 
-/// From the first copy to another one. Software drivers divide thread by thread: who has one copy does not ask.
+bool isCrowd() { return view.firstWhole != kNoInstance; }
+bool isWhole(uint instance) { return instance >= view.firstWhole; }
+
+/// From the first copy to that in a slot. Who has one copy does not ask.
+vec3 slotShift(int slot) {
+  if (view.copies == 1 && !isCrowd()) return vec3(0.0);
+  return texelFetch(slotTexture, slot).xyz;
+}
+
+/// The number of an instance over all copies, modulo 2^32, whatever slot its copy has: by it is decided who stays.
+uint numberOf(int slot, int row) {
+  uint copy = isCrowd() ? floatBitsToUint(texelFetch(slotTexture, slot).w) : uint(slot);
+  return copy * uint(view.instanceCount) + uint(row);
+}
+
+/// From the first copy to another one, by its number.
 vec3 copyShift(int copy) {
-  if (view.copies == 1) return vec3(0.0);
   int layer = copy / (view.copiesX * view.copiesY);
   int inLayer = copy - layer * view.copiesX * view.copiesY;
   int line = inLayer / view.copiesX;
   return vec3(inLayer - line * view.copiesX, line, layer) * view.copyStep.xyz;
+}
+
+/// The first copy of a block along each axis. @param block  its number in the grid of blocks
+ivec3 blockOrigin(int block) {
+  ivec2 blocks = (ivec2(view.copiesX, view.copiesY) + kBlockEdge - 1) / kBlockEdge;
+  int line = block / blocks.x;
+  return kBlockEdge * ivec3(block - line * blocks.x, line % blocks.y, line / blocks.y);
 }
 
 /// @param row  of the instances of a copy
@@ -30,11 +52,22 @@ Place placeIn(int row, vec3 shift) {
   return Place(first.xyz + shift, texelFetch(instanceTexture, 2 * row + 1), int(floatBitsToUint(first.w)));
 }
 
-/// @param instance  over all copies
+/// @param instance  of those in slots
 Place placeOf(uint instance) {
-  if (view.copies == 1) return placeIn(int(instance), vec3(0.0));
-  int copy = int(instance / uint(view.instanceCount));
-  return placeIn(int(instance) - copy * view.instanceCount, copyShift(copy));
+  if (view.copies == 1 && !isCrowd()) return placeIn(int(instance), vec3(0.0));
+  int slot = int(instance / uint(view.instanceCount));
+  return placeIn(int(instance) - slot * view.instanceCount, slotShift(slot));
+}
+
+/// The copy that an instance of a crowd is of.
+uint copyNumber(uint instance) {
+  if (isWhole(instance)) return instance - view.firstWhole;
+  return floatBitsToUint(texelFetch(slotTexture, int(instance / uint(view.instanceCount))).w);
+}
+
+/// @param instance  a copy that is drawn as a whole
+Place wholePlace(uint instance) {
+  return Place(copyShift(int(instance - view.firstWhole)), vec4(0.0, 0.0, 0.0, 1.0), view.wholeMolecule);
 }
 
 MoleculeRow moleculeAt(int molecule) {

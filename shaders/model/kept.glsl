@@ -28,10 +28,10 @@ CutData cutAt(int i) {
 
 float reachFor(int cut, float radius) { return cut < 32 && (view.wholeInstances >> cut & 1u) != 0u ? radius : 0.0; }
 
-/// What the cuts together leave: shaders/shared/cuts.h.
-bool cutsLeave(uint instance, uint type, vec3 p, float radius) {
+/// What the cuts together leave: shaders/shared/cuts.h. @param number  numberOf() the instance
+bool cutsLeave(uint number, uint type, vec3 p, float radius) {
   CutFold fold = emptyFold();
-  float u = instanceRandom(instance, 0u);
+  float u = instanceRandom(number, 0u);
   for (int i = 0; i < view.cutCount; ++i) {
     float depth = typeSpareDepth(typeSpareOf(type, i), u);
     CutData cut = cutAt(i);

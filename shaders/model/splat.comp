@@ -1,11 +1,16 @@
 // Balls of instances into a view: their depths, then, where these won, who they are.
 //
 // LARGE: a group of threads takes one ball after the other of its part of an instance, and each thread some of its pixels.
-// Else a thread takes a ball with all its pixels.
+// Else a thread takes a ball with all its pixels. WHOLES: instances are copies as wholes, whose balls have types of their own,
+// and cuts leave each ball or not.
 layout(local_size_x = 64) in;
 
 #include "model/instances.glsl"
 #include "model/hidden.glsl"
+#ifdef WHOLES
+#include "model/kept.glsl"
+layout(binding = kBallKindUnit) uniform usamplerBuffer ballKindTexture;
+#endif
 #include "common/line.glsl"
 
 layout(std430, binding = kDepthBinding) buffer DepthBlock { uint depths[]; };
@@ -64,6 +69,18 @@ ivec4 rectOf(vec3 q, float radius) {
 /// Whether a ball lies behind what is drawn: half of those of an instance lie behind the other half.
 bool isHidden(ivec4 rect, uint least) { return hasPyramid != 0 && uintBitsToFloat(least) > farthestIn(rect.xy, rect.zw); }
 
+#ifdef WHOLES
+/// Whether a ball is of a type that shows, where no cut takes it.
+bool isLeft(uint instance, uint number, vec3 q, float radius) {
+  uvec2 kind = texelFetch(ballKindTexture, int(number)).rg;
+  uint type = kind.x | kind.y << 8;
+  if (texelFetch(typeTexture, int(type)).a == kTypeHidden) return false;
+  return view.cutCount == 0 || cutsLeave(instanceBits(instance) ^ number, type, q + view.eye.xyz, radius);
+}
+#else
+bool isLeft(uint instance, uint number, vec3 q, float radius) { return true; }
+#endif
+
 void main() {
   int lane = int(gl_LocalInvocationIndex);
   // A software driver gives each of its threads a run of groups: with a stride, those that take long are not all one thread's.
@@ -78,7 +95,11 @@ void main() {
   if (place >= int(counts[list])) return;
   uvec2 draw = texelFetch(drawTexture, drawSlot(list, place, view.drawRoom)).rg;
   bool isNearest = false;
+#ifdef WHOLES
+  Place at = wholePlace(draw.x);
+#else
   Place at = placeOf(draw.x);
+#endif
   LevelRow level = levelAt(draw.y);
   vec3 origin = at.position - view.eye.xyz;
 #ifdef LARGE
@@ -90,7 +111,7 @@ void main() {
     uint least = leastBits(q, ball.w);
     int wide = rect.z - rect.x + 1;
     int count = rect.z < rect.x || rect.w < rect.y ? 0 : wide * (rect.w - rect.y + 1);
-    if (count > 0 && isHidden(rect, least)) count = 0;
+    if (count > 0 && (isHidden(rect, least) || !isLeft(draw.x, number, q, ball.w))) count = 0;
     for (int p = lane; p < count; p += kInstanceGroup)
       isNearest = drawPixel(rect.xy + ivec2(p % wide, p / wide), q, ball.w, least, draw.x, number) || isNearest;
   }
@@ -101,7 +122,7 @@ void main() {
     vec3 q = origin + turned(at.rotation, ball.xyz);
     ivec4 rect = rectOf(q, ball.w);
     uint least = leastBits(q, ball.w);
-    if (any(greaterThan(rect.xy, rect.zw)) || isHidden(rect, least)) continue;
+    if (any(greaterThan(rect.xy, rect.zw)) || isHidden(rect, least) || !isLeft(draw.x, number, q, ball.w)) continue;
     // One loop: a SIMD group goes on until the last of its threads is done.
     ivec2 pixel = rect.xy;
     while (pixel.y <= rect.w) {

@@ -7,7 +7,7 @@ layout(std430, binding = kStateBinding) buffer StateBlock { uint states[]; };
 
 layout(location = 0) uniform int firstIndex;  // of this dispatch, instances of a copy
 layout(location = 1) uniform int endIndex;
-layout(location = 2) uniform int firstCopy;   // a row of groups is a copy
+layout(location = 2) uniform int firstSlot;   // a row of groups is a slot of a copy
 
 uint stateBit(uint instance) { return 1u << (instance & 31u); }
 bool isRemoved(uint instance) { return (states[instance >> 5] & stateBit(instance)) != 0u; }

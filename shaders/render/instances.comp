@@ -42,6 +42,15 @@ Placed placedBall(Place place, uint number) {
 
 float missOf(Placed ball, vec3 hit) { return abs(length(hit - ball.middle) / ball.radius - 1.0); }
 
+/// A ball of a whole copy, as if it were a molecule by itself.
+MoleculeRow rowOfBall(Place place, Placed ball) {
+  MoleculeRow row = moleculeAt(place.molecule);
+  row.sphere = texelFetch(ballTexture, ball.number);
+  uvec2 kind = texelFetch(ballKindTexture, ball.number).rg;
+  row.type = kind.x | kind.y << 8;
+  return row;
+}
+
 /// The ball that a pixel shows: where two instances were as near, it may be noted of the other one.
 Placed shownBall(Place place, MoleculeRow molecule, uint number, vec3 hit) {
   Placed best = placedBall(place, number);
@@ -80,9 +89,9 @@ vec3 chainColor(uint chain, vec3 plain) {
   return chain == 0u ? plain : mix(plain, toward, abs(turn) * 0.9);
 }
 
-vec3 albedoOf(uint type, int ball, float nearest) {
+vec3 albedoOf(uint type, int ball, bool isOfWhole, float nearest) {
   vec3 plain = texelFetch(typeTexture, int(type)).rgb;
-  uvec2 kind = texelFetch(ballKindTexture, ball).rg;
+  uvec2 kind = isOfWhole ? uvec2(0u) : texelFetch(ballKindTexture, ball).rg;
   if (shade.palette == kPaletteElement) return elementColor(kind.x, mix(plain, vec3(0.62, 0.61, 0.60), 0.35));
   if (shade.palette == kPaletteChain) return chainColor(kind.y, plain);
   // [VE] 2.2: far off a colour a type, near by shades of it for chains, nearer for elements.
@@ -138,12 +147,22 @@ void shadePixel(ivec2 pixel, int at, uint owner) {
   vec3 offset;
   vec3 ray = rayOf(pixel, offset);
   vec3 hit = offset + depth * ray;  // from the eye
-  Place place = placeOf(owner);
-  MoleculeRow molecule = moleculeAt(place.molecule);
-  Placed ball = shownBall(place, molecule, balls[at], hit);
+  bool isOfWhole = isWhole(owner);
+  Place place;
+  MoleculeRow molecule;
+  Placed ball;
+  if (isOfWhole) {
+    place = wholePlace(owner);
+    ball = placedBall(place, balls[at]);
+    molecule = rowOfBall(place, ball);
+  } else {
+    place = placeOf(owner);
+    molecule = moleculeAt(place.molecule);
+    ball = shownBall(place, molecule, balls[at], hit);
+  }
   vec3 normal = normalize(hit - ball.middle);
   vec3 toEye = -normalize(ray);
-  vec3 rgb = albedoOf(molecule.type, ball.number, depth);
+  vec3 rgb = albedoOf(molecule.type, ball.number, isOfWhole, depth);
   float size = molecule.sphere.w * unitsPerLength(depth);
   vec3 side = litNormal(ball, place, molecule, hit, normal, depth);
   if (hasFlag(kFlagShaded)) {
@@ -167,8 +186,9 @@ void shadePixel(ivec2 pixel, int at, uint owner) {
   imageStore(auxImage, pixel, vec4(normalize(side + kFlatter * (1.0 - ownLight(ball, depth)) * toEye), depth * length(ray)));
   // Small ones of a type have no lines between them: there would be nothing else.
   uint structure = shade.firstType + molecule.type;
-  uint group = size < kLeastOutlined ? structure : shade.firstInstance + owner;
-  imageStore(idImage, pixel, uvec4(structure, shade.firstInstance + owner, group, floatBitsToUint(2.0 * molecule.sphere.w * min(unitsPerLength(depth), pixelsPerLength(depth)))));
+  uint group = size < kLeastOutlined || isOfWhole ? structure : shade.firstInstance + owner;
+  uint number = shade.firstInstance + (isCrowd() ? copyNumber(owner) : owner);
+  imageStore(idImage, pixel, uvec4(structure, number, group, floatBitsToUint(2.0 * molecule.sphere.w * min(unitsPerLength(depth), pixelsPerLength(depth)))));
 }
 
 void main() {

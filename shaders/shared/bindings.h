@@ -48,12 +48,14 @@ SHARED_CONST uint kInstanceUnit = 22u;  // InstanceRow: two texels each
 SHARED_CONST uint kMoleculeUnit = 23u;  // MoleculeRow: three texels each
 SHARED_CONST uint kLevelUnit = 24u;     // LevelRow
 SHARED_CONST uint kBallUnit = 25u;      // centre and radius, scene units, the molecule's frame
-SHARED_CONST uint kBallKindUnit = 26u;  // element, chain
+SHARED_CONST uint kBallKindUnit = 26u;  // element, chain; of the whole model type, in two bytes
 SHARED_CONST uint kTypeUnit = 27u;      // TypeRow
 SHARED_CONST uint kCutUnit = 37u;       // CutData: kCutTexels each
 SHARED_CONST uint kTypeSpareUnit = 38u; // TypeSpareRow: two texels each, [types][cuts]
 SHARED_CONST uint kOrderUnit = 42u;     // instances, bundle by bundle
 SHARED_CONST uint kBundleUnit = 43u;    // the sphere around each bundle
+SHARED_CONST uint kSlotUnit = 45u;      // of copies: shift from the first copy, bits of the copy's number
+SHARED_CONST uint kSlottedUnit = 46u;   // a bit a copy: it has a slot
 // And of a view.
 SHARED_CONST uint kDrawUnit = 28u;      // DrawRow
 SHARED_CONST uint kPyramidUnit = 29u;   // farthest depths

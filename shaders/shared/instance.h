@@ -16,7 +16,6 @@ SHARED_CONST int kFewThreads = 8;      // as many as a software driver runs side
 SHARED_CONST int kOutlineBalls = 16;  // at most, of the level by which an instance is told to be hidden
 SHARED_CONST int kInstanceGroup = 64;  // threads of a group
 SHARED_CONST int kLargeParts = 16;     // groups that share the balls of an instance of large ones
-
 SHARED_CONST uint kNoInstance = 0xffffffffu;
 SHARED_CONST uint kNoDepth = 0xffffffffu;  // bits of a depth where nothing is
 
@@ -83,7 +82,7 @@ struct InstanceView {
   int tilesY;
   int copiesX;
   int copiesY;
-  int copies;
+  int copies;        ///< that have slots: the numbers of their instances follow each other, slot by slot
   int instanceCount;  ///< of one copy
   int cutCount;
   int isOrthographic;
@@ -93,6 +92,10 @@ struct InstanceView {
   int levelCount;      ///< of the pyramid
   int stateWords;      ///< of each kind of InstanceStates' bits
   int drawRoom;        ///< instances that a list of draws has room for
+  uint firstWhole;     ///< number of the first copy as an instance of the whole model; kNoInstance: none is drawn so
+  int wholeMolecule;   ///< which molecule the whole model is
+  int allCopies;       ///< with and without slots
+  int copiesZ;
 };
 
 /// From where a cut's focus is kept in view. Its mask is a picture of kFocusRows rows of the whole view, whatever part of
@@ -140,19 +143,20 @@ SHARED_CONST int kPaletteChain = 4;
 
 /// Pixels along the edges of a tile, which is a texel of the pyramid's first level.
 SHARED_CONST int kPyramidTile = 4;
-
 /// So many instances, which are neighbours in space, are a bundle.
 SHARED_CONST int kBundle = 64;
+/// Copies nest: so many along each axis are a block.
+SHARED_CONST int kBlockEdge = 4;
 
 /// A bundle that may show.
 struct BundleRow {
-  uint copy;
+  uint slot;
   uint bundle;  ///< of a copy
 };
 
 /// What an instance is drawn by.
 struct DrawRow {
-  uint instance;  ///< number over all copies
+  uint instance;  ///< number over all slots, then of whole copies
   uint level;     ///< in the rows of levels
 };
 
@@ -163,7 +167,6 @@ SHARED_FN int drawSlot(int list, int place, int room) {
   return list % 2 == 0 ? first + place : first + room - 1 - place;
 }
 SHARED_CONST int kDrawRooms = 2;
-
 /// The finaliser of MurmurHash3, 32 bits.
 SHARED_FN uint instanceBits(uint word) {
   uint x = word;

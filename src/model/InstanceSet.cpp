@@ -6,6 +6,7 @@
 #include <numeric>
 #include <span>
 
+#include "model/WholeModel.h"
 #include "shared/bindings.h"
 #include "shared/instance.h"
 
@@ -109,7 +110,7 @@ InstanceSet::Rows InstanceSet::rowsOf(const char* label, gpu::Format format, con
   return {std::move(buffer), std::move(texels)};
 }
 
-InstanceSet::InstanceSet(const Model& model, const LevelSet& levels, const Placement& placement)
+InstanceSet::InstanceSet(const Model& model, const LevelSet& levels, const Placement& placement, bool hasWhole)
     : mInstanceCount(int(model.instances.size())) {
   float scale = float(placement.scale);
   std::vector<shared::InstanceRow> instances;
@@ -128,7 +129,6 @@ InstanceSet::InstanceSet(const Model& model, const LevelSet& levels, const Place
                          std::uint32_t(levels.of(m).size()), reachOf(molecule, m, levels) * scale, outline.level,
                          outline.grow * scale, 0.0f, 0.0f});
   }
-  mMolecules = rowsOf("molecules", gpu::Format::Rgba32f, molecules);
   std::vector<glm::vec4> spheres;
   spheres.reserve(instances.size());
   for (std::size_t i = 0; i < instances.size(); ++i) {
@@ -143,15 +143,30 @@ InstanceSet::InstanceSet(const Model& model, const LevelSet& levels, const Place
   std::vector<shared::LevelRow> rows;
   for (const Level& level : levels.levels)
     rows.push_back({level.first, level.count, level.error * scale, meanRadius(levels, level) * scale});
-  mLevels = rowsOf("levels of detail", gpu::Format::Rgba32ui, rows);
   std::vector<glm::vec4> balls;
   std::vector<glm::u8vec2> kinds;
-  balls.reserve(levels.balls.size());
-  kinds.reserve(levels.balls.size());
   for (const Ball& ball : levels.balls) {
     balls.push_back(glm::vec4(ball.centre, ball.radius) * scale);
     kinds.emplace_back(ball.element, ball.chain);
   }
+  if (hasWhole) {
+    WholeModel whole = makeWholeModel(model, levels);
+    glm::vec3 middle(0.5 * (glm::dvec3(model.low) + glm::dvec3(model.high)) * placement.scale - placement.origin);
+    float reach = 0.0f;
+    auto firstBall = std::uint32_t(balls.size()), firstLevel = std::uint32_t(rows.size());
+    for (const WholeBall& ball : whole.balls) {
+      balls.emplace_back(glm::vec3(glm::dvec3(ball.centre) * placement.scale - placement.origin), ball.radius * scale);
+      kinds.emplace_back(ball.type & 0xff, ball.type >> 8 & 0xff);
+      reach = std::max(reach, glm::length(glm::vec3(balls.back()) - middle) + balls.back().w);
+    }
+    for (const Level& level : whole.levels)
+      rows.push_back({firstBall + level.first, level.count, level.error * scale, level.largest * scale});
+    mWhole = {int(molecules.size()), glm::vec4(middle, reach), whole.levels.front().error * scale};
+    molecules.push_back(
+        {mWhole.sphere, 0, firstLevel, std::uint32_t(whole.levels.size()), reach, firstLevel, 0.0f, 0.0f, 0.0f});
+  }
+  mMolecules = rowsOf("molecules", gpu::Format::Rgba32f, molecules);
+  mLevels = rowsOf("levels of detail", gpu::Format::Rgba32ui, rows);
   mBalls = rowsOf("balls", gpu::Format::Rgba32f, balls);
   mKinds = rowsOf("elements and chains", gpu::Format::Rg8ui, kinds);
 }

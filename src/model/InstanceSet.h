@@ -23,10 +23,18 @@ class InstanceSet {
  public:
   InstanceSet() = default;
   /// @throw gpu::GpuError when the driver has no memory for the model
-  InstanceSet(const Model& model, const LevelSet& levels, const Placement& placement);
+  /// @param hasWhole  the whole model is a molecule, too: the last one
+  InstanceSet(const Model& model, const LevelSet& levels, const Placement& placement, bool hasWhole = false);
   /// Binds the rows for all shaders that include model/instances.glsl.
   void bind() const;
   int instanceCount() const { return mInstanceCount; }
+  /// The whole model as a molecule of the first copy, in the scene frame.
+  struct Whole {
+    int molecule = 0;
+    glm::vec4 sphere{0.0f};  ///< around the balls of all levels
+    float error = 0.0f;      ///< of the finest level
+  };
+  const Whole& whole() const { return mWhole; }
   std::uint64_t bytes() const;
 
  private:
@@ -38,6 +46,7 @@ class InstanceSet {
   static Rows rowsOf(const char* label, gpu::Format format, const std::vector<T>& values);
 
   int mInstanceCount = 0;
+  Whole mWhole;
   Rows mInstances, mMolecules, mLevels, mBalls, mKinds;
   Rows mOrder, mBundles;  ///< Instances bundle by bundle, and the sphere around each bundle.
 };

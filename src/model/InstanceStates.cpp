@@ -16,8 +16,8 @@ constexpr int kRowsAtATime = 512;
 
 }  // namespace
 
-void InstanceStates::resize(std::uint32_t instances, int copies) {
-  std::uint32_t count = instances * std::uint32_t(copies);
+void InstanceStates::resize(const InstanceRoom& instances) {
+  std::uint32_t count = instances.count();
   if (mBits && count == mCount) return;
   mCount = count;
   mBits =

@@ -21,7 +21,7 @@ namespace velum::model {
 /// Callers must have bound the frame's InstanceView and cuts, and the rows of the InstanceSet.
 class InstanceStates {
  public:
-  void resize(std::uint32_t instances, int copies);
+  void resize(const InstanceRoom& instances);
   /// How many 32-bit words one kind of bits takes.
   int words() const { return int((mCount + 31) / 32); }
 

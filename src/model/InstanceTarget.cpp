@@ -1,7 +1,6 @@
 #include "model/InstanceTarget.h"
 
 #include <algorithm>
-#include <numeric>
 #include <string>
 
 #include "gpu/Strided.h"
@@ -20,21 +19,6 @@ constexpr std::uint32_t kWord = 32;  // instances
 constexpr int kFirstRound = 8;       // copies
 constexpr std::size_t kBundleHead = 4 * sizeof(std::uint32_t);
 
-/// The copies of a view, the nearest first.
-std::vector<std::uint32_t> copiesByDepth(const shared::InstanceView& view) {
-  std::vector<std::uint32_t> order(std::size_t(view.copies));
-  std::iota(order.begin(), order.end(), 0u);
-  std::vector<float> depths;
-  for (int copy = 0; copy < view.copies; ++copy) {
-    int line = copy / view.copiesX;
-    glm::vec3 at(copy % view.copiesX, line % view.copiesY, line / view.copiesY);
-    glm::vec3 q = glm::vec3(view.copySphere) + at * glm::vec3(view.copyStep) - glm::vec3(view.eye);
-    depths.push_back(view.isOrthographic != 0 ? glm::dot(q, glm::vec3(view.forward)) : glm::length(q));
-  }
-  std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return depths[a] < depths[b]; });
-  return order;
-}
-
 int groupsOf(std::uint32_t threads) { return int((threads + 63) / 64); }
 
 }  // namespace
@@ -50,21 +34,20 @@ std::vector<InstancePart> instanceParts(std::uint32_t instances, int copies, std
   return parts;
 }
 
-std::vector<std::pair<int, int>> copyRounds(int copies) {
+std::vector<std::pair<int, int>> copyRounds(int copies, int most) {
   std::vector<std::pair<int, int>> rounds;
-  for (int first = 0, count = kFirstRound; first < copies; first = rounds.back().second, count *= 2)
+  for (int first = 0, count = kFirstRound; first < copies;
+       first = rounds.back().second, count = std::min(2 * count, most))
     rounds.emplace_back(first, std::min(copies, first + count));
   return rounds;
 }
 
 std::uint32_t InstanceTarget::bundlesOfCopy() const {
-  return (mInstances + std::uint32_t(shared::kBundle) - 1) / std::uint32_t(shared::kBundle);
+  return (mInstances.instances + std::uint32_t(shared::kBundle) - 1) / std::uint32_t(shared::kBundle);
 }
 
-void InstanceTarget::resize(glm::ivec2 size, std::uint32_t instances, int copies, std::uint32_t room) {
-  std::uint32_t count = instances * std::uint32_t(copies);
-  if (instances != mInstances) forget();
-  mInstances = instances;
+void InstanceTarget::resize(glm::ivec2 size, const InstanceRoom& instances, std::uint32_t room) {
+  std::uint32_t count = instances.count();
   if (size != mSize) {
     mSize = size;
     std::size_t bytes = std::size_t(size.x) * std::size_t(size.y) * sizeof(std::uint32_t);
@@ -86,17 +69,16 @@ void InstanceTarget::resize(glm::ivec2 size, std::uint32_t instances, int copies
     mDrawTexels = gpu::Texture::makeOfBuffer("draws", gpu::Format::Rg32ui, mDraws);
   }
   if (!mCounts) mCounts = gpu::Buffer("counts of draws", kCountBytes + kCommandBytes);
-  if (count != mCount || copies != mCopies) {
-    mCount = count;
-    mCopies = copies;
-    mBundles = gpu::Buffer("bundles that may show", kBundleHead + std::size_t(bundlesOfCopy()) * std::size_t(copies) *
-                                                                      sizeof(shared::BundleRow));
-    mOrder = gpu::Buffer("copies", 2 * std::size_t(copies) * sizeof(std::uint32_t));
-    mSeen =
-        gpu::Buffer("instances seen", (std::size_t(count) + 31) / 32 * sizeof(std::uint32_t) + sizeof(std::uint32_t));
-    mNearest = gpu::Buffer("instances that are nearest", mSeen.bytes());
-    forget();
-  }
+  if (mSeen && instances == mInstances) return;
+  mInstances = instances;
+  mBundles =
+      gpu::Buffer("bundles that may show", kBundleHead + std::size_t(bundlesOfCopy()) * std::size_t(instances.slots) *
+                                                             sizeof(shared::BundleRow));
+  mOrder = gpu::Buffer("copies", 2 * std::size_t(instances.slots) * sizeof(std::uint32_t));
+  mBlocks = {};
+  mSeen = gpu::Buffer("instances seen", (std::size_t(count) + 31) / 32 * sizeof(std::uint32_t) + sizeof(std::uint32_t));
+  mNearest = gpu::Buffer("instances that are nearest", mSeen.bytes());
+  forget();
 }
 
 void InstanceTarget::forget() {
@@ -104,7 +86,8 @@ void InstanceTarget::forget() {
   if (mNearest) mNearest.clear();
 }
 
-void InstanceTarget::begin(const shared::InstanceView& view) {
+void InstanceTarget::begin(const shared::InstanceView& view, const std::vector<std::uint32_t>& slots,
+                           const std::vector<std::uint32_t>& blocks) {
   shared::InstanceView whole = view;
   whole.size = mSize;
   whole.tilesX = mTiles.x;
@@ -118,8 +101,12 @@ void InstanceTarget::begin(const shared::InstanceView& view) {
     mOwners.fill(shared::kNoInstance);
     mBalls.fill(shared::kNoInstance);
   }
-  auto order = copiesByDepth(view);
-  mOrder.write(0, order.size() * sizeof(order[0]), order.data());
+  mSlots = int(slots.size());
+  if (mSlots > 0) mOrder.write(0, slots.size() * sizeof(slots[0]), slots.data());
+  mBlockCount = int(blocks.size());
+  std::size_t bytes = blocks.size() * sizeof(std::uint32_t);
+  if (mBlocks.bytes() < 2 * bytes) mBlocks = gpu::Buffer("blocks of copies", 2 * bytes);
+  if (mBlockCount > 0) mBlocks.write(0, bytes, blocks.data());
   if (!mHasOwners) std::swap(mSeen, mNearest);
   mNearest.clear();
 }
@@ -136,23 +123,35 @@ void InstanceTarget::bindCounts() const {
   mCounts.bindStorage(shared::kCountBinding);
 }
 
-const gpu::Program& InstanceTarget::bindBundles(InstancePrograms& programs, bool isOfCopies) const {
+/// Empties the lists of copies, or blocks, and of bundles.
+void InstanceTarget::emptyBundles() {
+  std::array<std::uint32_t, kBundleHead / sizeof(std::uint32_t)> none{};
+  mBundles.write(0, kBundleHead, none.data());
+}
+
+/// Looks at some of what may be listed.
+void InstanceTarget::look(InstancePrograms& programs, ListOf of, glm::ivec2 groups, int first, int end) const {
   bindView(shared::kInstanceViewBinding);
   mBundles.bindStorage(shared::kBundleBinding);
-  mOrder.bindStorage(shared::kCopyBinding);
+  (of == ListOf::Blocks ? mBlocks : mOrder).bindStorage(shared::kCopyBinding);
   mPyramid.bindSampler(shared::kPyramidUnit);
   bindDepths(shared::kDepthUnit);
-  return programs.bundles(isOfCopies);
+  const gpu::Program& program = programs.bundles(of);
+  program.set(0, first);
+  program.set(1, end);
+  program.set(2, of == ListOf::Blocks ? mBlockCount : mInstances.slots);
+  gpu::dispatch(program, {groups, 1});
+  gpu::barrier();
 }
 
 void InstanceTarget::listCopies(InstancePrograms& programs, int first, int end) {
-  std::array<std::uint32_t, kBundleHead / sizeof(std::uint32_t)> none{};
-  mBundles.write(0, kBundleHead, none.data());
-  const gpu::Program& program = bindBundles(programs, true);
-  program.set(0, first);
-  program.set(1, end);
-  gpu::dispatch(program, {groupsOf(std::uint32_t(end - first)), 1, 1});
-  gpu::barrier();
+  emptyBundles();
+  look(programs, ListOf::Copies, {groupsOf(std::uint32_t(end - first)), 1}, first, end);
+}
+
+void InstanceTarget::listBlocks(InstancePrograms& programs, int first, int end) {
+  emptyBundles();
+  look(programs, ListOf::Blocks, {groupsOf(std::uint32_t(end - first)), 1}, first, end);
 }
 
 int InstanceTarget::listedCopies() const {
@@ -162,11 +161,7 @@ int InstanceTarget::listedCopies() const {
 }
 
 void InstanceTarget::listBundles(InstancePrograms& programs, int first, int end) {
-  const gpu::Program& program = bindBundles(programs, false);
-  program.set(0, first);
-  program.set(1, end);
-  gpu::dispatch(program, {groupsOf(bundlesOfCopy()), end - first, 1});
-  gpu::barrier();
+  look(programs, ListOf::Bundles, {groupsOf(bundlesOfCopy()), end - first}, first, end);
 }
 
 std::uint32_t InstanceTarget::listedBundles() const {
@@ -175,12 +170,16 @@ std::uint32_t InstanceTarget::listedBundles() const {
   return count;
 }
 
-std::uint32_t InstanceTarget::itemsOf(CullPhase phase, int listedCopies) const {
-  return phase == CullPhase::Others ? bundlesOfCopy() * std::uint32_t(listedCopies) : (mCount + kWord - 1) / kWord;
+std::uint32_t InstanceTarget::itemsOf(CullPhase phase, int listed) const {
+  if (phase == CullPhase::Others) return bundlesOfCopy() * std::uint32_t(listed);
+  if (phase == CullPhase::OtherWholes) return std::uint32_t(listed);
+  std::uint32_t instances =
+      isOfWholes(phase) ? std::uint32_t(mInstances.wholes) : mInstances.instances * std::uint32_t(mSlots);
+  return (instances + kWord - 1) / kWord;
 }
 
 std::uint32_t InstanceTarget::itemsOfList(CullPhase phase) const {
-  return mRoom / (phase == CullPhase::Others ? std::uint32_t(shared::kBundle) : kWord);
+  return mRoom / (isOfOthers(phase) ? std::uint32_t(shared::kBundle) : kWord);
 }
 
 void InstanceTarget::openList() { mCounts.clear(); }
@@ -189,14 +188,20 @@ void InstanceTarget::cull(InstancePrograms& programs, CullBy by, CullPhase phase
                           std::uint32_t end) {
   bindCounts();
   mDrawTexels.bindImage(shared::kDrawImage, gpu::Access::Write);
-  (phase == CullPhase::Nearest ? mNearest : mSeen).bindStorage(shared::kSeenBinding);
+  (isOfNearest(phase) ? mNearest : mSeen).bindStorage(shared::kSeenBinding);
   mBundles.bindStorage(shared::kBundleBinding);
   mPyramid.bindSampler(shared::kPyramidUnit);
   bindDepths(shared::kDepthUnit);
-  bool isOfWords = phase != CullPhase::Others;
-  const gpu::Program& program = programs.cull(phase == CullPhase::Nearest ? CullBy::Nearest : by, isOfWords);
-  program.set(0, int(first));
-  program.set(1, int(end));
+  bool isOfWords = !isOfOthers(phase);
+  const gpu::Program& program = isOfWholes(phase) ? programs.cullWholes(isOfWords)
+                                                  : programs.cull(isOfNearest(phase) ? CullBy::Nearest : by, isOfWords);
+  std::uint32_t from = isOfWholes(phase) && isOfWords ? mInstances.firstWhole() / kWord : 0;
+  program.set(0, int(from + first));
+  program.set(1, int(from + end));
+  if (phase == CullPhase::OtherWholes) {
+    mBlocks.bindStorage(shared::kCopyBinding);
+    program.set(2, mBlockCount);
+  }
   gpu::dispatchLine(program, isOfWords ? std::uint32_t(groupsOf(end - first)) : end - first);
 }
 
@@ -215,7 +220,7 @@ std::array<std::uint32_t, 4> InstanceTarget::groupCounts() const {
   return groups;
 }
 
-const gpu::Program& InstanceTarget::bindDraws(InstancePrograms& programs, CullPhase phase, int list,
+const gpu::Program& InstanceTarget::bindDraws(InstancePrograms& programs, const Draws& draws,
                                               std::uint32_t first) const {
   bindCounts();
   mDrawTexels.bindSampler(shared::kDrawUnit);
@@ -224,27 +229,27 @@ const gpu::Program& InstanceTarget::bindDraws(InstancePrograms& programs, CullPh
   bindDepths(shared::kDepthUnit);
   mPyramid.bindSampler(shared::kPyramidUnit);
   if (mHasOwners) bindOwners();
-  const gpu::Program& program = programs.splat(list == shared::kDrawLarge);
-  program.set(0, list);
-  program.set(1, phase == CullPhase::Nearest ? 1 : 0);
+  const gpu::Program& program = programs.splat(draws.of, draws.list == shared::kDrawLarge);
+  program.set(0, draws.list);
+  program.set(1, isOfNearest(draws.phase) ? 1 : 0);
   program.set(2, int(first));
-  program.set(3, phase == CullPhase::SeenBefore ? 0 : 1);
+  program.set(3, draws.phase == CullPhase::SeenBefore ? 0 : 1);
   return program;
 }
 
-void InstanceTarget::drawList(InstancePrograms& programs, CullPhase phase, int list) {
-  const gpu::Program& program = bindDraws(programs, phase, list, 0);
+void InstanceTarget::drawList(InstancePrograms& programs, const Draws& draws) {
+  const gpu::Program& program = bindDraws(programs, draws, 0);
   program.set(4, glm::ivec2(0));
-  gpu::dispatchIndirect(program, mCounts, list + int(kCountBytes / sizeof(shared::DispatchCommand)));
+  gpu::dispatchIndirect(program, mCounts, draws.list + int(kCountBytes / sizeof(shared::DispatchCommand)));
 }
 
-void InstanceTarget::drawGroups(InstancePrograms& programs, CullPhase phase, int list, std::uint32_t first,
+void InstanceTarget::drawGroups(InstancePrograms& programs, const Draws& draws, std::uint32_t first,
                                 std::uint32_t count) {
-  const gpu::Program& program = bindDraws(programs, phase, list, first);
+  const gpu::Program& program = bindDraws(programs, draws, first);
   // Some groups of the next piece may be drawn twice, which changes nothing.
   gpu::Strided order = gpu::stridedGroups(int(count));
   program.set(4, glm::ivec2(order.count, order.stride));
-  gpu::dispatchLine(program, std::uint32_t(order.count), list == shared::kDrawLarge ? shared::kLargeParts : 1);
+  gpu::dispatchLine(program, std::uint32_t(order.count), draws.list == shared::kDrawLarge ? shared::kLargeParts : 1);
 }
 
 void InstanceTarget::makePyramid(InstancePrograms& programs) {

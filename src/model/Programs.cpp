@@ -25,6 +25,29 @@ gpu::Defines cullDefines(CullBy by, bool isOfWords) {
   return defines;
 }
 
+gpu::Defines splatDefines(DrawOf of, bool isLarge) {
+  gpu::Defines defines;
+  if (of != DrawOf::Molecules) defines.emplace_back("WHOLES", "1");
+  if (of == DrawOf::WholesWithMembranes) defines.emplace_back("MEMBRANES", "1");
+  if (isLarge) defines.emplace_back("LARGE", "1");
+  return defines;
+}
+
+gpu::Defines listDefines(ListOf of) {
+  if (of == ListOf::Bundles) return {};
+  return {{of == ListOf::Copies ? "COPIES" : "BLOCKS", "1"}};
+}
+
+namespace {
+
+gpu::Defines wholeDefines(bool isOfWords) {
+  gpu::Defines defines{{"WHOLES", "1"}};
+  if (isOfWords) defines.emplace_back("WORDS", "1");
+  return defines;
+}
+
+}  // namespace
+
 gpu::Defines focusDefines(bool hasMembranes, bool isOfOccluders) {
   gpu::Defines defines;
   if (hasMembranes) defines.emplace_back("MEMBRANES", "1");
@@ -32,8 +55,11 @@ gpu::Defines focusDefines(bool hasMembranes, bool isOfOccluders) {
   return defines;
 }
 
-const gpu::Program& InstancePrograms::bundles(bool isOfCopies) {
-  return made(mBundles[isOfCopies], "model/bundles.comp", isOfCopies ? gpu::Defines{{"COPIES", "1"}} : gpu::Defines{});
+const gpu::Program& InstancePrograms::bundles(ListOf of) {
+  return made(mBundles[of], "model/bundles.comp", listDefines(of));
+}
+const gpu::Program& InstancePrograms::cullWholes(bool isOfWords) {
+  return made(mCullWholes[isOfWords], "model/cull.comp", wholeDefines(isOfWords));
 }
 const gpu::Program& InstancePrograms::cull(CullBy by, bool isOfWords) {
   return made(mCull[{by, isOfWords}], "model/cull.comp", cullDefines(by, isOfWords));
@@ -46,21 +72,21 @@ const gpu::Program& InstancePrograms::focus(bool hasMembranes, bool isOfOccluder
 }
 const gpu::Program& InstancePrograms::flood() { return made(mFlood, "model/flood.comp"); }
 const gpu::Program& InstancePrograms::shown() { return made(mShown, "model/shown.comp"); }
-const gpu::Program& InstancePrograms::splat(bool isLarge) {
-  return made(mSplat[isLarge], "model/splat.comp", isLarge ? gpu::Defines{{"LARGE", "1"}} : gpu::Defines{});
+const gpu::Program& InstancePrograms::splat(DrawOf of, bool isLarge) {
+  return made(mSplat[{of, isLarge}], "model/splat.comp", splatDefines(of, isLarge));
 }
 const gpu::Program& InstancePrograms::arguments() { return made(mArguments, "model/arguments.comp"); }
 const gpu::Program& InstancePrograms::pyramid() { return made(mPyramid, "model/pyramid.comp"); }
 const gpu::Program& InstancePrograms::seen() { return made(mSeen, "model/seen.comp"); }
 
 bool InstancePrograms::compile(const Need& need) {
-  std::vector<const gpu::Program*> needed{&bundles(true),
-                                          &bundles(false),
+  std::vector<const gpu::Program*> needed{&bundles(ListOf::Copies),
+                                          &bundles(ListOf::Bundles),
                                           &cull(need.by, true),
                                           &cull(need.by, false),
                                           &cull(CullBy::Nearest, true),
-                                          &splat(false),
-                                          &splat(true),
+                                          &splat(DrawOf::Molecules, false),
+                                          &splat(DrawOf::Molecules, true),
                                           &arguments(),
                                           &pyramid(),
                                           &seen()};
@@ -68,6 +94,11 @@ bool InstancePrograms::compile(const Need& need) {
   if (need.hasFocus)
     needed.insert(needed.end(), {&focus(need.hasMembranes, false), &focus(need.hasMembranes, true), &flood()});
   if (need.hasGhosts) needed.insert(needed.end(), {&cull(CullBy::Ghosts, true), &cull(CullBy::Ghosts, false)});
+  if (need.isCrowd) {
+    DrawOf of = need.hasMembranes ? DrawOf::WholesWithMembranes : DrawOf::Wholes;
+    needed.insert(needed.end(), {&bundles(ListOf::Blocks), &cullWholes(true), &cullWholes(false), &splat(of, false),
+                                 &splat(of, true)});
+  }
   return std::all_of(needed.begin(), needed.end(), [](const gpu::Program* program) { return program->isReady(); });
 }
 
@@ -78,15 +109,16 @@ std::vector<gpu::ProgramSource> allPrograms() {
   for (CullBy by : {CullBy::Cuts, CullBy::Membranes, CullBy::States, CullBy::Ghosts})
     for (bool isOfWords : {false, true}) all.push_back({{"model/cull.comp"}, cullDefines(by, isOfWords)});
   all.push_back({{"model/cull.comp"}, cullDefines(CullBy::Nearest, true)});
-  for (const gpu::Defines& defines : {gpu::Defines{}, gpu::Defines{{"COPIES", "1"}}})
-    all.push_back({{"model/bundles.comp"}, defines});
+  for (bool isOfWords : {false, true}) all.push_back({{"model/cull.comp"}, wholeDefines(isOfWords)});
+  for (ListOf of : {ListOf::Bundles, ListOf::Copies, ListOf::Blocks})
+    all.push_back({{"model/bundles.comp"}, listDefines(of)});
   for (bool hasMembranes : {false, true}) {
     all.push_back({{"model/clip.comp"}, focusDefines(hasMembranes, false)});
     for (bool isOfOccluders : {false, true})
       all.push_back({{"model/focus.comp"}, focusDefines(hasMembranes, isOfOccluders)});
   }
-  for (const gpu::Defines& defines : {gpu::Defines{}, gpu::Defines{{"LARGE", "1"}}})
-    all.push_back({{"model/splat.comp"}, defines});
+  for (DrawOf of : {DrawOf::Molecules, DrawOf::Wholes, DrawOf::WholesWithMembranes})
+    for (bool isLarge : {false, true}) all.push_back({{"model/splat.comp"}, splatDefines(of, isLarge)});
   return all;
 }
 

@@ -34,10 +34,10 @@ struct Pick {
   glm::vec3 normal{0.0f};  ///< World frame, unit.
   int structure = 0;       ///< Label id, 0 when there is none.
   /// What is hit, as a number. 0: the volume, its labels and the faces of cuts through them; then the scene's surfaces,
-  /// in their order; then the model's instances, copy by copy.
+  /// in their order; then the model's instances, copy by copy, or, in a crowd (scene::isCrowd()), its copies.
   std::uint32_t instance = 0;
   int type = -1;                    ///< For an instance of the model: its type in Model::types; else -1.
-  std::uint32_t modelInstance = 0;  ///< Number of the model's instance, over all copies.
+  std::uint32_t modelInstance = 0;  ///< Number of the model's instance, over all copies; in a crowd of the copy.
   double value = 0;                 ///< Data value there (nearest voxel).
 };
 

@@ -61,7 +61,7 @@ struct TypeTarget {
 };
 
 /// Most copies of a model side by side.
-constexpr int kMostCopies = 4096;
+constexpr int kMostCopies = 1'000'000;
 
 /// A model of molecules and how it is shown.
 struct ModelLayer {

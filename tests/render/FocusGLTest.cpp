@@ -181,7 +181,7 @@ TEST_F(FocusGL, PiecesOfAPictureClearTheSame) {
 TEST_F(FocusGL, DistancesInTheMaskAreExactToOneAndAHalfPixels) {
   model::InstancePrograms programs;
   model::InstanceStates states;
-  states.resize(1, 1);
+  states.resize({1, 1, 0});
   shared::FocusView view{};
   view.size = {150, 110};
   view.hasAperture = 1;

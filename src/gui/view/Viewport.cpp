@@ -11,6 +11,7 @@
 #include "gui/view/PreparingVeil.h"
 #include "scene/Navigate.h"
 #include "scene/Project.h"
+#include "scene/Crowd.h"
 #include "scene/VisibleFrame.h"
 
 namespace velum::gui {
@@ -197,8 +198,7 @@ void Viewport::begin(Stage stage) {
   mFrame.marksOverlaps = marksOverlaps();
   mSheetsShown = mSession.shownCount();
   mFrame.scene.background.transparent = false;  // a window has something behind; pictures need not
-  // Half of a picture tells nothing that is not told soon.
-  mFrame.countsInstances = stage != Stage::Half && mFrame.scene.model.data && mFrame.scene.model.visible;
+  mFrame.countsInstances = stage != Stage::Half && scene::isCounted(mFrame.scene.model);  // half of it tells nothing
   if (stage == Stage::Full && mAwaitsCounts) mRenderer->bits(true);  // of a coarse one that was as large
   mAwaitsCounts = mFrame.countsInstances;
   if (stage != Stage::Full) mFrame.scene.rayCast.samplesPerPixel = 1;

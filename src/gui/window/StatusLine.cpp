@@ -7,7 +7,7 @@
 #include "gui/kit/Length.h"
 #include "gui/kit/Text.h"
 #include "scene/GreyWindows.h"
-#include "scene/Shown.h"
+#include "scene/Crowd.h"
 #include "session/model/ModelEdit.h"
 
 namespace velum::gui {
@@ -19,6 +19,11 @@ QString instanceText(const scene::Scene& scene, const render::Pick& pick) {
   auto place = pick.type >= 0 ? session::instancePlace(scene, pick.modelInstance) : std::nullopt;
   if (!place) return {};
   const Model& model = *scene.model.data;
+  if (place->isWhole) {
+    auto copies = scene::copyCount(scene.model);
+    return "    " + typeText(scene.model, std::uint32_t(pick.type)) +
+           StatusLine::tr(" in copy %1 of %2").arg(place->copy + 1).arg(copies);
+  }
   const MoleculeType& type = model.types[place->type];
   const Compartment& compartment = model.compartments[type.compartment];
   QString text = "    " + typeText(scene.model, place->type);

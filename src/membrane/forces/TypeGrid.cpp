@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 #include <vector>
-#include "scene/Shown.h"
+#include "scene/Crowd.h"
 
 namespace velum::membrane {
 
@@ -124,6 +124,7 @@ TypeLattice typeLattice(const scene::ModelLayer& layer, const scene::ModelFrame&
 }
 
 LabelVolume makeTypeGrid(const scene::ModelLayer& layer, const scene::ModelFrame& frame, LengthUnit unit) {
+  scene::refuseCrowd(layer, "what membranes protect");
   const Model& model = *layer.data;
   scene::ModelBox box = scene::modelBox(layer);
   TypeLattice lattice = typeLattice(layer, frame);

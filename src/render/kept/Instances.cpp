@@ -4,9 +4,19 @@
 
 #include "model/InstanceRows.h"
 #include "render/FrameSetup.h"
-#include "scene/Shown.h"
+#include "scene/Crowd.h"
 
 namespace velum::render {
+
+namespace {
+
+/// @throw InputError where there are too many
+std::size_t numberedCount(const scene::ModelLayer& layer) {
+  scene::refuseCrowd(layer, "what becomes of each instance");
+  return std::size_t(scene::instanceCount(layer));
+}
+
+}  // namespace
 
 Instances::Instances(const scene::Scene& of, const SheetIndices& live)
     : scene(of),
@@ -15,7 +25,7 @@ Instances::Instances(const scene::Scene& of, const SheetIndices& live)
       sheets(makeCpuSheets(of, live)),
       spares(model::makeTypeSpareRows(of)),
       whole(model::wholeInstanceBits(of)),
-      states(model.instances.size() * std::size_t(scene::copyCount(of.model)), InstanceState::Kept) {
+      states(numberedCount(of.model), InstanceState::Kept) {
   scene::ModelBox box = scene::worldBoxOfModel(of);
   frame = scene::modelFrame(of);
   origin = 0.5 * (box.low + box.high);

@@ -11,7 +11,7 @@ constexpr std::size_t kRemembered = 8;  // more pictures than can be on their wa
 }  // namespace
 
 void CountPass::addSteps(const FrameData& data, int sample, WorkQueue& queue) {
-  if (sample != 0 || !data.frame.countsInstances || !mModel.hasStates()) return;
+  if (sample != 0 || !data.frame.countsInstances || !mModel.hasStates() || mModel.need().isCrowd) return;
   queue.add(*this, [this, &data] {
     const scene::ModelLayer& model = data.frame.scene.model;
     model::InstanceStates& states = mStates.states();

@@ -5,7 +5,6 @@
 
 #include "render/WorkQueue.h"
 #include "render/passes/InstanceViews.h"
-#include "scene/Shown.h"
 #include "shared/bindings.h"
 
 namespace velum::render {
@@ -15,16 +14,15 @@ void GhostPass::prepare(FrameData& data) {
   mIsOn = isModelDrawn(data.frame.scene) && scene::hasGhosts(model) && !data.cuts.empty();
   if (!mIsOn) return;
   if (!mShade) mShade = gpu::Program({"render/ghosts.comp"});
-  mTarget.resize(data.frame.windowSize, std::uint32_t(model.data->instances.size()), scene::copyCount(model),
-                 mModel.listRoom());
+  mTarget.resize(data.frame.windowSize, mModel.instanceRoom(), mModel.listRoom());
   if (!mSums || glm::ivec2(mSums.size()) != data.frame.windowSize)
     mSums = gpu::Texture::make2d("ghosts", gpu::Format::Rgba32f, data.frame.windowSize);
 }
 
 void GhostPass::addSteps(const FrameData& data, int sample, WorkQueue& queue) {
   if (!mIsOn) return;
-  mDraw.addDepths(mTarget, eyeViewOf(data, sample), model::CullBy::Ghosts, queue);
-  mDraw.addOwners(mTarget, queue);
+  mDraw.addDepths(mTarget, mModel.eyeView(data, sample), model::CullBy::Ghosts, queue);
+  mDraw.addOwners(mTarget, false, queue);
   if (sample == 0) mDraw.add(queue, [this] { mTarget.noteSeen(mModel.programs()); });
   queue.add(*this, [this, &data] { shade(data); });
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "model/CopyBlocks.h"
 #include "shared/instance.h"
 
 namespace velum::render {
@@ -16,14 +17,40 @@ void InstanceDraw::add(WorkQueue& queue, WorkQueue::Run run) {
 
 void InstanceDraw::addDepths(model::InstanceTarget& target, const shared::InstanceView& view, model::CullBy by,
                              WorkQueue& queue) {
-  add(queue, [&target, view] { target.begin(view); });
+  std::vector<std::uint32_t> blocks;
+  if (hasWholes(view, by)) {
+    shared::InstanceView sized = view;
+    sized.size = target.size();
+    blocks = model::blocksInView(sized).blocks;
+  }
+  auto rounds = model::copyRounds(int(blocks.size()), target.mostBlocks());
+  add(queue,
+      [this, &target, view, blocks = std::move(blocks)] { target.begin(view, mModel.copies().byDepth(view), blocks); });
   addPhase(target, by, Phase::SeenBefore, queue);
+  if (!rounds.empty()) addPhase(target, by, Phase::SeenWholes, queue);
   addPyramid(target, queue);
   for (const auto& copies : model::copyRounds(view.copies)) addRound(target, by, copies, queue);
+  for (const auto& round : rounds) addWholeRound(target, by, round, queue);
 }
 
-void InstanceDraw::addOwners(model::InstanceTarget& target, WorkQueue& queue) {
+bool InstanceDraw::hasWholes(const shared::InstanceView& view, model::CullBy by) {
+  return view.firstWhole != shared::kNoInstance && by != model::CullBy::Ghosts;
+}
+
+void InstanceDraw::addOwners(model::InstanceTarget& target, bool hasWholes, WorkQueue& queue) {
   addPhase(target, model::CullBy::Nearest, Phase::Nearest, queue);
+  if (hasWholes) addPhase(target, model::CullBy::Nearest, Phase::NearestWholes, queue);
+}
+
+/// Draws what may show of some blocks of copies as wholes.
+void InstanceDraw::addWholeRound(model::InstanceTarget& target, model::CullBy by, std::pair<int, int> blocks,
+                                 WorkQueue& queue) {
+  add(queue, [this, &target, blocks] {
+    mRound = {blocks.second - blocks.first, 0};
+    target.listBlocks(mModel.programs(), blocks.first, blocks.second);
+  });
+  addPhase(target, by, Phase::OtherWholes, queue);
+  addPyramid(target, queue);
 }
 
 void InstanceDraw::addRound(model::InstanceTarget& target, model::CullBy by, std::pair<int, int> copies,
@@ -40,7 +67,8 @@ void InstanceDraw::addRound(model::InstanceTarget& target, model::CullBy by, std
 /// Lists bundles of some copies more. @param copies  of the round @return true when they are the last
 bool InstanceDraw::listNext(model::InstanceTarget& target, int copies) {
   // The only copy there is is always listed.
-  if (mRound.copies < 0) mRound.copies = mModel.isSoftware() && target.copies() > 1 ? target.listedCopies() : copies;
+  if (mRound.copies < 0)
+    mRound.copies = mModel.isSoftware() && mModel.instanceRoom().slots > 1 ? target.listedCopies() : copies;
   int atATime = std::max(1, int(mModel.atATime() / std::max(1u, target.bundlesOfCopy())));
   int end = std::min(mRound.copies, mRound.next + atATime);
   if (end > mRound.next) target.listBundles(mModel.programs(), mRound.next, end);
@@ -61,7 +89,7 @@ void InstanceDraw::cullNext(model::InstanceTarget& target, model::CullBy by, Pha
     mPlace.listEnd = mPlace.culled + std::min(target.itemsOfList(phase), mPlace.items - mPlace.culled);
   }
   // Of words most are empty.
-  std::uint32_t most = phase == Phase::Others ? mModel.atATime() / std::uint32_t(shared::kBundle) : mModel.atATime();
+  std::uint32_t most = model::isOfOthers(phase) ? mModel.atATime() / std::uint32_t(shared::kBundle) : mModel.atATime();
   std::uint32_t end = mPlace.culled + std::min(std::max(1u, most), mPlace.listEnd - mPlace.culled);
   mStates.bind();
   target.cull(mModel.programs(), by, phase, mPlace.culled, end);
@@ -78,6 +106,7 @@ void InstanceDraw::cullNext(model::InstanceTarget& target, model::CullBy by, Pha
 bool InstanceDraw::drawNext(model::InstanceTarget& target, model::CullBy by, Phase phase) {
   bool isSoftware = mModel.isSoftware();
   if (!mPlace.isKnown) {
+    if (phase == Phase::OtherWholes && isSoftware) mRound.copies = target.listedCopies();
     bool asks = phase == Phase::Others && isSoftware;
     mPlace.items = asks ? target.listedBundles() : target.itemsOf(phase, mRound.copies);
     mPlace.isKnown = true;
@@ -88,18 +117,20 @@ bool InstanceDraw::drawNext(model::InstanceTarget& target, model::CullBy by, Pha
     return !mPlace.isListed && mPlace.culled == mPlace.items;
   }
   if (isSoftware && mPlace.kind == 0 && mPlace.next == 0) mPlace.groups = target.groupCounts();
+  model::InstanceTarget::Draws draws = drawsOf(phase);
   std::uint32_t left = 0, count = 0;
   while (isSoftware && mPlace.kind < shared::kDrawLists &&
          (left = mPlace.groups[std::size_t(mPlace.kind)] - mPlace.next) == 0) {
     ++mPlace.kind;
     mPlace.next = 0;
   }
+  draws.list = mPlace.kind;
   if (mPlace.kind < shared::kDrawLists) {
     if (isSoftware) {
       count = std::min(left, mPace.groupsOf(mPlace.kind));
-      target.drawGroups(mModel.programs(), phase, mPlace.kind, mPlace.next, count);
+      target.drawGroups(mModel.programs(), draws, mPlace.next, count);
     } else {
-      target.drawList(mModel.programs(), phase, mPlace.kind);
+      target.drawList(mModel.programs(), draws);
     }
     gpu::barrier();
   }
@@ -108,6 +139,11 @@ bool InstanceDraw::drawNext(model::InstanceTarget& target, model::CullBy by, Pha
   if (!isSoftware) ++mPlace.kind;
   mPlace.isListed = mPlace.kind < shared::kDrawLists;
   return !mPlace.isListed && mPlace.culled == mPlace.items;
+}
+
+model::InstanceTarget::Draws InstanceDraw::drawsOf(Phase phase) const {
+  if (!model::isOfWholes(phase)) return {model::DrawOf::Molecules, phase};
+  return {mModel.need().hasMembranes ? model::DrawOf::WholesWithMembranes : model::DrawOf::Wholes, phase};
 }
 
 void InstanceDraw::addPyramid(model::InstanceTarget& target, WorkQueue& queue) {

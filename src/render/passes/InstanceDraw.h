@@ -21,6 +21,8 @@ class InstanceDraw {
   /// @param pass  the pass that the steps belong to: it must forward its took() to this object
   InstanceDraw(Pass& pass, ModelPass& model, const model::InstanceStates& states)
       : mPass(pass), mModel(model), mStates(states) {}
+  /// Whether copies that a view has as wholes are drawn: none of them is a ghost.
+  static bool hasWholes(const shared::InstanceView& view, model::CullBy by);
   /// To be called before any step of a frame is added.
   void restart() { mPace.restart(); }
   void took(double ms) { mPace.took(ms); }
@@ -31,9 +33,12 @@ class InstanceDraw {
   /// not hide.
   void addDepths(model::InstanceTarget& target, const shared::InstanceView& view, model::CullBy by, WorkQueue& queue);
   /// Adds steps that find which instance is in each pixel, when all depths are drawn.
-  void addOwners(model::InstanceTarget& target, WorkQueue& queue);
+  /// @param hasWholes  copies were drawn as wholes, see hasWholes()
+  void addOwners(model::InstanceTarget& target, bool hasWholes, WorkQueue& queue);
 
  private:
+  void addWholeRound(model::InstanceTarget& target, model::CullBy by, std::pair<int, int> blocks, WorkQueue& queue);
+  model::InstanceTarget::Draws drawsOf(Phase phase) const;
   void addRound(model::InstanceTarget& target, model::CullBy by, std::pair<int, int> copies, WorkQueue& queue);
   void addPhase(model::InstanceTarget& target, model::CullBy by, Phase phase, WorkQueue& queue);
   void addPyramid(model::InstanceTarget& target, WorkQueue& queue);
@@ -47,7 +52,7 @@ class InstanceDraw {
   DrawPace mPace;
   /// How far a round has come: copies whose bundles are listed.
   struct Round {
-    int copies = -1;  ///< That are listed; below 0: not known yet.
+    int copies = -1;  ///< That are listed, or blocks; below 0: not known yet.
     int next = 0;
   } mRound;
   /// How far a phase has come. Items are what InstanceTarget::itemsOf() counts.

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "render/passes/InstanceViews.h"
-#include "scene/Shown.h"
 
 namespace velum::render {
 
@@ -13,8 +12,7 @@ void InstancePass::prepare(FrameData& data) {
   const scene::ModelLayer& model = data.frame.scene.model;
   mDraw.restart();
   if (std::exchange(mSeenOf, model.data.id()) != model.data.id()) mEye.forget();
-  mEye.resize(data.frame.windowSize, std::uint32_t(model.data->instances.size()), scene::copyCount(model),
-              mModel.listRoom());
+  mEye.resize(data.frame.windowSize, mModel.instanceRoom(), mModel.listRoom());
 }
 
 void InstancePass::compile(const FrameData&) {
@@ -24,19 +22,19 @@ void InstancePass::compile(const FrameData&) {
 void InstancePass::addSteps(const FrameData& data, int sample, WorkQueue& queue) {
   if (!mModel.isDrawn()) return;
   const scene::Lighting& lighting = data.frame.scene.lighting;
-  shared::InstanceView view = eyeViewOf(data, sample);
+  shared::InstanceView view = mModel.eyeView(data, sample);
   // The light finds no more in the next samples.
   bool hasShadows = lighting.shaded && lighting.shadow > 0 && !data.frame.isPreview;
   if (sample == 0 && hasShadows) addLight(lightViewOf(data, view), queue);
   mDraw.addDepths(mEye, view, mModel.need().by, queue);
-  mDraw.addOwners(mEye, queue);
+  mDraw.addOwners(mEye, InstanceDraw::hasWholes(view, mModel.need().by), queue);
   if (sample == 0) mDraw.add(queue, [this] { mEye.noteSeen(mModel.programs()); });
   mShading.addSteps(data, sample, {mEye, hasShadows ? &mLight : nullptr, hasShadows ? mLightTexel : 0.0f}, mDraw,
                     queue);
 }
 
 void InstancePass::addLight(const shared::InstanceView& view, WorkQueue& queue) {
-  mLight.resize(glm::ivec2(view.pictureSize), std::uint32_t(view.instanceCount), view.copies, mModel.listRoom());
+  mLight.resize(glm::ivec2(view.pictureSize), mModel.instanceRoom(), mModel.listRoom());
   mLightTexel = 2.0f * glm::length(glm::vec3(view.up)) / view.pictureSize.x;
   mDraw.addDepths(mLight, view, mModel.need().by, queue);
 }

@@ -46,14 +46,15 @@ shared::InstanceView eyeViewOf(const FrameData& data, int sample) {
       glm::vec4(glm::vec3(0.5 * (low + high) + modelOrigin(data)), 0.55f * float(glm::length(high - low)));
   view.copiesX = copies.counts.x;
   view.copiesY = copies.counts.y;
-  view.copies = scene::copyCount(model);
+  view.copiesZ = copies.counts.z;
+  view.copies = view.allCopies = scene::copyCount(model);
+  view.firstWhole = shared::kNoInstance;
   view.instanceCount = int(model.data->instances.size());
   view.cutCount = int(data.cuts.size());
   view.isOrthographic = (params.flags & shared::kFlagOrthographic) ? 1 : 0;
   view.detail = float(model.detail) * (frame.isPreview ? kPreviewDetail : 1.0f);
   view.largeRadius = kLargeRadius;
   view.wholeInstances = model::wholeInstanceBits(frame.scene);
-  view.stateWords = int((std::uint32_t(view.instanceCount) * std::uint32_t(view.copies) + 31) / 32);
   return view;
 }
 

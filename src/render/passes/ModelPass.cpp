@@ -3,13 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
 #include <span>
 
 #include "gpu/GpuError.h"
+#include "model/CopyBlocks.h"
 #include "model/FocusRows.h"
 #include "model/InstanceRows.h"
 #include "model/Levels.h"
-#include "scene/Shown.h"
+#include "render/passes/InstanceViews.h"
+#include "scene/Crowd.h"
 #include "shared/bindings.h"
 
 namespace velum::render {
@@ -17,14 +20,14 @@ namespace velum::render {
 namespace {
 
 constexpr std::uint32_t kSoftwareLooks = 1u << 17, kHardwareLooks = 1u << 22;  // instances at a time
-constexpr std::uint32_t kMostInstances = 1u << 27;  // over all copies: what numbers have room for
-constexpr std::uint32_t kMostListed = 1u << 21;     // 32 MB of draws a view
+constexpr std::uint32_t kMostListed = 1u << 21;                                // 32 MB of draws a view
 
 model::InstancePrograms::Need needOf(const FrameData& data) {
   const Frame& frame = data.frame;
   model::InstancePrograms::Need need;
   need.hasMembranes = (data.params.flags & shared::kFlagMembranes) != 0;
   need.hasFocus = !model::focusRows(frame.scene).empty();
+  need.isCrowd = scene::isCrowd(frame.scene.model);
   need.hasGhosts = scene::hasGhosts(frame.scene.model);
   // Whether a frame asks what becomes of instances, rather than only draws what is left of them.
   bool wantsStates = frame.countsInstances || need.hasGhosts || need.hasFocus;
@@ -43,15 +46,46 @@ void ModelPass::prepare(FrameData& data) {
   }
   checkCount(layer);
   Shared<LevelSet> levels = levelsOf(layer);
-  Key key{layer.data.id(), levels.id(), {-modelOrigin(data), angstromOf(data)}};
+  mNeed = needOf(data);
+  Key key{layer.data.id(), levels.id(), {-modelOrigin(data), angstromOf(data)}, mNeed.isCrowd};
   if (!mKey || !(*mKey == key)) {
     mKey.reset();
     mSet = {};
-    mSet = model::InstanceSet(*layer.data, *levels, key.placement);
+    mSet = model::InstanceSet(*layer.data, *levels, key.placement, key.isCrowd);
     mKey = key;
   }
   writeRows(data);
-  mNeed = needOf(data);
+  placeCopies(data);
+}
+
+/// Gives slots to copies: to all, or, in a crowd, to those that are near.
+void ModelPass::placeCopies(const FrameData& data) {
+  const scene::ModelLayer& layer = data.frame.scene.model;
+  mRoom = {std::uint32_t(layer.data->instances.size()), scene::copyCount(layer), 0};
+  std::vector<std::uint32_t> copies;
+  shared::InstanceView view = eyeViewOf(data, 0);
+  if (mNeed.isCrowd) {
+    mRoom.wholes = mRoom.slots;
+    mRoom.slots = scene::numberedCopies(layer);
+    view.copySphere = mSet.whole().sphere;
+    view.size = data.frame.windowSize;
+    copies = model::nearCopies(view, mSet.whole().error, std::size_t(mRoom.slots));
+  } else {
+    copies.resize(std::size_t(mRoom.slots));
+    std::iota(copies.begin(), copies.end(), 0u);
+  }
+  mCopies.place(view, copies, mNeed.isCrowd);
+}
+
+shared::InstanceView ModelPass::eyeView(const FrameData& data, int sample) const {
+  shared::InstanceView view = eyeViewOf(data, sample);
+  view.copies = mCopies.used();
+  view.stateWords = int((mRoom.count() + 31) / 32);
+  if (!mNeed.isCrowd) return view;
+  view.firstWhole = mRoom.firstWhole();
+  view.wholeMolecule = mSet.whole().molecule;
+  view.copySphere = mSet.whole().sphere;
+  return view;
 }
 
 void ModelPass::compile(const FrameData&) {
@@ -67,13 +101,11 @@ std::uint32_t ModelPass::listRoom() const {
 }
 
 void ModelPass::checkCount(const scene::ModelLayer& layer) const {
-  std::uint64_t count = scene::instanceCount(layer);
   // A copy's instances are buffers' texels, two each.
-  std::uint64_t most = kMostInstances;
-  if (layer.data->instances.size() > mMostTexels / 2) most = mMostTexels / 2;
+  std::uint64_t count = layer.data->instances.size();
+  std::uint64_t most = std::min<std::uint64_t>(scene::kMostNumbered, mMostTexels / 2);
   if (count > most)
-    throw gpu::GpuError(
-        fmt::format("{} instances are too many for this driver; {} are the most: take fewer copies", count, most));
+    throw gpu::GpuError(fmt::format("{} instances are too many for this driver; {} are the most", count, most));
 }
 
 Shared<LevelSet> ModelPass::levelsOf(const scene::ModelLayer& layer) {
@@ -100,6 +132,7 @@ void ModelPass::writeRows(const FrameData& data) {
 void ModelPass::bind(const FrameData&) const {
   if (!isDrawn()) return;
   mSet.bind();
+  mCopies.bind();
   mTypeTexels.bindSampler(shared::kTypeUnit);
   mTypeSpareTexels.bindSampler(shared::kTypeSpareUnit);
 }

@@ -6,6 +6,7 @@
 #include "gpu/Buffer.h"
 #include "gpu/Context.h"
 #include "gpu/Texture.h"
+#include "model/CopySlots.h"
 #include "model/InstanceSet.h"
 #include "model/InstanceTarget.h"
 #include "render/FrameData.h"
@@ -33,6 +34,11 @@ class ModelPass : public Pass {
   /// True when the frame needs to know what becomes of each instance, which StatePass finds out.
   bool hasStates() const { return isDrawn() && mNeed.by == model::CullBy::States; }
   model::InstancePrograms& programs() { return mPrograms; }
+  /// Which copies have slots in the frame, and how many numbers instances take.
+  const model::CopySlots& copies() const { return mCopies; }
+  const model::InstanceRoom& instanceRoom() const { return mRoom; }
+  /// The eye's view in a sample of the picture.
+  shared::InstanceView eyeView(const FrameData& data, int sample) const;
   /// [types][enabled cuts]
   const std::vector<shared::TypeSpareRow>& spareRows() const { return mSpareRows; }
   bool isSoftware() const { return mIsSoftware; }
@@ -45,11 +51,13 @@ class ModelPass : public Pass {
   struct Key {
     std::uint64_t model = 0, levels = 0;
     model::Placement placement;
+    bool isCrowd = false;
     bool operator==(const Key&) const = default;
   };
   void checkCount(const scene::ModelLayer& layer) const;
   Shared<LevelSet> levelsOf(const scene::ModelLayer& layer);
   void writeRows(const FrameData& data);
+  void placeCopies(const FrameData& data);
 
   const bool mIsSoftware;
   const std::size_t mMostTexels;  ///< Most texels of a buffer's texture.
@@ -59,6 +67,8 @@ class ModelPass : public Pass {
   Shared<LevelSet> mOwnLevels;  ///< Levels made here for a model that came without.
   std::uint64_t mOwnLevelsOf = 0;
   model::InstanceSet mSet;
+  model::InstanceRoom mRoom;
+  model::CopySlots mCopies;
   std::vector<shared::TypeSpareRow> mSpareRows;
   gpu::Buffer mTypes, mTypeSpares;
   gpu::Texture mTypeTexels, mTypeSpareTexels;

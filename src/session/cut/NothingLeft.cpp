@@ -6,7 +6,7 @@
 #include "render/kept/KeptInstances.h"
 #include "render/kept/KeptVoxels.h"
 #include "scene/Scene.h"
-#include "scene/Shown.h"
+#include "scene/Crowd.h"
 #include "scene/ShownVoxels.h"
 
 namespace velum::session {
@@ -42,7 +42,8 @@ Left voxelsLeft(const scene::Scene& scene, Progress& progress) {
 
 Left instancesLeft(const scene::Scene& scene) {
   if (!scene.model.data || !scene.model.visible) return Left::NothingShows;
-  if (scene::hasGhosts(scene.model)) return Left::Something;
+  // Nobody looks at all instances of a crowd.
+  if (scene::hasGhosts(scene.model) || scene::isCrowd(scene.model)) return Left::Something;
   const Model& model = *scene.model.data;
   std::vector<std::uint8_t> kept = render::keptInstances(scene);
   Left left = Left::NothingShows;

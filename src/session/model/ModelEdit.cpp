@@ -9,7 +9,7 @@
 
 #include "core/Units.h"
 #include "scene/Scene.h"
-#include "scene/Shown.h"
+#include "scene/Crowd.h"
 #include "session/model/TypesAt.h"
 
 namespace velum::session {
@@ -235,9 +235,30 @@ TypeSoloMemory toggleSoloTypes(scene::Scene& scene, const TypeSoloMemory& memory
   return next;
 }
 
+namespace {
+
+/// A copy of a crowd as a whole.
+std::optional<InstancePlace> copyPlace(const scene::Scene& scene, std::uint32_t copy) {
+  if (copy >= std::uint32_t(scene::copyCount(scene.model))) return std::nullopt;
+  scene::CopyGrid grid = scene::copyGrid(scene.model);
+  glm::dvec3 cell(int(copy) % grid.counts.x, int(copy) / grid.counts.x % grid.counts.y,
+                  int(copy) / (grid.counts.x * grid.counts.y));
+  glm::dvec3 low(scene.model.data->low), high(scene.model.data->high);
+  scene::ModelFrame frame = scene::modelFrame(scene);
+  InstancePlace place;
+  place.middle = frame.worldOf(0.5 * (low + high) + grid.step * cell);
+  place.radius = 0.5 * glm::length(high - low) * frame.length;
+  place.copy = copy;
+  place.isWhole = true;
+  return place;
+}
+
+}  // namespace
+
 std::optional<InstancePlace> instancePlace(const scene::Scene& scene, std::uint32_t instance) {
   const scene::ModelLayer& layer = scene.model;
   if (!layer.data || layer.data->instances.empty()) return std::nullopt;
+  if (scene::isCrowd(layer)) return copyPlace(scene, instance);
   const Model& model = *layer.data;
   auto count = std::uint32_t(model.instances.size());
   scene::CopyGrid grid = scene::copyGrid(layer);

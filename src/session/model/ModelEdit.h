@@ -87,8 +87,9 @@ struct InstancePlace {
   std::uint32_t type = 0;    ///< in Model::types
   std::uint32_t ofType = 0;  ///< its number among the instances of its type, from 0
   std::uint32_t copy = 0;    ///< the copy of the model in which it stands, from 0
+  bool isWhole = false;      ///< it is a whole copy, of a crowd: no type is meant
 };
-/// @param instance  its number over all copies, as render::Pick has it; nothing where there is no such instance
+/// @param instance  its number over all copies, or of a crowd's copy, as render::Pick has it; nothing where there is no such instance
 std::optional<InstancePlace> instancePlace(const scene::Scene& scene, std::uint32_t instance);
 
 /// A ball around all instances of some types, in all copies; radius 0 where there are none. Only `middle` and `radius`

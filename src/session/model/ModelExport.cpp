@@ -11,6 +11,7 @@
 #include "model/Levels.h"
 #include "render/kept/KeptInstances.h"
 #include "scene/Scene.h"
+#include "scene/Crowd.h"
 
 namespace velum::session {
 
@@ -69,7 +70,10 @@ ModelExport exportModel(const scene::Scene& scene, const std::filesystem::path& 
   if (!io::isModelWritten(path))
     throw InputError(fmt::format("{}: models are written as .cif, .cif.gz, .glb, .csv or .ply", path.string()));
   progress.report(0.0, "Choosing instances");
-  std::vector<std::uint8_t> kept = render::keptInstances(scene, sheets);
+  // Of which the first copy is written.
+  scene::Scene first = scene;
+  if (scene::isCrowd(scene.model)) first.model.copies = 1;
+  std::vector<std::uint8_t> kept = render::keptInstances(first, sheets);
   Model shown = layer.visible ? render::shownModel(scene, kept) : Model{};
   if (shown.instances.empty())
     throw InputError("nothing of the model shows: cuts, or types that are hidden, leave no instance of it");

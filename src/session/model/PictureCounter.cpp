@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "render/RenderPicture.h"
-#include "scene/Shown.h"
+#include "scene/Crowd.h"
 
 namespace velum::session {
 
@@ -22,6 +22,7 @@ scene::Scene bareScene(const scene::Scene& scene) {
 }  // namespace
 
 const render::InstanceBits& PictureCounter::count(const scene::Scene& scene) {
+  scene::refuseCrowd(scene.model, "counts");
   render::Frame frame;
   frame.scene = bareScene(scene);
   if (mBits.count > 0 && frame.scene == mLast) return mBits;

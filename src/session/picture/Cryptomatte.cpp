@@ -13,6 +13,7 @@
 #include "core/Assert.h"
 #include "core/ImageChannels.h"
 #include "scene/Scene.h"
+#include "scene/Crowd.h"
 
 namespace velum::session {
 
@@ -82,8 +83,11 @@ Image withMattes(const Image& image, const scene::Scene& scene, std::vector<io::
   std::vector<std::string> paths;
   for (const MoleculeType& type : model.types) paths.push_back(pathOf(model, type));
   Matte types{"CryptoType", [&](std::size_t type) { return paths[type]; }, {}, {}};
+  // Numbers are of copies in a crowd, of which a type is seen.
+  const bool isCrowd = scene::isCrowd(scene.model);
   Matte instances{"CryptoInstance",
                   [&](std::size_t instance) {
+                    if (isCrowd) return fmt::format("copy {}", instance);
                     const Instance& of = model.instances[instance % model.instances.size()];
                     return fmt::format("{} {}", paths[model.molecules[of.molecule].type], instance);
                   },

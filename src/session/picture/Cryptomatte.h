@@ -20,7 +20,7 @@ float cryptoNumber(std::uint32_t hash);
 
 /// A picture with layers, of a scene with a model, with mattes added behind its channels: "CryptoType00.r/g/b/a" for
 /// types, named by their paths, and "CryptoInstance00.r/g/b/a" for instances, named "PATH 17" by their numbers in the
-/// model, over all copies.
+/// model, over all copies. Of a crowd (scene::isCrowd()) instances are its copies, "copy 17".
 ///
 /// Layers are those of the first sample, so one name covers a pixel: rank 0 has coverage 1, rank 1 is empty. Where no
 /// instance is in front both are 0.

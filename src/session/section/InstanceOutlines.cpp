@@ -38,6 +38,23 @@ void addPiece(const Crossing& crossing, glm::dvec3 shift, std::uint32_t first, s
   }
 }
 
+/// Whether a copy meets the section where it is seen.
+bool isMet(const Crossing& crossing, glm::dvec3 shift) {
+  glm::dvec3 low(crossing.model.low), high(crossing.model.high);
+  glm::dvec3 middle = crossing.frame.worldOf(0.5 * (low + high) + shift);
+  double radius = 0.5 * glm::length(high - low) * crossing.frame.length, reach = radius / crossing.plane.lengthPerPixel;
+  glm::dvec2 at = scene::sectionPixelFromWorld(crossing.plane, middle), size(crossing.plane.size);
+  return std::abs(scene::heightOverSection(crossing.plane, middle)) < radius && at.x > -reach && at.y > -reach &&
+         at.x < size.x + reach && at.y < size.y + reach;
+}
+
+/// Whether no instance is so large that it would be seen.
+bool areAllSmall(const Crossing& crossing) {
+  double largest = 0.0;
+  for (const Molecule& molecule : crossing.model.molecules) largest = std::max(largest, double(molecule.radius));
+  return largest * crossing.frame.length < kLeastPixels * crossing.plane.lengthPerPixel;
+}
+
 }  // namespace
 
 InstanceOutlines outlineInstances(const scene::Scene& scene, const scene::SectionPlane& plane, std::size_t most) {
@@ -48,11 +65,13 @@ InstanceOutlines outlineInstances(const scene::Scene& scene, const scene::Sectio
   for (const MoleculeType& type : model.types)
     isShown.push_back(scene.model.types.empty() || scene::typeLook(scene.model, pathOf(model, type)).visible);
   Crossing crossing{plane, model, isShown, scene::modelFrame(scene)};
+  if (areAllSmall(crossing)) return outlines;
   scene::CopyGrid grid = scene::copyGrid(scene.model);
   auto count = std::uint32_t(model.instances.size());
   int pieces = int((count + kPiece - 1) / kPiece), copies = std::clamp(scene.model.copies, 1, scene::kMostCopies);
   for (int copy = 0; copy < copies; ++copy) {
     glm::dvec3 cell(copy % grid.counts.x, copy / grid.counts.x % grid.counts.y, copy / (grid.counts.x * grid.counts.y));
+    if (!isMet(crossing, grid.step * cell)) continue;
     std::vector<std::vector<InstanceOutline>> found(std::size_t(std::max(pieces, 0)));
     parallelFor(0, pieces, [&](int piece) {
       std::uint32_t first = std::uint32_t(piece) * kPiece;

@@ -9,9 +9,9 @@
 #include "core/Error.h"
 #include "gui/view/CoarseScale.h"
 #include "gui/view/PreparingVeil.h"
+#include "scene/Crowd.h"
 #include "scene/Navigate.h"
 #include "scene/Project.h"
-#include "scene/Crowd.h"
 #include "scene/VisibleFrame.h"
 
 namespace velum::gui {

@@ -6,8 +6,8 @@
 #include "core/Text.h"
 #include "gui/kit/Length.h"
 #include "gui/kit/Text.h"
-#include "scene/GreyWindows.h"
 #include "scene/Crowd.h"
+#include "scene/GreyWindows.h"
 #include "session/model/ModelEdit.h"
 
 namespace velum::gui {

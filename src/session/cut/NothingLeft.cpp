@@ -5,8 +5,8 @@
 
 #include "render/kept/KeptInstances.h"
 #include "render/kept/KeptVoxels.h"
-#include "scene/Scene.h"
 #include "scene/Crowd.h"
+#include "scene/Scene.h"
 #include "scene/ShownVoxels.h"
 
 namespace velum::session {

@@ -8,8 +8,8 @@
 #include <unordered_set>
 
 #include "core/Units.h"
-#include "scene/Scene.h"
 #include "scene/Crowd.h"
+#include "scene/Scene.h"
 #include "session/model/TypesAt.h"
 
 namespace velum::session {

@@ -89,7 +89,8 @@ struct InstancePlace {
   std::uint32_t copy = 0;    ///< the copy of the model in which it stands, from 0
   bool isWhole = false;      ///< it is a whole copy, of a crowd: no type is meant
 };
-/// @param instance  its number over all copies, or of a crowd's copy, as render::Pick has it; nothing where there is no such instance
+/// @param instance  its number over all copies, or of a crowd's copy, as render::Pick has it; nothing where there is no
+/// such instance
 std::optional<InstancePlace> instancePlace(const scene::Scene& scene, std::uint32_t instance);
 
 /// A ball around all instances of some types, in all copies; radius 0 where there are none. Only `middle` and `radius`

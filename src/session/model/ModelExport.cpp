@@ -10,8 +10,8 @@
 #include "io/models/WriteModel.h"
 #include "model/Levels.h"
 #include "render/kept/KeptInstances.h"
-#include "scene/Scene.h"
 #include "scene/Crowd.h"
+#include "scene/Scene.h"
 
 namespace velum::session {
 

@@ -12,8 +12,8 @@
 
 #include "core/Assert.h"
 #include "core/ImageChannels.h"
-#include "scene/Scene.h"
 #include "scene/Crowd.h"
+#include "scene/Scene.h"
 
 namespace velum::session {
 

@@ -91,9 +91,19 @@ void cullOne(uint instance, uint number, Place place) {
 #endif
   // The coarsest level that is fine enough where the instance is nearest.
   precise float perLength = pixelsPerLength(nearest);
-  uint level = molecule.firstLevel + molecule.levelCount - 1u;
+#ifdef WHOLES
+  // Where nothing opens it, half of what lies in it and on its other side is never seen.
+  vec3 along = view.isOrthographic != 0 ? view.forward.xyz : q;
+  uvec3 towards = uvec3(greaterThan(along, vec3(0.0)));
+  uint side = view.showsInside != 0 ? 0u : 1u + towards.x + 2u * towards.y + 4u * towards.z;
+  const uint rows = uint(kWholeRows);
+#else
+  const uint side = 0u, rows = 1u;
+#endif
+  uint finest = molecule.firstLevel + side;
+  uint level = finest + rows * (molecule.levelCount - 1u);
   LevelRow row = levelAt(level);
-  while (level > molecule.firstLevel && row.error * perLength > view.detail) row = levelAt(--level);
+  while (level > finest && row.error * perLength > view.detail) row = levelAt(level -= rows);
 #if !defined(WORDS) && !defined(WHOLES)
   // Closer to its shape than the sphere around it: what shows in its gaps lies behind many that nobody sees.
   if (nearest > 0.0 && level <= molecule.outlineLevel && isOutlineHidden(place, molecule)) return;

@@ -96,6 +96,10 @@ struct InstanceView {
   int wholeMolecule;   ///< which molecule the whole model is
   int allCopies;       ///< with and without slots
   int copiesZ;
+  int showsInside;     ///< 1: something of the model is taken away, so that what lies inside of whole copies may show
+  int viewPadding0;
+  int viewPadding1;
+  int viewPadding2;
 };
 
 /// From where a cut's focus is kept in view. Its mask is a picture of kFocusRows rows of the whole view, whatever part of
@@ -145,6 +149,8 @@ SHARED_CONST int kPaletteChain = 4;
 SHARED_CONST int kPyramidTile = 4;
 /// So many instances, which are neighbours in space, are a bundle.
 SHARED_CONST int kBundle = 64;
+/// Rows of a level of the whole model: all its balls, then those that are seen from each octant.
+SHARED_CONST int kWholeRows = 9;
 /// Copies nest: so many along each axis are a block.
 SHARED_CONST int kBlockEdge = 4;
 

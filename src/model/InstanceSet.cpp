@@ -159,8 +159,13 @@ InstanceSet::InstanceSet(const Model& model, const LevelSet& levels, const Place
       kinds.emplace_back(ball.type & 0xff, ball.type >> 8 & 0xff);
       reach = std::max(reach, glm::length(glm::vec3(balls.back()) - middle) + balls.back().w);
     }
-    for (const Level& level : whole.levels)
+    auto addRow = [&](const Level& level) {
       rows.push_back({firstBall + level.first, level.count, level.error * scale, level.largest * scale});
+    };
+    for (std::size_t i = 0; i < whole.levels.size(); ++i) {
+      addRow(whole.levels[i]);
+      std::for_each(whole.sides[i].begin(), whole.sides[i].end(), addRow);
+    }
     mWhole = {int(molecules.size()), glm::vec4(middle, reach), whole.levels.front().error * scale};
     molecules.push_back(
         {mWhole.sphere, 0, firstLevel, std::uint32_t(whole.levels.size()), reach, firstLevel, 0.0f, 0.0f, 0.0f});

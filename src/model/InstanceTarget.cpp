@@ -233,7 +233,7 @@ const gpu::Program& InstanceTarget::bindDraws(InstancePrograms& programs, const 
   program.set(0, draws.list);
   program.set(1, isOfNearest(draws.phase) ? 1 : 0);
   program.set(2, int(first));
-  program.set(3, draws.phase == CullPhase::SeenBefore ? 0 : 1);
+  program.set(3, isOfSeen(draws.phase) ? 0 : 1);
   return program;
 }
 

@@ -96,6 +96,8 @@ class InstancePrograms {
 enum class CullPhase { SeenBefore, Others, Nearest, SeenWholes, OtherWholes, NearestWholes };
 constexpr bool isOfWholes(CullPhase phase) { return phase >= CullPhase::SeenWholes; }
 constexpr bool isOfNearest(CullPhase phase) { return phase == CullPhase::Nearest || phase == CullPhase::NearestWholes; }
+/// Drawn before there is a pyramid of this view.
+constexpr bool isOfSeen(CullPhase phase) { return phase == CullPhase::SeenBefore || phase == CullPhase::SeenWholes; }
 constexpr bool isOfOthers(CullPhase phase) { return phase == CullPhase::Others || phase == CullPhase::OtherWholes; }
 
 /// Ranges of copies, or of blocks of them, the nearest first: each is drawn before the next is looked at, and has twice

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
+#include <numeric>
 #include <utility>
 
 namespace velum::model {
@@ -13,6 +14,7 @@ constexpr float kFirstCells = 64.0f;   // along the longest edge of the model
 constexpr float kCoarserCells = 1.5f;  // from level to level: a third of the balls
 constexpr float kCellError = 0.5f;     // of a cell: how far outlines may be off
 constexpr float kFullCell = 0.62f;     // of a cell: radius of the ball of its volume
+constexpr float kNextToNothing = 0.01f;
 
 /// What is in a cell: the middle of all, the area that they hide together, the type that was drawn.
 struct Member {
@@ -74,6 +76,52 @@ std::vector<Member> inCells(const std::vector<Member>& members, glm::vec3 low, f
   return cells;
 }
 
+/// A level's cells by their places in the grid, and how much of what is behind them they hide, 0..1.
+struct Cells {
+  std::vector<glm::ivec3> places;
+  std::vector<float> hides;
+};
+
+/// Notes which cells are seen along an axis: bit 2 * axis for who looks towards larger coordinates, the next for who
+/// looks back.
+void noteSeen(const Cells& cells, int axis, std::vector<std::uint8_t>& seen) {
+  std::vector<std::uint32_t> order(cells.places.size());
+  std::iota(order.begin(), order.end(), 0u);
+  auto lineOf = [&](std::uint32_t i) {
+    glm::ivec3 at = cells.places[i];
+    return std::pair(at[(axis + 1) % 3], at[(axis + 2) % 3]);
+  };
+  std::sort(order.begin(), order.end(), [&](auto a, auto b) {
+    return std::pair(lineOf(a), cells.places[a][axis]) < std::pair(lineOf(b), cells.places[b][axis]);
+  });
+  for (int back = 0; back < 2; ++back) {
+    float passes = 1.0f;
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      if (i == 0 || lineOf(order[i]) != lineOf(order[i - 1])) passes = 1.0f;
+      if (passes > kNextToNothing) seen[order[i]] |= std::uint8_t(1 << (2 * axis + back));
+      passes *= 1.0f - cells.hides[order[i]];
+    }
+    std::reverse(order.begin(), order.end());
+  }
+}
+
+/// Adds the balls of a level that are seen towards each octant.
+void addSides(WholeModel& whole, const Cells& cells) {
+  std::vector<std::uint8_t> seen(cells.places.size());
+  for (int axis = 0; axis < 3; ++axis) noteSeen(cells, axis, seen);
+  Level of = whole.levels[whole.sides.size()];
+  std::array<Level, 8>& sides = whole.sides.emplace_back();
+  for (unsigned octant = 0; octant < 8; ++octant) {
+    unsigned wanted = 0;
+    for (unsigned axis = 0; axis < 3; ++axis) wanted |= 1u << (2 * axis + (octant >> axis & 1u ? 0 : 1));
+    Level& side = sides[octant] = of;
+    side.first = std::uint32_t(whole.balls.size());
+    for (std::uint32_t i = 0; i < of.count; ++i)
+      if (seen[i] & wanted) whole.balls.push_back(WholeBall(whole.balls[of.first + i]));
+    side.count = std::uint32_t(whole.balls.size()) - side.first;
+  }
+}
+
 }  // namespace
 
 WholeModel makeWholeModel(const Model& model, const LevelSet& levels) {
@@ -81,6 +129,7 @@ WholeModel makeWholeModel(const Model& model, const LevelSet& levels) {
   float longest = std::max({size.x, size.y, size.z}), cell = longest / kFirstCells;
   std::vector<Member> members = membersOf(model, levels, kCellError * cell);
   WholeModel whole;
+  std::vector<Cells> cells;
   for (std::size_t before = 0; before != 1; cell *= kCoarserCells) {
     members = inCells(members, model.low, cell);
     if (members.size() == before) continue;
@@ -89,14 +138,18 @@ WholeModel makeWholeModel(const Model& model, const LevelSet& levels) {
     glm::vec3 within = glm::min(glm::vec3(cell), size);
     float edge = std::cbrt(within.x * within.y * within.z);
     whole.levels.push_back({std::uint32_t(whole.balls.size()), std::uint32_t(members.size()), kCellError * cell, 0.0f});
+    cells.emplace_back();
     for (const Member& one : members) {
       // As much as balls anywhere in the cell, whatever they are before and behind each other.
       float hidden = 1.0f - std::exp(-one.area / (edge * edge));
+      cells.back().places.emplace_back((one.centre - model.low) / cell);
+      cells.back().hides.push_back(hidden);
       whole.balls.push_back({one.centre, kFullCell * edge * std::sqrt(hidden), one.type});
       whole.levels.back().largest = std::max(whole.levels.back().largest, whole.balls.back().radius);
     }
     if (members.empty()) break;
   }
+  for (const Cells& level : cells) addSides(whole, level);
   return whole;
 }
 

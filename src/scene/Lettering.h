@@ -11,22 +11,23 @@ enum class Corner { TopLeft, TopRight, BottomLeft, BottomRight };
 /// Most entries of a legend that a scene may list.
 constexpr std::size_t kMostLegendEntries = 200;
 
-/// What is written over a picture of the data: a legend of a model's types, and a scale bar.
+/// What is written over a picture of the data: a legend of a model's types and of structures, and a scale bar.
 struct Lettering {
   bool legend = false;
-  std::vector<std::string> entries;  ///< paths of types and compartments; empty: the types that are seen most
+  std::vector<std::string> entries;  ///< paths of types and compartments, names of structures; empty: what is shown
   Corner legendCorner = Corner::TopLeft;
   bool scaleBar = false;
   Corner scaleBarCorner = Corner::BottomRight;
   double textSize = 18.0;  ///< of the letters (their em), pixels of a picture of 1000 rows, 4..100
   bool operator==(const Lettering&) const = default;
   static void fields(auto& o, auto& visit) {
-    visit("legend", o.legend, FieldInfo{"", {}, "On: colours and names of a model's types over the picture."});
+    visit("legend", o.legend,
+          FieldInfo{"", {}, "On: colours and names of a model's types and of structures over the picture."});
     visit("entries", o.entries,
           FieldInfo{"",
                     {},
-                    "What the legend names, in this order: paths of types, and of compartments as one entry each; "
-                    "empty: the types that are seen most.",
+                    "What the legend names, in this order: paths of types, and of compartments as one entry each, "
+                    "and names of structures; empty: the types that are seen most, and the structures that are shown.",
                     true,
                     false,
                     kMostLegendEntries});

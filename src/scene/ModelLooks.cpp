@@ -16,7 +16,7 @@ struct LookRow {
   Background background;
 };
 
-constexpr glm::vec3 kPaperWhite(0.985f, 0.975f, 0.955f), kNight(0.10f, 0.115f, 0.14f), kDusk(0.035f, 0.04f, 0.05f),
+constexpr glm::vec3 kPlateWhite(0.985f, 0.975f, 0.955f), kNight(0.10f, 0.115f, 0.14f), kDusk(0.035f, 0.04f, 0.05f),
     kOutline(0.10f, 0.08f, 0.09f);
 
 const NamedTable<LookRow, NamedModelLook>& lookTable() {
@@ -27,7 +27,7 @@ const NamedTable<LookRow, NamedModelLook>& lookTable() {
        .nearColors = 0.0,
        .lighting = {.ambient = 1.1, .diffuse = 0.1, .specular = 0.0, .shadow = 0.22, .occlusion = 0.27, .fog = 0.2},
        .finish = {.contours = 0.5, .contourWidth = 1.3, .contourColor = kOutline, .contourCreases = 0.0},
-       .background = {kPaperWhite, kPaperWhite}},
+       .background = {kPlateWhite, kPlateWhite}},
       {.look = {"soft", "Soft", "Light from the side, shadows, and darkness in the depths; no outlines"},
        .palette = Palette::Type,
        .nearColors = 0.35,

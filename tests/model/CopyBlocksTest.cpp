@@ -79,7 +79,7 @@ TEST(CopyBlocks, BesideTheWindowAreLeftOutLevelByLevel) {
   EXPECT_GT(found.blocks.size(), 2u);
   EXPECT_LT(found.looks, 600u);
   view.forward = {0.0f, 0.0f, -1.0f, 0.0f};
-  view.eye.z = -10.0f;
+  view.eye.z = -200.0f;
   found = model::blocksInView(view);
   EXPECT_EQ(found.blocks.size(), 0u);
   EXPECT_EQ(found.looks, 1u) << "all of it lies behind the eye";

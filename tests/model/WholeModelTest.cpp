@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "makeModel.h"
 #include "model/Levels.h"
 
@@ -40,15 +42,41 @@ TEST(WholeModel, ShowsTypesInProportionToTheirAreas) {
     if (level.count < 500) break;
     std::array<int, 3> counts{};
     for (std::uint32_t i = level.first; i < level.first + level.count; ++i) ++counts[whole.balls[i].type];
-    // Four standard deviations.
-    double wanted = level.count / 3.0, off = 4.0 * std::sqrt(level.count * 2.0 / 9.0);
+    // Their molecules are not quite as large, and lots are drawn of what lots have left: a twentieth, and four standard
+    // deviations.
+    double wanted = level.count / 3.0, off = 0.05 * wanted + 4.0 * std::sqrt(level.count * 2.0 / 9.0);
     for (int count : counts) EXPECT_NEAR(count, wanted, off) << level.count << " balls";
+  }
+}
+
+TEST(WholeModel, HasForEachSideTheBallsThatAreFirstThere) {
+  ModelMaker maker;
+  maker.instances = 40000;
+  Model model = maker.make();
+  auto whole = wholeOf(model);
+  ASSERT_EQ(whole.sides.size(), whole.levels.size());
+  const Level& level = whole.levels.front();
+  auto isSame = [](const model::WholeBall& a, const model::WholeBall& b) { return a.centre == b.centre; };
+  for (unsigned octant = 0; octant < 8; ++octant) {
+    const Level& side = whole.sides.front()[octant];
+    EXPECT_EQ(side.error, level.error);
+    EXPECT_LT(side.count, level.count / 2) << "what lies deep, and on the other side, is left out";
+    // The ball that lies furthest out towards who looks is never left out.
+    glm::vec3 look((octant & 1u) ? 1 : -1, (octant & 2u) ? 1 : -1, (octant & 4u) ? 1 : -1);
+    auto depth = [&](const model::WholeBall& ball) { return glm::dot(ball.centre, look); };
+    auto first = whole.balls.begin() + level.first, end = first + level.count;
+    auto nearest = std::min_element(first, end, [&](const auto& a, const auto& b) { return depth(a) < depth(b); });
+    auto sideFirst = whole.balls.begin() + side.first, sideEnd = sideFirst + side.count;
+    EXPECT_TRUE(std::any_of(sideFirst, sideEnd, [&](const auto& ball) { return isSame(ball, *nearest); }));
+    for (auto ball = sideFirst; ball != sideEnd; ++ball)
+      ASSERT_TRUE(std::any_of(first, end, [&](const auto& one) { return isSame(one, *ball); }));
   }
 }
 
 TEST(WholeModel, OfOneBallIsThatBall) {
   auto whole = wholeOf(modelOfAtoms({{5, 6, 7}}));
   ASSERT_EQ(whole.levels.size(), 1u);
+  for (const Level& side : whole.sides.front()) EXPECT_EQ(side.count, 1u);
   EXPECT_NEAR(glm::length(whole.balls.front().centre - glm::vec3(5, 6, 7)), 0.0f, 1e-4f);
 }
 

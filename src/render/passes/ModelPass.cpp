@@ -85,6 +85,7 @@ shared::InstanceView ModelPass::eyeView(const FrameData& data, int sample) const
   view.firstWhole = mRoom.firstWhole();
   view.wholeMolecule = mSet.whole().molecule;
   view.copySphere = mSet.whole().sphere;
+  view.showsInside = view.cutCount > 0 || mHidesTypes ? 1 : 0;
   return view;
 }
 
@@ -120,6 +121,8 @@ Shared<LevelSet> ModelPass::levelsOf(const scene::ModelLayer& layer) {
 
 void ModelPass::writeRows(const FrameData& data) {
   auto types = model::makeTypeRows(data.frame.scene.model);
+  mHidesTypes =
+      std::any_of(types.begin(), types.end(), [](const auto& type) { return type.color.a == shared::kTypeHidden; });
   types.resize(std::max<std::size_t>(1, types.size()));
   mTypes = gpu::Buffer("types", std::span<const shared::TypeRow>(types));
   mTypeTexels = gpu::Texture::makeOfBuffer("types", gpu::Format::Rgba32f, mTypes);

@@ -63,6 +63,7 @@ class ModelPass : public Pass {
   const std::size_t mMostTexels;  ///< Most texels of a buffer's texture.
   model::InstancePrograms mPrograms;
   model::InstancePrograms::Need mNeed;
+  bool mHidesTypes = false;  ///< some type is switched off
   std::optional<Key> mKey;
   Shared<LevelSet> mOwnLevels;  ///< Levels made here for a model that came without.
   std::uint64_t mOwnLevelsOf = 0;

@@ -38,6 +38,7 @@ void ResolvePass::draw(const FrameData& data, const Gbuffer& gbuffer, const Fini
   program.set(6, glm::vec4(background.bottom, backdrop));
   if (variant.hasFinish) {
     finish.bindResults();
+    gbuffer.bindSample();
     program.set(7, finish.samples());
     program.set(8, finish.rowsDone());
   }

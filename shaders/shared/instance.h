@@ -3,6 +3,7 @@
 #ifndef VELUM_SHARED_INSTANCE_H
 #define VELUM_SHARED_INSTANCE_H
 #include "shared/cuts.h"
+#include "shared/random.h"
 SHARED_BEGIN
 
 // How the spheres of an instance are shared out to threads: a list of each kind, with as many threads an instance.
@@ -97,9 +98,9 @@ struct InstanceView {
   int allCopies;       ///< with and without slots
   int copiesZ;
   int showsInside;     ///< 1: something of the model is taken away, so that what lies inside of whole copies may show
-  int viewPadding0;
-  int viewPadding1;
-  int viewPadding2;
+  int padding0;
+  int padding1;
+  int padding2;
 };
 
 /// From where a cut's focus is kept in view. Its mask is a picture of kFocusRows rows of the whole view, whatever part of
@@ -173,21 +174,6 @@ SHARED_FN int drawSlot(int list, int place, int room) {
   return list % 2 == 0 ? first + place : first + room - 1 - place;
 }
 SHARED_CONST int kDrawRooms = 2;
-/// The finaliser of MurmurHash3, 32 bits.
-SHARED_FN uint instanceBits(uint word) {
-  uint x = word;
-  x ^= x >> 16;
-  x *= 0x85ebca6bu;
-  x ^= x >> 13;
-  x *= 0xc2b2ae35u;
-  return x ^ (x >> 16);
-}
-
-/// 0 to before 1, fixed for each instance; several independent ones. What randomOf() of core says, too.
-SHARED_FN float instanceRandom(uint instance, uint stream) {
-  uint bits = instanceBits(instance + 0x9e3779b9u * (stream + 1u));
-  return float(bits >> 8) * (1.0f / 16777216.0f);
-}
 
 /// How deep in a cut's removed side an instance is left that has the random number u: kCutFar: wherever it is; below 0: it is
 /// removed so far outside already. An instance at depth d stays where u < p(d); as p only falls with the depth, that is where

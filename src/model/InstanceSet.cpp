@@ -110,6 +110,28 @@ InstanceSet::Rows InstanceSet::rowsOf(const char* label, gpu::Format format, con
   return {std::move(buffer), std::move(texels)};
 }
 
+/// The whole model becomes a molecule: the last one, with all its levels and balls.
+void InstanceSet::addWhole(const WholeModel& whole, const Model& model, const Placement& placement, Tables to) {
+  float scale = float(placement.scale), reach = 0.0f;
+  glm::vec3 middle(0.5 * (glm::dvec3(model.low) + glm::dvec3(model.high)) * placement.scale - placement.origin);
+  auto firstBall = std::uint32_t(to.balls.size()), firstLevel = std::uint32_t(to.levels.size());
+  for (const WholeBall& ball : whole.balls) {
+    to.balls.emplace_back(glm::vec3(glm::dvec3(ball.centre) * placement.scale - placement.origin), ball.radius * scale);
+    to.kinds.emplace_back(ball.type & 0xff, ball.type >> 8 & 0xff);
+    reach = std::max(reach, glm::length(glm::vec3(to.balls.back()) - middle) + to.balls.back().w);
+  }
+  auto addRow = [&](const Level& level) {
+    to.levels.push_back({firstBall + level.first, level.count, level.error * scale, level.largest * scale});
+  };
+  for (std::size_t i = 0; i < whole.levels.size(); ++i) {
+    addRow(whole.levels[i]);
+    std::for_each(whole.sides[i].begin(), whole.sides[i].end(), addRow);
+  }
+  mWhole = {int(to.molecules.size()), glm::vec4(middle, reach), whole.levels.front().error * scale};
+  to.molecules.push_back(
+      {mWhole.sphere, 0, firstLevel, std::uint32_t(whole.levels.size()), reach, firstLevel, 0.0f, 0.0f, 0.0f});
+}
+
 InstanceSet::InstanceSet(const Model& model, const LevelSet& levels, const Placement& placement, bool hasWhole)
     : mInstanceCount(int(model.instances.size())) {
   float scale = float(placement.scale);
@@ -149,27 +171,7 @@ InstanceSet::InstanceSet(const Model& model, const LevelSet& levels, const Place
     balls.push_back(glm::vec4(ball.centre, ball.radius) * scale);
     kinds.emplace_back(ball.element, ball.chain);
   }
-  if (hasWhole) {
-    WholeModel whole = makeWholeModel(model, levels);
-    glm::vec3 middle(0.5 * (glm::dvec3(model.low) + glm::dvec3(model.high)) * placement.scale - placement.origin);
-    float reach = 0.0f;
-    auto firstBall = std::uint32_t(balls.size()), firstLevel = std::uint32_t(rows.size());
-    for (const WholeBall& ball : whole.balls) {
-      balls.emplace_back(glm::vec3(glm::dvec3(ball.centre) * placement.scale - placement.origin), ball.radius * scale);
-      kinds.emplace_back(ball.type & 0xff, ball.type >> 8 & 0xff);
-      reach = std::max(reach, glm::length(glm::vec3(balls.back()) - middle) + balls.back().w);
-    }
-    auto addRow = [&](const Level& level) {
-      rows.push_back({firstBall + level.first, level.count, level.error * scale, level.largest * scale});
-    };
-    for (std::size_t i = 0; i < whole.levels.size(); ++i) {
-      addRow(whole.levels[i]);
-      std::for_each(whole.sides[i].begin(), whole.sides[i].end(), addRow);
-    }
-    mWhole = {int(molecules.size()), glm::vec4(middle, reach), whole.levels.front().error * scale};
-    molecules.push_back(
-        {mWhole.sphere, 0, firstLevel, std::uint32_t(whole.levels.size()), reach, firstLevel, 0.0f, 0.0f, 0.0f});
-  }
+  if (hasWhole) addWhole(makeWholeModel(model, levels), model, placement, {molecules, rows, balls, kinds});
   mMolecules = rowsOf("molecules", gpu::Format::Rgba32f, molecules);
   mLevels = rowsOf("levels of detail", gpu::Format::Rgba32ui, rows);
   mBalls = rowsOf("balls", gpu::Format::Rgba32f, balls);

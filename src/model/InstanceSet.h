@@ -8,7 +8,14 @@
 #include "gpu/Texture.h"
 #include "model/Levels.h"
 
+namespace velum::shared {
+struct MoleculeRow;
+struct LevelRow;
+}  // namespace velum::shared
+
 namespace velum::model {
+
+struct WholeModel;
 
 /// Where a model lies in the scene frame: angstrom * scale - origin.
 struct Placement {
@@ -44,6 +51,15 @@ class InstanceSet {
   };
   template <class T>
   static Rows rowsOf(const char* label, gpu::Format format, const std::vector<T>& values);
+
+  /// What the rows are made of while they are made.
+  struct Tables {
+    std::vector<shared::MoleculeRow>& molecules;
+    std::vector<shared::LevelRow>& levels;
+    std::vector<glm::vec4>& balls;
+    std::vector<glm::u8vec2>& kinds;
+  };
+  void addWhole(const WholeModel& whole, const Model& model, const Placement& placement, Tables to);
 
   int mInstanceCount = 0;
   Whole mWhole;

@@ -123,33 +123,19 @@ TEST_F(ShaderGL, FinishParamsLieWhereTheDriverPutsThem) {
   EXPECT_EQ(sizeof(shared::FinishParams) % 16, 0u);
 }
 
-const Offset kInstanceViewOffsets[] = {VELUM_OFFSET(InstanceView, eye),
-                                       VELUM_OFFSET(InstanceView, right),
-                                       VELUM_OFFSET(InstanceView, up),
-                                       VELUM_OFFSET(InstanceView, forward),
-                                       VELUM_OFFSET(InstanceView, copyStep),
-                                       VELUM_OFFSET(InstanceView, copySphere),
-                                       VELUM_OFFSET(InstanceView, pictureSize),
-                                       VELUM_OFFSET(InstanceView, shift),
-                                       VELUM_OFFSET(InstanceView, size),
-                                       VELUM_OFFSET(InstanceView, tilesX),
-                                       VELUM_OFFSET(InstanceView, tilesY),
-                                       VELUM_OFFSET(InstanceView, copiesX),
-                                       VELUM_OFFSET(InstanceView, copiesY),
-                                       VELUM_OFFSET(InstanceView, copies),
-                                       VELUM_OFFSET(InstanceView, instanceCount),
-                                       VELUM_OFFSET(InstanceView, cutCount),
-                                       VELUM_OFFSET(InstanceView, isOrthographic),
-                                       VELUM_OFFSET(InstanceView, detail),
-                                       VELUM_OFFSET(InstanceView, largeRadius),
-                                       VELUM_OFFSET(InstanceView, wholeInstances),
-                                       VELUM_OFFSET(InstanceView, levelCount),
-                                       VELUM_OFFSET(InstanceView, stateWords),
-                                       VELUM_OFFSET(InstanceView, drawRoom),
-                                       VELUM_OFFSET(InstanceView, firstWhole),
-                                       VELUM_OFFSET(InstanceView, wholeMolecule),
-                                       VELUM_OFFSET(InstanceView, allCopies),
-                                       VELUM_OFFSET(InstanceView, copiesZ)};
+#define VELUM_VIEW_OFFSET(member) VELUM_OFFSET(InstanceView, member)
+const Offset kInstanceViewOffsets[] = {
+    VELUM_VIEW_OFFSET(eye),           VELUM_VIEW_OFFSET(right),          VELUM_VIEW_OFFSET(up),
+    VELUM_VIEW_OFFSET(forward),       VELUM_VIEW_OFFSET(copyStep),       VELUM_VIEW_OFFSET(copySphere),
+    VELUM_VIEW_OFFSET(pictureSize),   VELUM_VIEW_OFFSET(shift),          VELUM_VIEW_OFFSET(size),
+    VELUM_VIEW_OFFSET(tilesX),        VELUM_VIEW_OFFSET(tilesY),         VELUM_VIEW_OFFSET(copiesX),
+    VELUM_VIEW_OFFSET(copiesY),       VELUM_VIEW_OFFSET(copies),         VELUM_VIEW_OFFSET(instanceCount),
+    VELUM_VIEW_OFFSET(cutCount),      VELUM_VIEW_OFFSET(isOrthographic), VELUM_VIEW_OFFSET(detail),
+    VELUM_VIEW_OFFSET(largeRadius),   VELUM_VIEW_OFFSET(wholeInstances), VELUM_VIEW_OFFSET(levelCount),
+    VELUM_VIEW_OFFSET(stateWords),    VELUM_VIEW_OFFSET(drawRoom),       VELUM_VIEW_OFFSET(firstWhole),
+    VELUM_VIEW_OFFSET(wholeMolecule), VELUM_VIEW_OFFSET(allCopies),      VELUM_VIEW_OFFSET(copiesZ),
+    VELUM_VIEW_OFFSET(showsInside),   VELUM_VIEW_OFFSET(padding0),       VELUM_VIEW_OFFSET(padding1),
+    VELUM_VIEW_OFFSET(padding2)};
 
 TEST_F(ShaderGL, InstanceViewsLieWhereTheDriverPutsThem) {
   auto members = membersOf("instance.h", "InstanceView");

@@ -58,7 +58,6 @@ inline Scene passive() {
   membrane.field.byValue = {{-200, 0}, {100, 250.5}, {300, -40}};
   membrane.field.byGradient = {{0, 0}, {50, 10}};
   membrane.field.byLabel = {{4, 100}, {9, -50}};
-  membrane.field.byType = {{"root.capsid", 80}, {"root.capsid.CA", 0}};
   membrane.field.level = 2;
   membrane.field.threshold = 1.5;
   membrane.field.areaOfEffect = 3;

@@ -19,6 +19,7 @@
 #include "session/command/ModelCommands.h"
 #include "session/lettering/Letters.h"
 #include "session/model/CountFiles.h"
+#include "session/model/LegendLacks.h"
 #include "session/model/ModelEdit.h"
 
 namespace velum::session {

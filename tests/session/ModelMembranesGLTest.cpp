@@ -6,6 +6,7 @@
 #include "core/ModelBuilder.h"
 #include "membrane/forces/Kernels.h"
 #include "render/kept/KeptInstances.h"
+#include "scene/TypesFromLabels.h"
 #include "session/cut/CutEdit.h"
 #include "session/membrane/DefaultField.h"
 #include "session/membrane/MembraneEdit.h"
@@ -181,7 +182,7 @@ TEST_F(ModelMembranesGL, AModelOfAnotherScaleThanTheVolumeIsToBeBroughtToSizeFir
 TEST_F(ModelMembranesGL, TypesThatWereLabelsBecomeTypes) {
   scene::Scene scene = sceneOfShell();
   scene.cuts[0].membrane->field.byLabel = {{2, 70}, {9, 10}};
-  typesFromLabels(scene);
+  scene::typesFromLabels(scene);
   EXPECT_TRUE(scene.cuts[0].membrane->field.byLabel.empty());
   EXPECT_EQ(scene.cuts[0].membrane->field.byType, (std::vector<scene::TypeStrength>{{"root.plasma.albumin", 70}}));
 }

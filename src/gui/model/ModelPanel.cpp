@@ -8,7 +8,6 @@
 #include "gui/rows/CountKey.h"
 #include "session/command/Command.h"
 #include "session/command/ModelCommands.h"
-#include "session/model/HiddenInside.h"
 #include "session/model/ModelScale.h"
 #include "session/model/TypesAt.h"
 
@@ -73,8 +72,9 @@ QWidget* ModelPanel::makeHead() {
   mNotes->setWordWrap(true);
   layout->addWidget(mNotes);
   layout->addWidget(makeScale(head));
-  layout->addWidget(makeInside(head));
+  layout->addWidget(mInside = new InsideLine(mDocument, mEqualizer, head));
   connect(mLegend, &QCheckBox::clicked, this, &ModelPanel::legendAsked);
+  connect(mInside, &InsideLine::cutAsked, this, &ModelPanel::cutAsked);
   connect(mShown, &EyeButton::clicked, this, [this](bool on) { session::edit(mDocument, session::ShowModel{on}); });
   return head;
 }
@@ -105,36 +105,6 @@ void ModelPanel::showScale(const scene::Scene& scene) {
   std::string words = session::scaleWords(scene);
   mScaleWords->setText(QString::fromStdString(words));
   mScale->setVisible(!words.empty());
-}
-
-/// Where a membrane hides what it holds: a line that says so, and a button that cuts it open.
-QWidget* ModelPanel::makeInside(QWidget* parent) {
-  mInside = new QWidget(parent);
-  mInside->setObjectName("modelInside");
-  auto* column = makeColumn(mInside, 4);
-  mInsideWords = new QLabel(mInside);
-  mInsideWords->setWordWrap(true);
-  column->addWidget(mInsideWords);
-  auto* button = new QPushButton(tr("Cut open"), mInside);
-  button->setObjectName("modelCutOpen");
-  button->setToolTip(tr("A plane through the middle that faces you (Shift+C)"));
-  column->addWidget(button, 0, Qt::AlignLeft);
-  connect(button, &QPushButton::clicked, this, &ModelPanel::cutAsked);
-  connect(&mEqualizer, &Equalizer::counted, this, &ModelPanel::showInside);
-  mInside->hide();
-  return mInside;
-}
-
-/// By the last complete picture; while something moves, the line stays as it is.
-void ModelPanel::showInside() {
-  const scene::Scene& scene = mDocument.scene();
-  const session::LiveCounts& counts = mEqualizer.counts();
-  bool isOfThis = counts.model() && counts.model() == scene.model.data;
-  if (isOfThis && !counts.isExact() && scene.cuts.empty()) return;
-  std::string words =
-      isOfThis ? session::hiddenWords(scene, session::hiddenInside(scene, counts.compartments())) : std::string();
-  mInsideWords->setText(QString::fromStdString(words));
-  mInside->setVisible(!words.empty());
 }
 
 QWidget* ModelPanel::makeSearch() {
@@ -286,7 +256,7 @@ void ModelPanel::refresh() {
   const scene::ModelLayer& layer = scene.model;
   if (layer.data) mLooks->refresh();  // follows more than this page shows
   showScale(scene);
-  if (!scene.cuts.empty()) showInside();
+  mInside->refresh();
   mBar->refresh();
   mSteps->showScene(scene);
   mLegend->setChecked(scene.lettering.legend);

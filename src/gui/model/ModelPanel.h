@@ -7,6 +7,7 @@
 #include "gui/model/EqualizeSteps.h"
 #include "gui/model/EqualizerBar.h"
 #include "gui/model/HidersBox.h"
+#include "gui/model/InsideLine.h"
 #include "gui/model/ModelList.h"
 #include "gui/model/ModelLookGrid.h"
 #include "gui/rows/FieldForm.h"
@@ -36,8 +37,6 @@ class ModelPanel : public QWidget {
   QWidget* makeHead();
   QWidget* makeScale(QWidget* parent);
   void showScale(const scene::Scene& scene);
-  QWidget* makeInside(QWidget* parent);
-  void showInside();
   QWidget* makeSearch();
   QWidget* makeFoot();
   QWidget* makeRows();
@@ -51,9 +50,10 @@ class ModelPanel : public QWidget {
   Equalizer& mEqualizer;
   session::Document& mDocument;
   EyeButton* mShown = nullptr;
-  QWidget *mScale = nullptr, *mInside = nullptr;
+  QWidget* mScale = nullptr;
+  InsideLine* mInside = nullptr;
   std::vector<std::uint64_t> mScaleOf;  ///< the data of which it was last asked whether they fit each other
-  QLabel *mName = nullptr, *mNotes = nullptr, *mScaleWords = nullptr, *mInsideWords = nullptr, *mCount = nullptr;
+  QLabel *mName = nullptr, *mNotes = nullptr, *mScaleWords = nullptr, *mCount = nullptr;
   QLabel* mOneColor = nullptr;  ///< why the palette tells nothing apart
   QCheckBox* mLegend = nullptr;
   QLineEdit* mSearch = nullptr;

@@ -198,9 +198,9 @@ void StrengthRows::fill(int x, int end, int y, int z, float* out) const {
   std::fill_n(out, end - x, 0.0f);
   if (mHasValues || mGradients) {
     glm::ivec3 from = mSource.volumeFrom, dims = mSource.volume->dims;
-    int low = std::max(x, from.x), high = std::min(end, from.x + dims.x), row = y - from.y, slice = z - from.z;
-    if (low < high && row >= 0 && row < dims.y && slice >= 0 && slice < dims.z)
-      fillOfVolume(low - from.x, high - from.x, row, slice, out + (low - x));
+    int low = std::max(x, from.x), high = std::min(end, from.x + dims.x), row = y - from.y, layer = z - from.z;
+    if (low < high && row >= 0 && row < dims.y && layer >= 0 && layer < dims.z)
+      fillOfVolume(low - from.x, high - from.x, row, layer, out + (low - x));
   }
   if (mLabels.grid) addNumbers(mLabels, x, end, y, z, out);
   if (mTypes.grid) addNumbers(mTypes, x, end, y, z, out);

@@ -5,29 +5,12 @@
 #include <vector>
 
 #include "core/LabelVolume.h"
-#include "core/Model.h"
-#include "core/Units.h"
-#include "core/Volume.h"
 #include "membrane/forces/Gradients.h"
 #include "membrane/forces/Pieces.h"
+#include "membrane/forces/PotentialSource.h"
 #include "scene/Membrane.h"
-#include "scene/ModelLayer.h"
 
 namespace velum::membrane {
-
-/// The data that a potential is made from: a volume, labels and a model, which may lie on other grids than the volume.
-struct PotentialSource {
-  Shared<Volume> volume;
-  int timeStep = 0, channel = 0;
-  Shared<LabelVolume> labels;
-  scene::ModelLayer model;
-  scene::ModelFrame frame;  ///< how the model lies in the world
-  LengthUnit unit = LengthUnit::Millimetre;
-  glm::ivec3 dims{0};              ///< of the potential's grid
-  glm::ivec3 volumeFrom{0};        ///< where the volume's first voxel is in this grid
-  glm::dmat4 worldFromVoxel{1.0};  ///< of this grid
-  Shared<LabelVolume> types;       ///< the model's types by their numbers, from 1; made when a field asks for them
-};
 
 /// Strengths of rows of voxels for one field: tables made once, then read by all threads.
 class StrengthRows {

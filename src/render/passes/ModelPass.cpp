@@ -106,7 +106,8 @@ void ModelPass::checkCount(const scene::ModelLayer& layer) const {
   std::uint64_t count = layer.data->instances.size();
   std::uint64_t most = std::min<std::uint64_t>(scene::kMostNumbered, mMostTexels / 2);
   if (count > most)
-    throw gpu::GpuError(fmt::format("{} instances are too many for this driver; {} are the most", count, most));
+    throw gpu::GpuError(fmt::format(
+        "{} instances are too many for this driver; {} are the most: leave out what completes the model", count, most));
 }
 
 Shared<LevelSet> ModelPass::levelsOf(const scene::ModelLayer& layer) {

@@ -8,7 +8,6 @@
 #include "scene/Project.h"
 #include "scene/SectionPlane.h"
 #include "session/cut/CutEdit.h"
-#include "session/model/ModelScale.h"
 
 namespace velum::session {
 
@@ -74,12 +73,16 @@ glm::dvec3 frameSize(double width, double height) { return {width, height, 0.22 
 
 namespace {
 
+constexpr double kMostLonger = 10.0;
+
 /// The volume's box along its own axes, so large that it holds a model beside the volume, too.
 DataBox boxAlong(const glm::dmat3& axes, const scene::Scene& scene) {
   const Volume& volume = *scene.volume.data;
   DataBox box{centreOf(volume), spacingOf(volume) * glm::dvec3(volume.dims)};
-  if (!scene.model.data || isOutOfScale(scene)) return box;
+  if (!scene.model.data) return box;
   scene::ModelBox model = scene::worldBoxOfModel(scene);
+  // One of another scale is not meant.
+  if (glm::length(model.high - model.low) > kMostLonger * glm::length(box.edges)) return box;
   glm::dvec3 low = -0.5 * box.edges, high = 0.5 * box.edges;
   for (int corner = 0; corner < 8; ++corner) {
     glm::bvec3 isHigh(corner & 1, corner & 2, corner & 4);

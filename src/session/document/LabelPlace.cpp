@@ -86,4 +86,10 @@ std::string misplacedLabels(const scene::Scene& scene) {
   return {};
 }
 
+std::optional<io::LabelGrid> gridOfScan(const scene::Scene& scene) {
+  if (!scene.volume.data) return std::nullopt;
+  const Volume& scan = *scene.volume.data;
+  return io::LabelGrid{scan.dims, scan.worldFromVoxel, scan.lengthUnit};
+}
+
 }  // namespace velum::session

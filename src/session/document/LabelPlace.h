@@ -1,6 +1,8 @@
 #pragma once
+#include <optional>
 #include <string>
 
+#include "io/labels/ReadLabels.h"
 #include "scene/SceneFwd.h"
 
 /// Where labels lie beside the scan that they are of.
@@ -10,5 +12,8 @@ namespace velum::session {
 /// the scan, or all of them lie in a few of the scan's voxels. Empty where labels and scan fit, and where one of them
 /// is missing. Looks at some hundred thousand voxels: milliseconds.
 std::string misplacedLabels(const scene::Scene& scene);
+
+/// The grid that labels without a place of their own take; nothing where there is no volume.
+std::optional<io::LabelGrid> gridOfScan(const scene::Scene& scene);
 
 }  // namespace velum::session

@@ -23,6 +23,7 @@
 #include "scene/FirstLook.h"
 #include "scene/ModelLooks.h"
 #include "scene/Presets.h"
+#include "scene/TypesFromLabels.h"
 #include "scene/VisibleFrame.h"
 #include "scene/json/Json.h"
 #include "session/document/Folders.h"
@@ -30,9 +31,8 @@
 #include "session/document/PaperFile.h"
 #include "session/document/StructureShapes.h"
 #include "session/growth/Growths.h"
-#include "session/membrane/MembraneEdit.h"
+#include "session/model/LegendLacks.h"
 #include "session/model/LevelCache.h"
-#include "session/model/ModelEdit.h"
 
 namespace velum::session {
 
@@ -112,13 +112,6 @@ void putLabels(scene::Scene& scene, LabelVolume labels, Progress& progress) {
   scene::completeStructures(scene.labels);
   settleShapes(scene, progress);
   if (std::string line = misplacedLabels(scene); !line.empty()) warnAll(scene.labels.source.path, {line});
-}
-
-/// The grid that labels without a place of their own take; nothing where there is no volume.
-std::optional<io::LabelGrid> gridOfScan(const scene::Scene& scene) {
-  if (!scene.volume.data) return std::nullopt;
-  const Volume& scan = *scene.volume.data;
-  return io::LabelGrid{scan.dims, scan.worldFromVoxel, scan.lengthUnit};
 }
 
 /// Labels that were open before the scan that they are of, and have no place of their own, go where it is.
@@ -248,7 +241,6 @@ void add(scene::Scene& scene, const scene::Source& source, Progress& progress, s
     bool isAlone = !scene::hasData(scene);
     scene.model.source = source;
     readModelInto(scene.model, progress, Notes{notes});
-  typesFromLabels(scene);
     if (isAlone) scene::applyModelLook(scene, scene::kFirstModelLook);
     return;
   }
@@ -291,6 +283,7 @@ void loadData(scene::Scene& scene, const fs::path& folder, Progress& progress, c
   }
   if (isPlaced(scene.model.source, bool(scene.model.data), "model", "model"))
     readModelInto(scene.model, progress, Notes{notes});
+  scene::typesFromLabels(scene);
   try {
     for (const auto& note : settleGrowths(scene, progress)) Notes{notes}.add(note);
   } catch (const ArgumentError& error) {

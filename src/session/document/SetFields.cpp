@@ -13,7 +13,7 @@
 #include "session/document/PaperFile.h"
 #include "session/document/StructureShapes.h"
 #include "session/document/WorkFile.h"
-#include "session/model/ModelEdit.h"
+#include "session/model/LegendLacks.h"
 
 namespace velum::session {
 

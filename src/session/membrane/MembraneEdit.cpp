@@ -155,15 +155,4 @@ void expectModelInReach(const scene::Scene& scene) {
         "(model.bringToSize)");
 }
 
-void typesFromLabels(scene::Scene& scene) {
-  if (!scene.model.data || scene.volume.data || scene.labels.data) return;
-  const auto& types = scene.model.data->types;
-  for (scene::Cut& cut : scene.cuts) {
-    if (!cut.membrane) continue;
-    for (const auto& one : std::exchange(cut.membrane->field.byLabel, {}))
-      if (one.id >= 1 && std::size_t(one.id) <= types.size())
-        protectType(*cut.membrane, pathOf(*scene.model.data, types[std::size_t(one.id - 1)]), one.strength);
-  }
-}
-
 }  // namespace velum::session

@@ -45,8 +45,6 @@ std::vector<Protectable> protectables(const scene::Scene& scene, const scene::Fo
 std::vector<std::string> protectableTypes(const Model& model, std::string_view path);
 /// @throw ArgumentError that says what to do where there is no model that a sheet could go around
 void expectModelInReach(const scene::Scene& scene);
-/// Scenes of before had the types of a model that was alone as labels with the types' numbers: they become types.
-void typesFromLabels(scene::Scene& scene);
 
 /// Protects all values from `low` to `high`, in the volume's unit, in the same way.
 void protectValues(scene::Membrane& membrane, double low, double high, double strength = kProtectStrength);

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <limits>
 #include <unordered_map>
-#include <unordered_set>
 
 #include "core/Units.h"
 #include "scene/Crowd.h"
@@ -114,20 +113,6 @@ void listInLegend(scene::Scene& scene, const std::vector<std::string>& paths, bo
     std::erase(entries, path);
     if (listed) entries.push_back(path);
   }
-}
-
-std::string whatLegendLacks(const scene::Scene& scene) {
-  std::unordered_set<std::string> known;
-  for (const scene::Structure& structure : scene.labels.structures) known.insert(structure.name);
-  if (const auto& model = scene.model.data) {
-    for (const MoleculeType& type : model->types) known.insert(pathOf(*model, type));
-    for (std::uint32_t i = 0; i < model->compartments.size(); ++i) known.insert(compartmentPath(*model, i));
-  }
-  std::vector<std::string> lacking;
-  for (const std::string& entry : scene.lettering.entries)
-    if (!known.contains(entry)) lacking.push_back(entry);
-  if (lacking.empty()) return {};
-  return fmt::format("the legend leaves out what the data do not have: {}", fmt::join(lacking, ", "));
 }
 
 void setTypesVisible(scene::Scene& scene, const TypeNumbers& types, bool visible) {

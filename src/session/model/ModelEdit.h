@@ -43,8 +43,6 @@ void setTypesGhosts(scene::Scene& scene, const TypeNumbers& types, std::optional
 void rename(scene::Scene& scene, std::string_view path, std::string_view name);
 /// Lists types or compartments in the legend, or takes them out of its list. @param paths  each gets an entry
 void listInLegend(scene::Scene& scene, const std::vector<std::string>& paths, bool listed);
-/// Says what the legend lists that the scene's data do not have, in one line; empty: there is nothing of the kind.
-std::string whatLegendLacks(const scene::Scene& scene);
 /// Sets how many instances of a type or compartment are to be seen, in the place of a number that was to be drawn.
 /// @param visible  none: any number will do, drawn or seen
 void setVisibleTarget(scene::Scene& scene, std::string_view path, std::optional<double> visible);

@@ -130,6 +130,16 @@ Volume greyVolume(int voxels, double edge) {
   return volume;
 }
 
+// A shell that is thinner than a voxel is protected without gaps.
+TEST_F(ModelMembranesGL, TypesAreProtectedInAVolumeOfCoarseVoxels) {
+  scene::Scene scene = sceneOfShell();
+  scene.volume.data = Shared<Volume>(greyVolume(28, 2.4 * kHalfEdge));
+  protectType(*scene.cuts[0].membrane, "root.capsid.CA");
+  auto report = settleMembranes(scene, {true, false}, sProgress).at(0);
+  EXPECT_GT(keptShare(scene, "CA"), 0.95) << "it reaches out of its voxels by less than one";
+  EXPECT_EQ(report.kept->cutAreaMembrane, 0);
+}
+
 // The volume holds the model, or only its middle: then there are voxels around the volume, in which the model's types
 // are protected as well.
 TEST_F(ModelMembranesGL, TypesAreProtectedBesideAVolume) {

@@ -15,6 +15,7 @@ namespace {
 using Curve = std::vector<scene::StrengthPoint>;
 
 constexpr int kNumbers = 65536;  ///< of labels, and of types
+constexpr int kMostSamples = 6;  ///< along an edge of a voxel
 
 /// The curve in order, without points that are no numbers: what a file says is not always sound.
 Curve soundCurve(Curve curve) {
@@ -60,6 +61,10 @@ StrengthRows::StrengthRows(PotentialSource source, const Gradients* gradients, c
   }
   if (mSource.types && !field.byType.empty()) {
     mTypes = byNumber(mSource.types);
+    // A shell of molecules may be thinner than a voxel of a volume.
+    for (int axis = 0; axis < 3; ++axis)
+      mTypes.samples[axis] =
+          std::clamp(int(std::ceil(glm::length(mTypes.gridFromVoxel[axis]) - 1e-3)), 1, kMostSamples);
     const auto& types = mSource.model.data->types;
     for (std::size_t t = 0; t < types.size() && t + 1 < std::size_t(kNumbers); ++t) {
       double strength = scene::strengthOf(field, pathOf(*mSource.model.data, types[t]));
@@ -138,15 +143,16 @@ void StrengthRows::addNumbers(const ByNumber& by, int x, int end, int y, int z, 
     for (std::size_t i = 0; i < ids.size(); ++i) out[i] += by.strengths[ids[i]];
     return;
   }
-  addNearest(by, x, end, y, z, out);
+  addNearest(by, by.gridFromVoxel, x, end, y, z, out);
 }
 
-void StrengthRows::addNearest(const ByNumber& by, int x, int end, int y, int z, float* out) {
+void StrengthRows::addNearest(const ByNumber& by, const glm::dmat4& gridFromVoxel, int x, int end, int y, int z,
+                              float* out) {
   constexpr double kOne = 4294967296.0;  // places are walked in fixed point, 32 bits after the point
   constexpr double kFar = 1e9;
   constexpr int kBrick = LabelVolume::kBrickSize;
   const LabelVolume& labels = *by.grid;
-  glm::dvec3 start(by.gridFromVoxel * glm::dvec4(x, y, z, 1.0)), step(by.gridFromVoxel[0]);
+  glm::dvec3 start(gridFromVoxel * glm::dvec4(x, y, z, 1.0)), step(gridFromVoxel[0]);
   if (glm::any(glm::greaterThan(glm::abs(start) + glm::abs(step) * double(end - x), glm::dvec3(kFar)))) return;
   std::int64_t at[3], walk[3];
   for (int axis = 0; axis < 3; ++axis) {
@@ -171,6 +177,26 @@ void StrengthRows::addNearest(const ByNumber& by, int x, int end, int y, int z, 
     out[i] +=
         by.strengths[brick->size() == 1 ? (*brick)[0] : (*brick)[std::size_t((in.z * kBrick + in.y) * kBrick + in.x)]];
   }
+}
+
+void StrengthRows::addMeans(const ByNumber& by, int x, int end, int y, int z, float* out) {
+  glm::dvec3 from(by.gridFromVoxel * glm::dvec4(x, y, z, 1.0)), to(by.gridFromVoxel * glm::dvec4(end - 1, y, z, 1.0));
+  glm::dvec3 around(0.0);
+  for (int axis = 0; axis < 3; ++axis) around += glm::abs(glm::dvec3(by.gridFromVoxel[axis]));
+  glm::dvec3 low = glm::min(from, to) - around, high = glm::max(from, to) + around;
+  if (glm::any(glm::lessThan(high, glm::dvec3(0.0))) || glm::any(glm::greaterThan(low, glm::dvec3(by.grid->dims()))))
+    return;  // most rows of a volume have nothing of a model
+  thread_local std::vector<float> sums;
+  sums.assign(std::size_t(end - x), 0.0f);
+  glm::dmat4 shifted = by.gridFromVoxel;
+  for (int i = 0; i < by.samples.x * by.samples.y * by.samples.z; ++i) {
+    glm::ivec3 at(i % by.samples.x, i / by.samples.x % by.samples.y, i / (by.samples.x * by.samples.y));
+    glm::dvec3 off = (glm::dvec3(at) + 0.5) / glm::dvec3(by.samples) - 0.5;
+    shifted[3] = by.gridFromVoxel * glm::dvec4(off, 1.0);
+    addNearest(by, shifted, x, end, y, z, sums.data());
+  }
+  float share = 1.0f / float(by.samples.x * by.samples.y * by.samples.z);
+  for (std::size_t i = 0; i < sums.size(); ++i) out[i] += share * sums[i];
 }
 
 void StrengthRows::leaveOutSmall(int x, int end, std::size_t row, float* out) const {
@@ -203,7 +229,11 @@ void StrengthRows::fill(int x, int end, int y, int z, float* out) const {
       fillOfVolume(low - from.x, high - from.x, row, layer, out + (low - x));
   }
   if (mLabels.grid) addNumbers(mLabels, x, end, y, z, out);
-  if (mTypes.grid) addNumbers(mTypes, x, end, y, z, out);
+  if (!mTypes.grid) return;
+  if (mTypes.samples == glm::ivec3(1))
+    addNumbers(mTypes, x, end, y, z, out);
+  else
+    addMeans(mTypes, x, end, y, z, out);
 }
 
 }  // namespace velum::membrane

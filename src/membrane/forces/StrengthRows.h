@@ -40,10 +40,13 @@ class StrengthRows {
     std::vector<float> strengths;       ///< of each number
     glm::dmat4 gridFromVoxel{1.0};
     bool isSameGrid = false;  ///< it lies on the voxels
+    glm::ivec3 samples{1};    ///< places along each axis of a voxel whose mean its strength is
   };
   ByNumber byNumber(const Shared<LabelVolume>& grid) const;
   static void addNumbers(const ByNumber& by, int x, int end, int y, int z, float* out);
-  static void addNearest(const ByNumber& by, int x, int end, int y, int z, float* out);
+  /// @param gridFromVoxel  that of `by`, or one that is shifted a little
+  static void addNearest(const ByNumber& by, const glm::dmat4& gridFromVoxel, int x, int end, int y, int z, float* out);
+  static void addMeans(const ByNumber& by, int x, int end, int y, int z, float* out);
 
   PotentialSource mSource;
   const Gradients* mGradients = nullptr;

@@ -62,6 +62,19 @@ TEST_F(ModelWindow, WhatAMembraneHidesIsSaidAndOneClickCutsItOpen) {
   EXPECT_TRUE(QTest::qWaitFor([&] { return line->isVisible(); }, kPatience));
 }
 
+// Nobody counts the instances of a crowd: what was counted before is not true of it.
+TEST_F(ModelWindow, CountsAreForgottenWhereCopiesBecomeACrowd) {
+  openModel();
+  const Equalizer& equalizer = mWindow->models().equalizer();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return equalizer.counts().isExact(); }, kPatience));
+  mWindow->document().edit("Copies", [](scene::Scene& scene) { scene.model.copies = 5000; });
+  EXPECT_FALSE(equalizer.counts().model());
+  drawSoon();
+  EXPECT_FALSE(equalizer.counts().model());
+  mWindow->document().undo();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return equalizer.counts().isExact(); }, kPatience));
+}
+
 TEST_F(ModelWindow, AnEyeHidesItsTypeAndUndoBringsItBack) {
   openModel();
   clickEye(2);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <memory>
 
+#include "scene/Crowd.h"
 #include "session/command/Command.h"
 #include "session/command/CutCommands.h"
 #include "session/command/ModelCommands.h"
@@ -46,7 +47,7 @@ void Equalizer::hear(const render::InstanceBits& bits, bool isComplete) {
 
 void Equalizer::refresh() {
   const scene::ModelLayer& layer = mSession.scene().model;
-  if (mCounts.model() == layer.data && layer.visible) return;
+  if (mCounts.model() == layer.data && scene::isCounted(layer)) return;
   if (!isHeld()) mHeldPath.clear();
   if (!mCounts.model()) return;
   mCounts.clear();

@@ -43,7 +43,7 @@ class Equalizer : public QObject {
 
   /// Takes a handle, moves it to a count and lets it go.
   void set(const std::string& path, Handle handle, double count);
-  /// To be called after every change: forgets the counts of a model that is hidden or no longer there.
+  /// To be called after every change: forgets the counts of a model that is hidden, no longer there, or a crowd.
   void refresh();
 
  signals:

@@ -99,11 +99,27 @@ double diameterOf(const FrameGrid& grid) {
 
 glm::dvec3 sceneOrigin(const FrameGrid& grid) { return glm::dvec3(grid.worldFromTex * glm::dvec4(0.5, 0.5, 0.5, 1.0)); }
 
+namespace {
+
+/// The place of sample n in its pixel, from its middle. [R2]: a well-spread sequence for any count.
+glm::dvec2 r2(int n) {
+  auto wrapped = [n](double step) { return std::fmod(0.5 + step * n, 1.0) - 0.5; };
+  return {wrapped(0.7548776662466927), wrapped(0.5698402909980532)};
+}
+
+/// The same for the samples of one picture: the first goes through the middle, and their mean lies there, so that
+/// pictures of few samples are not displaced.
+glm::dvec2 placeInPixel(int sample, int samples) {
+  if (sample == 0) return glm::dvec2(0.0);
+  glm::dvec2 sum(0.0);
+  for (int n = 1; n < samples; ++n) sum += r2(n);
+  return r2(sample) - sum / double(samples - 1);
+}
+
+}  // namespace
+
 void setSample(shared::FrameParams& params, const Frame& frame, int sample) {
-  // [R2]: a well-spread sequence for any count. Sample 0 goes through the pixel's middle.
-  double x = sample == 0 ? 0.5 : std::fmod(0.5 + 0.7548776662466927 * sample, 1.0);
-  double y = sample == 0 ? 0.5 : std::fmod(0.5 + 0.5698402909980532 * sample, 1.0);
-  glm::dvec2 shift(x - 0.5, y - 0.5);
+  glm::dvec2 shift = placeInPixel(sample, frame.scene.rayCast.samplesPerPixel);
   params.pictureSize = frame.pictureSize;
   params.subpixel = shift;
   params.noise = float(std::fmod(0.6180339887498949 * sample, 1.0));

@@ -95,7 +95,10 @@ struct ModelLayer {
     visit("nearColors", o.nearColors,
           FieldInfo{"", {0, 1}, "How far chains and elements show as shades of it where one is close."});
     visit("detail", o.detail,
-          FieldInfo{"pixel", {0.1, 16}, "How much drawn shapes may be off; smaller is finer, and slower."});
+          FieldInfo{"pixel",
+                    {0.1, 16},
+                    "How much drawn shapes may be off at one sample a pixel, less the more there are; smaller is "
+                    "finer, and slower."});
     visit("ghosts", o.ghosts, FieldInfo{"", {}, "How instances that cuts have removed still show.", true});
     visit("ghostOpacity", o.ghostOpacity, FieldInfo{"", {0, 1}, "Opacity of these.", true});
     visit("types", o.types, FieldInfo{"", {}, "Types that are shown otherwise."});

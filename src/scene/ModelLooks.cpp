@@ -82,6 +82,11 @@ std::span<const NamedModelLook> modelLooks() { return lookTable().names(); }
 
 void applyModelLook(Scene& scene, std::string_view name) { put(lookTable().at(presentName(name)), scene); }
 
+void applyFirstModelLook(Scene& scene) {
+  applyModelLook(scene, kFirstModelLook);
+  scene.rayCast.samplesPerPixel = kModelSamples;
+}
+
 Finish lookFinish(const Scene& scene) {
   const LookRow* row = lookTable().find(scene.model.look);
   return finishOf(row ? *row : LookRow{}, scene.finish);

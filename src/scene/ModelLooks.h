@@ -16,6 +16,9 @@ struct NamedModelLook {
 
 /// The look of a model that has just been opened.
 constexpr std::string_view kFirstModelLook = "painted";
+/// Samples a pixel of a model that has just been opened. Instances are often smaller than a pixel: with six a picture
+/// of 1000 rows looks like one of 4000.
+constexpr int kModelSamples = 6;
 
 /// Every look, in the order of the window.
 std::span<const NamedModelLook> modelLooks();
@@ -24,6 +27,9 @@ std::span<const NamedModelLook> modelLooks();
 /// @param name  also one that a look had once
 /// @throw ArgumentError for an unknown name, listing the known ones
 void applyModelLook(Scene& scene, std::string_view name);
+
+/// Gives a scene whose model has just been opened, and is alone, its first look, and samples enough for it.
+void applyFirstModelLook(Scene& scene);
 
 /// The finish that belongs to the look which a scene's model was given last; it adds nothing where there is none. The
 /// user's own lit spheres and paper are in it.

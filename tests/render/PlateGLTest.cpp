@@ -22,7 +22,7 @@ constexpr double kMostToneApart = 0.02;
 
 class PlateGL : public GlTest {
  protected:
-  /// The virion cut in two, as a plate for print: finer, and of more samples than a window needs.
+  /// The virion cut in two, as a window opens it and files have it.
   static scene::Scene plate() {
     Progress progress;
     scene::Scene scene;
@@ -30,8 +30,7 @@ class PlateGL : public GlTest {
     scene.model.data = Shared<Model>(io::makeVirion(progress));
     scene.model.levels = Shared<LevelSet>(model::computeLevels(*scene.model.data, progress));
     scene::applyModelLook(scene, "plate");
-    scene.model.detail = 0.4;
-    scene.rayCast.samplesPerPixel = 8;
+    scene.rayCast.samplesPerPixel = scene::kModelSamples;
     scene::Cut cut;
     cut.shape = scene::CutShape::Plane;
     cut.axis = {0, -1, 0};
@@ -60,10 +59,9 @@ class PlateGL : public GlTest {
               float(edge * edge);
     return out;
   }
-  /// The virion cut in two, in a finish, as a window draws it.
+  /// The virion cut in two, in a finish, of few samples.
   static scene::Scene asWindow(const char* finish) {
     scene::Scene scene = plate();
-    scene.model.detail = 1.0;
     scene.rayCast.samplesPerPixel = 2;
     scene::applyFinish(scene, finish);
     return scene;

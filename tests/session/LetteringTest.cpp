@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "core/Text.h"
+#include "lettered.h"
 #include "makeModel.h"
 #include "makeVolume.h"
 #include "scene/Project.h"
@@ -26,18 +27,6 @@ namespace velum::session {
 
 namespace {
 
-/// Five types, of which the picture shows the more the higher their number is.
-scene::Scene lettered(glm::vec3 ground) {
-  scene::Scene scene;
-  scene.unit = LengthUnit::Angstrom;
-  scene.model.data = Shared<Model>(ModelMaker{.types = 5}.make());
-  scene.camera = scene::frameCamera(scene, scene::StandardView::Oblique, 1.5);
-  scene.background.top = scene.background.bottom = ground;
-  scene.lettering.legend = scene.lettering.scaleBar = true;
-  return scene;
-}
-const TypePixels kPixels{{1000, 2100, 3300, 4600, 6000}, 1000000};
-
 /// A picture with nothing in it.
 Image blank(glm::ivec2 size, glm::vec3 ground) {
   Image image{size.x, size.y, {"R", "G", "B"}, {}};
@@ -49,17 +38,6 @@ Image letteredPicture(const scene::Scene& scene, glm::ivec2 size) {
   Image image = blank(size, scene.background.top);
   layMarks(letteringMarks(scene, size, kPixels), image);
   return image;
-}
-
-std::vector<std::string> namesOf(const scene::Scene& scene, const TypePixels& pixels = kPixels) {
-  std::vector<std::string> names;
-  for (const LegendEntry& entry : legendEntries(scene, pixels)) names.push_back(entry.name);
-  return names;
-}
-
-scene::Scene after(const scene::Scene& scene, const Call& call) {
-  Progress progress;
-  return editOf(scene, call, progress).after;
 }
 
 }  // namespace
@@ -110,60 +88,6 @@ TEST(Lettering, AVolumeWhoseVoxelsHaveNoKnownLengthHasNoBar) {
   scene.volume.data = Shared<Volume>(volume);
   EXPECT_FALSE(scaleBarOf(scene, {640, 480}));
   EXPECT_FALSE(scaleBarOf(scene::Scene(), {640, 480})) << "nothing is open";
-}
-
-TEST(Lettering, ALegendNamesWhatIsSeenMostOrWhatIsListedInItsOrder) {
-  scene::Scene scene = lettered(glm::vec3(1.0f));
-  EXPECT_EQ(namesOf(scene), (std::vector<std::string>{"type4", "type3", "type2", "type1", "type0"}));
-  EXPECT_EQ(namesOf(scene, {{1, 2000, 0, 0, 0}, 1000000}), std::vector<std::string>{"type1"}) << "not a mere dot";
-  scene = after(scene, ListInLegend{{"root.a.type2"}, true});
-  scene = after(scene, ListInLegend{{"root.b"}, true});
-  EXPECT_EQ(namesOf(scene), (std::vector<std::string>{"type2", "b"}));
-  auto entries = legendEntries(scene, kPixels);
-  std::vector<glm::vec3> colors = scene::typeColors(scene.model);
-  EXPECT_EQ(entries[0].colors, std::vector<glm::vec3>{colors[2]});
-  EXPECT_EQ(entries[1].colors, (std::vector<glm::vec3>{colors[3], colors[1]})) << "that of which more is seen first";
-  scene = after(scene, ListInLegend{{"root.b", "root.a.type2"}, false});
-  EXPECT_EQ(namesOf(scene).size(), 5u);
-  scene.model.visible = false;
-  EXPECT_TRUE(namesOf(scene).empty());
-}
-
-TEST(Lettering, TypesThatAreCalledAlikeShareAnEntry) {
-  scene::Scene scene = lettered(glm::vec3(1.0f));
-  scene = after(scene, RenameType{"root.a.type0", "Spike"});
-  scene = after(scene, RenameType{"root.b.type3", "Spike"});
-  EXPECT_EQ(namesOf(scene), (std::vector<std::string>{"type4", "Spike", "type2", "type1"}));
-}
-
-TEST(Lettering, StructuresStandInTheLegendThatAreShownOrListed) {
-  scene::Scene scene = lettered(glm::vec3(1.0f));
-  scene.labels.data = Shared<LabelVolume>(LabelVolume{});
-  scene.labels.structures = {{1, "liver", {0.6f, 0.2f, 0.1f}}, {2, "spleen", {0.4f, 0.1f, 0.3f}}, {3, "", {1, 1, 1}}};
-  EXPECT_EQ(namesOf(scene, {{1, 2000, 0, 0, 0}, 1000000}), (std::vector<std::string>{"type1", "liver", "spleen"}));
-  scene.model.visible = false;
-  EXPECT_EQ(namesOf(scene), (std::vector<std::string>{"liver", "spleen"}));
-  EXPECT_EQ(legendEntries(scene, {})[1].colors, std::vector<glm::vec3>{scene.labels.structures[1].color});
-  scene.labels.structures[0].visible = false;
-  EXPECT_EQ(namesOf(scene), std::vector<std::string>{"spleen"});
-  scene.model.visible = true;
-  scene.lettering.entries = {"liver", "root.a.type2"};
-  EXPECT_EQ(namesOf(scene), (std::vector<std::string>{"liver", "type2"})) << "whoever lists it wants it";
-  scene.labels.visible = false;
-  EXPECT_EQ(namesOf(scene), std::vector<std::string>{"type2"});
-}
-
-TEST(Lettering, WhatALegendListsInVainIsSaidInOneLine) {
-  scene::Scene scene = lettered(glm::vec3(1.0f));
-  scene.lettering.entries = {"root.a.type2", "root.b"};
-  EXPECT_EQ(whatLegendLacks(scene), "");
-  scene.lettering.entries = {"root.x", "root.b", "liver"};
-  EXPECT_EQ(whatLegendLacks(scene), "the legend leaves out what the data do not have: root.x, liver");
-  EXPECT_EQ(namesOf(scene), std::vector<std::string>{"b"});
-  scene.lettering.entries.clear();
-  Progress progress;
-  EXPECT_EQ(editOf(scene, SetField{"lettering.entries", R"(["root.y"])"}, progress).told,
-            std::vector<std::string>{"the legend leaves out what the data do not have: root.y"});
 }
 
 TEST(Lettering, ASectionsBarIsAsLongAsItSaysInItsPicture) {

@@ -211,9 +211,11 @@ QWidget* ModelPanel::makeRows() {
              .tip = tr("Of the ghosts, %"),
              .step = tr("Change opacity of ghosts"),
              .isEnabled = [this] { return scene::hasGhosts(mDocument.scene().model); }});
-  mForm.add("model.detail", tr("Detail"),
-            {.object = "modelDetail",
-             .tip = tr("How much of a pixel drawn shapes may be off by: smaller is finer, and slower")});
+  mForm.add(
+      "model.detail", tr("Detail"),
+      {.object = "modelDetail",
+       .tip =
+           tr("How much of a pixel drawn shapes may be off by, at one sample a pixel: smaller is finer, and slower")});
   mForm.add("model.copies", tr("Copies"),
             {.object = "modelCopies", .tip = tr("Of the whole model, side by side in a block"), .range = [this] {
                return Range{1.0, double(std::max(64, mDocument.scene().model.copies))};

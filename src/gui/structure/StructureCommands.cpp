@@ -8,6 +8,7 @@
 #include "scene/LitSpheres.h"
 #include "session/command/Command.h"
 #include "session/command/CutCommands.h"
+#include "session/command/LetteringCommands.h"
 #include "session/command/StructureCommands.h"
 #include "session/cut/CutEdit.h"
 #include "session/membrane/MembraneEdit.h"
@@ -62,6 +63,10 @@ void StructureCommands::dragOpacity(const Ids& ids, double opacity) {
 
 void StructureCommands::rename(int id, const QString& name) {
   session::edit(mDocument, session::RenameStructure{named({id})[0], name.toStdString()});
+}
+
+void StructureCommands::listInLegend(const Ids& ids, bool listed) {
+  session::edit(mDocument, session::ListStructuresInLegend{named(ids), listed});
 }
 
 void StructureCommands::setShowAs(const Ids& ids, scene::ShowAs as) {
@@ -187,6 +192,19 @@ void StructureCommands::fillSphereMenu(QMenu& menu, const Ids& ids) {
     add(QString::fromStdString(own.name), QString::fromStdString(own.name), own.data ? iconOf(*own.data) : QIcon());
 }
 
+/// Whether the legend lists them. Nothing for one without a name, which it cannot say.
+void StructureCommands::fillLegendEntry(QMenu& menu, const Ids& ids) {
+  const std::vector<std::string>& entries = mDocument.scene().lettering.entries;
+  auto nameOf = [this](int id) { return session::findStructure(mDocument.scene(), id)->name; };
+  if (std::any_of(ids.begin(), ids.end(), [&](int id) { return nameOf(id).empty(); })) return;
+  QAction* list = menu.addAction(tr("List in legend"), this, [this, ids](bool on) { listInLegend(ids, on); });
+  list->setCheckable(true);
+  list->setChecked(std::all_of(ids.begin(), ids.end(), [&](int id) {
+    return std::find(entries.begin(), entries.end(), nameOf(id)) != entries.end();
+  }));
+  list->setToolTip(tr("The legend names what is listed; where nothing is, the structures that are shown"));
+}
+
 void StructureCommands::fillMenu(QMenu& menu, const Ids& ids) {
   if (ids.empty()) return;
   const scene::Structure* first = session::findStructure(mDocument.scene(), ids[0]);
@@ -207,6 +225,7 @@ void StructureCommands::fillMenu(QMenu& menu, const Ids& ids) {
         ->setToolTip(tr("Bring the camera near and the crosshair into its middle"));
     menu.addAction(tr("Rename..."), this, [this, ids] { emit renameAsked(ids[0]); });
   }
+  fillLegendEntry(menu, ids);
   menu.addSeparator();
   QString name = cutName();
   QAction* whole = menu.addAction(name.isEmpty() ? tr("Spare") : tr("Spare in %1").arg(name));

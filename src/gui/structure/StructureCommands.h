@@ -32,6 +32,8 @@ class StructureCommands : public QObject {
   void setShowAs(const Ids& ids, scene::ShowAs as);
   void setLitSphere(const Ids& ids, const QString& name);
   void rename(int id, const QString& name);
+  /// Lists structures in the legend of pictures, or takes them out of its list.
+  void listInLegend(const Ids& ids, bool listed);
   /// Sets whether the selected cut leaves structures whole; does nothing when no cut is selected.
   void setSpared(const Ids& ids, bool whole);
   bool isSpared(int id) const;
@@ -63,6 +65,7 @@ class StructureCommands : public QObject {
   double strengthOf(int id) const;
   void fillShowMenu(QMenu& menu, const Ids& ids);
   void fillSphereMenu(QMenu& menu, const Ids& ids);
+  void fillLegendEntry(QMenu& menu, const Ids& ids);
   void fillMembraneMenu(QMenu& menu, const Ids& ids);
 
   session::Document& mDocument;

@@ -12,8 +12,10 @@ namespace velum::render {
 
 namespace {
 
-void clip(Instances& all) {
+/// @param isAsked  by type
+void clip(Instances& all, const std::vector<std::uint8_t>& isAsked) {
   all.forAll([&](std::size_t i) {
+    if (!isAsked[all.moleculeOf(i).type]) return;
     float u = randomOf(std::uint32_t(i));
     glm::vec3 p = all.middleOf(i);
     shared::CutFold fold = shared::emptyFold();
@@ -114,14 +116,32 @@ bool hides(const Instances& all, std::size_t i, const Mask& mask, const shared::
   return isFound;
 }
 
+/// By type: whether its instances are asked about.
+std::vector<std::uint8_t> askedTypes(const Model& model, const std::vector<std::uint32_t>& types) {
+  std::vector<std::uint8_t> isAsked(model.types.size(), types.empty() ? 1 : 0);
+  for (std::uint32_t type : types) isAsked[type] = 1;
+  return isAsked;
+}
+
+/// The types that are asked about, and those of the focuses, which are to be known to tell what hides them.
+std::vector<std::uint8_t> clippedTypes(const Instances& all, const std::vector<model::FocusRow>& rows,
+                                       std::vector<std::uint8_t> isAsked) {
+  for (std::size_t type = 0; type < isAsked.size(); ++type)
+    for (const model::FocusRow& row : rows)
+      if (all.spares[type * all.cuts.size() + std::size_t(row.cut)].isFocus != 0.0f) isAsked[type] = 1;
+  return isAsked;
+}
+
 }  // namespace
 
-std::vector<InstanceState> instanceStates(const scene::Scene& scene, const SheetIndices& sheets, double aspect) {
+std::vector<InstanceState> instanceStates(const scene::Scene& scene, const SheetIndices& sheets, double aspect,
+                                          const std::vector<std::uint32_t>& types) {
   if (!scene.model.data) return {};
   Instances all(scene, sheets);
   if (all.cuts.empty()) return all.states;
-  clip(all);
   std::vector<model::FocusRow> rows = model::focusRows(scene);
+  std::vector<std::uint8_t> isAsked = askedTypes(all.model, types);
+  clip(all, clippedTypes(all, rows, isAsked));
   if (rows.empty()) return all.states;
   std::vector<std::uint8_t> isShown;
   for (const MoleculeType& type : all.model.types)
@@ -131,7 +151,8 @@ std::vector<InstanceState> instanceStates(const scene::Scene& scene, const Sheet
     shared::FocusView view = makeFocusView(scene, row, aspect, all.origin, all.radius);
     Mask mask = drawMask(all, isShown, view);
     all.forAll([&](std::size_t i) {
-      bool asks = all.states[i] == InstanceState::Kept && isShown[all.moleculeOf(i).type];
+      std::uint32_t type = all.moleculeOf(i).type;
+      bool asks = isAsked[type] && all.states[i] == InstanceState::Kept && isShown[type];
       if (asks && hides(all, i, mask, view)) isCleared[i] = 1;
     });
   }
@@ -140,8 +161,9 @@ std::vector<InstanceState> instanceStates(const scene::Scene& scene, const Sheet
   return all.states;
 }
 
-std::vector<std::uint8_t> keptInstances(const scene::Scene& scene, const SheetIndices& sheets, double aspect) {
-  std::vector<InstanceState> states = instanceStates(scene, sheets, aspect);
+std::vector<std::uint8_t> keptInstances(const scene::Scene& scene, const SheetIndices& sheets, double aspect,
+                                        const std::vector<std::uint32_t>& types) {
+  std::vector<InstanceState> states = instanceStates(scene, sheets, aspect, types);
   std::vector<std::uint8_t> kept(states.size());
   std::transform(states.begin(), states.end(), kept.begin(),
                  [](InstanceState state) { return state == InstanceState::Kept ? 1 : 0; });

@@ -21,12 +21,14 @@ enum class InstanceState : std::uint8_t {
 /// What the cuts do with each instance of a scene's model, copy by copy; hidden types are treated like others, except
 /// that they hide nothing. Decided by the same functions as in drawing. All cores, no GL. Any thread.
 /// @param aspect  width by height of the picture; only views onto a focus depend on it
+/// @param types  those whose instances are asked about, others counting as kept; empty: all. A handle asks again and
+/// again about few
 std::vector<InstanceState> instanceStates(const scene::Scene& scene, const SheetIndices& sheets = {},
-                                          double aspect = kUsualAspect);
+                                          double aspect = kUsualAspect, const std::vector<std::uint32_t>& types = {});
 
 /// For each instance 1 where the cuts leave it, else 0, by instanceStates().
 std::vector<std::uint8_t> keptInstances(const scene::Scene& scene, const SheetIndices& sheets = {},
-                                        double aspect = kUsualAspect);
+                                        double aspect = kUsualAspect, const std::vector<std::uint32_t>& types = {});
 
 /// A copy of a scene's model with only the instances that show: those of the first copy that the cuts leave and whose
 /// types are not hidden. Types and molecules without instances are left out. @param kept  keptInstances()

@@ -52,7 +52,9 @@ shared::InstanceView eyeViewOf(const FrameData& data, int sample) {
   view.instanceCount = int(model.data->instances.size());
   view.cutCount = int(data.cuts.size());
   view.isOrthographic = (params.flags & shared::kFlagOrthographic) ? 1 : 0;
-  view.detail = float(model.detail) * (frame.isPreview ? kPreviewDetail : 1.0f);
+  // A picture of more samples resolves finer shapes.
+  view.detail = float(model.detail) * (frame.isPreview ? kPreviewDetail : 1.0f) /
+                std::sqrt(float(std::max(1, frame.scene.rayCast.samplesPerPixel)));
   view.largeRadius = kLargeRadius;
   view.wholeInstances = model::wholeInstanceBits(frame.scene);
   return view;

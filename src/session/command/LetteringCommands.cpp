@@ -2,6 +2,7 @@
 
 #include "scene/Scene.h"
 #include "session/command/CommandRow.h"
+#include "session/structure/StructureEdit.h"
 
 namespace velum::session::detail {
 
@@ -45,6 +46,18 @@ std::vector<Command> letteringCommands() {
           [](Scene& scene, const ListInLegend& a) {
             typeNumbers(scene, a.types);  // says which are none
             listInLegend(scene, a.types, a.listed);
+          }),
+      editRow<ListStructuresInLegend>(
+          "Lists structures in the legend, or takes them out of its list; with an empty list it names what is shown.",
+          "structure.listInLegend heart,aorta",
+          [](const Scene& scene, const ListStructuresInLegend& a) {
+            return structureLabel(
+                scene, a.listed ? "List in legend:" : "Take out of legend:", structureIds(scene, a.structures));
+          },
+          [](Scene& scene, const ListStructuresInLegend& a) {
+            std::vector<std::string> entries;
+            for (int id : structureIds(scene, a.structures)) entries.push_back(structureName(scene, id));
+            listInLegend(scene, entries, a.listed);
           }),
   };
 }

@@ -1,5 +1,6 @@
 #pragma once
 #include "session/command/ModelCommands.h"
+#include "session/command/StructureCommands.h"
 
 /// The arguments of commands of what is called how, and of what is written over pictures.
 namespace velum::session {
@@ -20,6 +21,16 @@ struct ListInLegend {
   bool listed = true;
   static void fields(auto& o, auto& visit) {
     visit("types", o.types, kTypesInfo);
+    visit("listed", o.listed, FieldInfo{"", {}, "Off: they are taken out of the legend's list."});
+  }
+};
+
+struct ListStructuresInLegend {
+  static constexpr std::string_view kName = "structure.listInLegend";
+  std::vector<std::string> structures;
+  bool listed = true;
+  static void fields(auto& o, auto& visit) {
+    visit("structures", o.structures, kStructuresInfo);
     visit("listed", o.listed, FieldInfo{"", {}, "Off: they are taken out of the legend's list."});
   }
 };

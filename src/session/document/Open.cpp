@@ -241,7 +241,7 @@ void add(scene::Scene& scene, const scene::Source& source, Progress& progress, s
     bool isAlone = !scene::hasData(scene);
     scene.model.source = source;
     readModelInto(scene.model, progress, Notes{notes});
-    if (isAlone) scene::applyModelLook(scene, scene::kFirstModelLook);
+    if (isAlone) scene::applyFirstModelLook(scene);
     return;
   }
   if (scene.volume.data) return addLabels(scene, source, progress);

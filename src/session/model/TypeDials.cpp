@@ -104,11 +104,12 @@ std::vector<TypeDial> makeDials(const scene::Scene& scene, const std::vector<int
     setDial(open, cuts, path, field, 1.0);
   }
   std::vector<render::InstanceState> openStates, closedStates;
-  if (field == DialField::ViewShare) closedStates = render::instanceStates(closed, sheets, aspect);
-  if (field == DialField::ViewShare || hasFocus(scene)) openStates = render::instanceStates(open, sheets, aspect);
+  if (field == DialField::ViewShare) closedStates = render::instanceStates(closed, sheets, aspect, types);
+  if (field == DialField::ViewShare || hasFocus(scene))
+    openStates = render::instanceStates(open, sheets, aspect, types);
   std::vector<std::vector<float>> shares;
   if (field == DialField::Share) shares = render::stayingShares(open, cuts, types, sheets);
-  std::vector<std::uint8_t> kept = render::keptInstances(scene, sheets, aspect);
+  std::vector<std::uint8_t> kept = render::keptInstances(scene, sheets, aspect, types);
   std::vector<TypeDial> dials;
   std::unordered_map<std::string, std::size_t> places;
   std::vector<std::vector<std::size_t>> rows;  // of the types of each dial
@@ -201,7 +202,9 @@ void searchNumber(scene::Scene& scene, const std::vector<int>& cuts, const TypeD
 /// Rendered instances by dial.
 std::vector<std::uint64_t> countDials(const scene::Scene& scene, const std::vector<TypeDial>& dials,
                                       const render::SheetIndices& sheets, double aspect) {
-  std::vector<std::uint8_t> kept = render::keptInstances(scene, sheets, aspect);
+  TypeNumbers types;
+  for (const TypeDial& dial : dials) types.insert(types.end(), dial.types.begin(), dial.types.end());
+  std::vector<std::uint8_t> kept = render::keptInstances(scene, sheets, aspect, types);
   std::vector<bool> shown = visibleTypes(scene.model);
   std::vector<std::uint64_t> counts(dials.size(), 0);
   parallelFor(std::size_t(0), dials.size(), [&](std::size_t i) {

@@ -1,0 +1,35 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "makeModel.h"
+#include "scene/Scene.h"
+#include "session/command/Command.h"
+#include "session/lettering/Legend.h"
+
+namespace velum::session {
+
+/// Five types, of which the picture shows the more the higher their number is.
+inline scene::Scene lettered(glm::vec3 ground) {
+  scene::Scene scene;
+  scene.unit = LengthUnit::Angstrom;
+  scene.model.data = Shared<Model>(ModelMaker{.types = 5}.make());
+  scene.camera = scene::frameCamera(scene, scene::StandardView::Oblique, 1.5);
+  scene.background.top = scene.background.bottom = ground;
+  scene.lettering.legend = scene.lettering.scaleBar = true;
+  return scene;
+}
+inline const TypePixels kPixels{{1000, 2100, 3300, 4600, 6000}, 1000000};
+
+inline std::vector<std::string> namesOf(const scene::Scene& scene, const TypePixels& pixels = kPixels) {
+  std::vector<std::string> names;
+  for (const LegendEntry& entry : legendEntries(scene, pixels)) names.push_back(entry.name);
+  return names;
+}
+
+inline scene::Scene after(const scene::Scene& scene, const Call& call) {
+  Progress progress;
+  return editOf(scene, call, progress).after;
+}
+
+}  // namespace velum::session

@@ -1,6 +1,6 @@
 #include "app/StoreInfo.h"
 
-#include <fmt/format.h>
+#include <filesystem>
 
 #include "core/VoxelSource.h"
 #include "io/stores/OpenStore.h"
@@ -58,7 +58,7 @@ Json describeStore(const scene::Source& source) {
   Json levels = Json::array();
   for (int i = 0; i < int(image->levels().size()); ++i) levels.push_back(describeLevel(*image, i));
   Json json = {{"kind", image->image().isLabels ? "labels" : "volume"},
-               {"name", head.name},
+               {"name", head.name.empty() ? std::filesystem::path(source.path).filename().string() : head.name},
                {"dims", listOf(head.dims, 3)},
                {"type", std::string(enumName(head.type))},
                {"spacingMm", listOf(spacingOf(head) * unitsPer(head.lengthUnit, LengthUnit::Millimetre), 3)},

@@ -59,7 +59,7 @@ bool convertAll(const std::byte* from, std::ptrdiff_t fromStep, std::byte* to, s
 
 /// Calls body with one sample of the stored type and one of the volume's.
 template <class Body>
-bool visitTypes(ChunkType type, Body&& body) {
+RowConverter visitTypes(ChunkType type, Body&& body) {
   using Kind = ChunkType::Kind;
   if (type.kind == Kind::Float) {
     if (type.bytes == 2) return body(Half{}, float{});
@@ -94,14 +94,12 @@ std::string nameOf(ChunkType type) {
   return fmt::format("{}{}", kNames[int(type.kind)], 8 * type.bytes);
 }
 
-bool convertRow(ChunkType type, const std::byte* from, std::ptrdiff_t fromStep, std::byte* to, std::ptrdiff_t toStep,
-                int count) {
+RowConverter rowConverter(ChunkType type) {
   bool isSwapped = type.bytes > 1 && type.isBigEndian != (std::endian::native == std::endian::big);
-  return visitTypes(type, [&](auto stored, auto sample) {
+  return visitTypes(type, [&](auto stored, auto sample) -> RowConverter {
     using Stored = decltype(stored);
     using Sample = decltype(sample);
-    return isSwapped ? convertAll<Stored, Sample, true>(from, fromStep, to, toStep, count)
-                     : convertAll<Stored, Sample, false>(from, fromStep, to, toStep, count);
+    return isSwapped ? convertAll<Stored, Sample, true> : convertAll<Stored, Sample, false>;
   });
 }
 

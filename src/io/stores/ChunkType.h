@@ -22,10 +22,10 @@ SampleType sampleTypeOf(ChunkType type);
 /// "uint16", "float16", as Zarr calls it.
 std::string nameOf(ChunkType type);
 
-/// Brings a row of samples into a volume's type and the machine's byte order.
-/// @param from, fromStep  the first stored sample, and the bytes from each to the next; 0: the same one again and again
-/// @return false when one is a whole number that 32 bits cannot hold
-bool convertRow(ChunkType type, const std::byte* from, std::ptrdiff_t fromStep, std::byte* to, std::ptrdiff_t toStep,
-                int count);
+/// Brings a row of samples into a volume's type and the machine's byte order; false when one is a whole number that 32
+/// bits cannot hold. The steps are the bytes from each sample to the next; fromStep 0: the same one again and again.
+using RowConverter = bool (*)(const std::byte* from, std::ptrdiff_t fromStep, std::byte* to, std::ptrdiff_t toStep,
+                              int count);
+RowConverter rowConverter(ChunkType type);
 
 }  // namespace velum::io

@@ -183,14 +183,15 @@ void ZarrSource::read(const BrickAddress& address, const SampleTarget& target) c
   // Copy them, row by row.
   const std::byte* first = bytes ? bytes->data() : array.fill.data();
   BrickBox box = boxOf(*this, address);
+  RowConverter convert = rowConverter(array.type);
   bool fits = true;
   for (int t = 0; t < box.timeSteps; ++t)
     for (int c = 0; c < box.channels; ++c)
       for (int z = 0; z < box.size.z; ++z)
         for (int y = 0; y < box.size.y; ++y)
-          fits = convertRow(array.type, first + t * stepT + c * stepC + z * stepZ + y * stepY, stepX,
-                            target.first + t * target.timeStep + c * target.channel + z * target.z + y * target.y,
-                            target.x, box.size.x) &&
+          fits = convert(first + t * stepT + c * stepC + z * stepZ + y * stepY, stepX,
+                         target.first + t * target.timeStep + c * target.channel + z * target.z + y * target.y,
+                         target.x, box.size.x) &&
                  fits;
   if (!fits)
     refuse(mStore->pathOf(array.key),

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "app/Inputs.h"
+#include "app/StoreInfo.h"
 #include "app/Text.h"
 #include "app/Verbs.h"
 #include "core/Error.h"
@@ -12,6 +13,7 @@
 #include "io/labels/ReadLabels.h"
 #include "io/meshes/ReadMesh.h"
 #include "io/models/ReadModel.h"
+#include "io/stores/OpenStore.h"
 #include "io/volumes/Formats.h"
 #include "io/volumes/ReadVolume.h"
 #include "scene/GreyWindows.h"
@@ -258,6 +260,8 @@ int run(const InfoOptions& options) {
       json = describe(io::readMesh(path, progress));
     else if (kind == io::FileKind::Model && !options.labels)
       json = describe(io::readModel(path, progress));
+    else if (io::isStore(path) && !options.labels && options.input.inputs.size() == 1)
+      json = describeStore(source);
     else if (options.labels)
       json = describe(io::readLabels(source, progress));
     else
@@ -269,6 +273,7 @@ int run(const InfoOptions& options) {
       json["series"].push_back({{"uid", s.uid},
                                 {"description", s.description},
                                 {"modality", s.modality},
+                                {"segmentation", s.isSegmentation},
                                 {"images", s.imageCount},
                                 {"size", list(s.size, 2)}});
   }

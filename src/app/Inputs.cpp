@@ -51,7 +51,11 @@ void addInput(CLI::App& verb, InputOptions& input, bool withScene) {
   verb.add_option("input", input.inputs,
                   "data file, DICOM folder, scene or picture of ours, - for standard input; then labels and surfaces")
       ->required();
-  verb.add_option("--series", input.series, "DICOM series UID, when a folder holds several");
+  verb.add_option("--series", input.series,
+                  "DICOM series UID, when a folder holds several; of a Zarr store: path of an image in it");
+  verb.add_option("--level", input.level,
+                  "of a pyramid: 0 reads the finest level; else the finest that fits into memory")
+      ->check(CLI::Range(0, 62));
   verb.add_option("--spacing", input.spacing, "voxel spacing x,y,z in mm, over the file's own")
       ->delimiter(',')
       ->expected(3);
@@ -132,6 +136,7 @@ scene::Source firstSource(const InputOptions& input) {
   scene::Source source;
   source.path = fileOfInput(input.inputs.front());
   source.series = input.series;
+  source.level = input.level;
   if (!input.raw.empty()) source.raw = parseRaw(input.raw);
   if (!input.spacing.empty()) source.spacing = {input.spacing[0], input.spacing[1], input.spacing[2]};
   for (double length : input.spacing)

@@ -6,6 +6,7 @@
 
 #include "app/Common.h"
 #include "scene/SceneFwd.h"
+#include "scene/Source.h"
 #include "session/Session.h"
 #include "session/command/Command.h"
 
@@ -17,6 +18,7 @@ struct InputOptions {
   std::vector<std::string> inputs;
   std::vector<std::string> sets;  ///< path=value
   std::string series, preset, finish, transfer, view, labels;
+  int level = scene::kFittingLevel;
   bool hidesTable = false, makesSurface = false;
   std::vector<double> spacing;
   std::optional<bool> smooth;

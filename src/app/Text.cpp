@@ -75,6 +75,39 @@ void printVolume(const Json& json) {
   line("first look", textIn(json, "preset"));
 }
 
+std::string productOf(const Json& sizes) {
+  std::vector<double> numbers = sizes.get<std::vector<double>>();
+  return fmt::format("{}", fmt::join(numbers, " x "));
+}
+
+/// A store of levels, of which no voxel was read.
+void printStore(const Json& json) {
+  fmt::print("{}: {} in a store\n", textIn(json, "name"), textIn(json, "kind"));
+  printVoxels(json);
+  line("values", textIn(json, "type"));
+  line("axes", textIn(json, "axes"));
+  line("unit", textIn(json, "unitInFile"));
+  if (int channels = json["channels"].get<int>(); channels > 1) line("channels", fmt::format("{}", channels));
+  for (const Json& channel : json["channelList"])
+    line("channel", textIn(channel, "name") + (channel.contains("window")
+                                                   ? fmt::format(", {} to {}", channel["window"][0].get<double>(),
+                                                                 channel["window"][1].get<double>())
+                                                   : ""));
+  if (int frames = json["frames"].get<int>(); frames > 1) line("time steps", fmt::format("{}", frames));
+  const Json& levels = json["levels"];
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    const Json& level = levels[i];
+    std::string shard = level.contains("shard") ? " in shards of " + productOf(level["shard"]) : "";
+    line(fmt::format("level {}", i), fmt::format("{}, {}, chunks of {}{}, {}", productOf(level["dims"]),
+                                                 lengths(level["spacingMm"].get<std::vector<double>>()),
+                                                 productOf(level["chunk"]), shard, textIn(level, "codec")));
+  }
+  if (json["levelsAlignedByBorders"].get<bool>())
+    line("levels", "their places are not in the file; they are taken as means of blocks, border on border");
+  if (json.contains("levelRead") && levels.size() > 1)
+    line("to be read", fmt::format("level {}; --level says another", json["levelRead"].get<int>()));
+}
+
 void printLabels(const Json& json) {
   fmt::print("{}: labels\n", textIn(json, "name"));
   printVoxels(json);
@@ -147,14 +180,24 @@ Json valuesJson(const session::StructureValues& values) {
 void printForPeople(const Json& report) {
   std::string kind = textIn(report, "kind");
   if (kind.empty()) return printTables(report);
-  if (kind == "volume") printVolume(report);
-  if (kind == "labels") printLabels(report);
+  bool isStore = report.contains("levels");
+  if (isStore) printStore(report);
+  if (kind == "volume" && !isStore) printVolume(report);
+  if (kind == "labels" && !isStore) printLabels(report);
   if (kind == "model") printModel(report);
   if (kind == "surface") printSurface(report);
   if (report.contains("labels")) printLabels(report["labels"]);
   for (const Json& warning : report["warnings"]) line("note", printable(warning.get<std::string>()));
   if (!report.contains("series")) return;
-  line("DICOM series", "one opens with --series UID");
+  if (isStore && report["series"].size() < 2) return;
+  line(isStore ? "images" : "DICOM series", isStore ? "one opens with --series PATH" : "one opens with --series UID");
+  if (isStore) {
+    for (const Json& series : report["series"])
+      fmt::print("    {} \"{}\", {} planes of {} x {}, {}\n", series.value("segmentation", false) ? "labels" : "image",
+                 textIn(series, "description"), series["images"].get<int>(), series["size"][0].get<int>(),
+                 series["size"][1].get<int>(), textIn(series, "uid"));
+    return;
+  }
   for (const Json& series : report["series"])
     fmt::print("    {} \"{}\", {} images of {} x {}, {}\n", textIn(series, "modality"), textIn(series, "description"),
                series["images"].get<int>(), series["size"][0].get<int>(), series["size"][1].get<int>(),

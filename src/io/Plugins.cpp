@@ -6,7 +6,9 @@
 #include <filesystem>
 
 #include "core/Error.h"
+#include "io/stores/OpenStore.h"
 #include "io/volumes/DicomSoundness.h"
+#include "io/volumes/StoreSeries.h"
 
 namespace velum::io {
 
@@ -62,11 +64,13 @@ bool isDicomIndex(const Path& path) { return isDicomFile(path) && gdcmPlugin().i
 bool isDicomSeg(const Path& path) { return isDicomFile(path) && gdcmPlugin().isDicomSeg(path); }
 bool isRtStruct(const Path& path) { return isDicomFile(path) && gdcmPlugin().isRtStruct(path); }
 std::vector<SeriesInfo> listSeries(const Path& path, Progress& progress) {
+  if (isStore(path)) return seriesInStore(path, progress);
   // What lies beside a file of another format is none of its business.
   if (std::filesystem::exists(path) && !std::filesystem::is_directory(path) && !mayBeDicom(path)) return {};
   return gdcmPlugin().listSeries(path, progress);
 }
 Volume readSeriesImage(const SeriesInfo& series, Progress& progress) {
+  if (isStore(series.middleFile)) return readStorePicture(series.middleFile, progress);
   return gdcmPlugin().readSeriesImage(series, progress);
 }
 

@@ -9,6 +9,9 @@ namespace velum::scene {
 /// Least and largest usable edge of a voxel, in any unit; with others no picture can be computed.
 inline constexpr double kLeastSpacing = 1e-12, kMostSpacing = 1e9;
 
+/// The level of a pyramid that is the finest that fits into memory.
+inline constexpr int kFittingLevel = -1;
+
 /// How to read a file without a header. Used when dims are positive.
 struct RawLayout {
   glm::ivec3 dims{0};                   ///< voxels along x (fastest), y, z; (0,0,0): the file says
@@ -28,15 +31,23 @@ struct RawLayout {
 
 /// Where data comes from and how it is to be read. A saved path is relative to the scene file.
 struct Source {
-  std::string path;         ///< file, or folder of images
-  std::string series;       ///< DICOM SeriesInstanceUID when the folder holds several; empty: the largest
-  RawLayout raw;            ///< for files without a header
-  glm::dvec3 spacing{0.0};  ///< overrides the file's spacing where positive
-  std::string fingerprint;  ///< of the file when it was read, to know it again (session/Sources.h); empty: not known
+  std::string path;           ///< file, or folder of images
+  std::string series;         ///< DICOM SeriesInstanceUID when the folder holds several; empty: the largest. Of a store
+                              ///< (Zarr): the path of an image in it; empty: the first
+  int level = kFittingLevel;  ///< of a pyramid: 0 the finest
+  RawLayout raw;              ///< for files without a header
+  glm::dvec3 spacing{0.0};    ///< overrides the file's spacing where positive
+  std::string fingerprint;    ///< of the file when it was read, to know it again (session/Sources.h); empty: not known
   bool operator==(const Source&) const = default;
   static void fields(auto& o, auto& visit) {
     visit("path", o.path, FieldInfo{"", {}, "File or folder, relative to the scene file."});
-    visit("series", o.series, FieldInfo{"", {}, "DICOM series UID, when the folder holds several."});
+    visit(
+        "series", o.series,
+        FieldInfo{"", {}, "DICOM series UID, when the folder holds several; of a Zarr store: path of an image in it."});
+    visit("level", o.level,
+          FieldInfo{.range = {kFittingLevel, 62},
+                    .doc = "Level of a pyramid, 0 the finest; -1: the finest that fits into memory.",
+                    .leftOutByDefault = true});
     visit("raw", o.raw, FieldInfo{"", {}, "How to read a file without a header."});
     visit("spacing", o.spacing,
           FieldInfo{"", {0, kMostSpacing}, "Overrides the file's voxel spacing where positive, in the file's unit."});

@@ -1,5 +1,4 @@
-// fuzz-seeds FOLDER: sound files for each fuzz target to begin with, in a folder of its name. What they hold is a
-// corner of each phantom.
+// fuzz-seeds FOLDER: sound files for each fuzz target to begin with, in a folder of its name: corners of phantoms.
 #include <cstdio>
 #include <cstring>
 #include <fstream>
@@ -8,6 +7,7 @@
 #include "../io/BinaryCifParts.h"
 #include "../io/SegyBytes.h"
 #include "../support/DicomParts.h"
+#include "ZarrSeeds.h"
 #include "core/Error.h"
 #include "core/ModelBuilder.h"
 #include "io/images/ImageFile.h"
@@ -236,8 +236,8 @@ void putMeshes() {
           points + '\3' + bytesOf(std::int32_t(0), true) + bytesOf(std::int32_t(1), true) +
           bytesOf(std::int32_t(2), true));
   put("stl", "text",
-      "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid "
-      "a\n");
+      "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n"
+      "endsolid a\n");
   put("obj", "text",
       "mtllib a.mtl\no a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nvn 0 0 1\nvt 0 0\nusemtl b\n"
       "f 1/1/1 2//1 3\nf -4 -3 -2 -1\n");
@@ -246,8 +246,7 @@ void putMeshes() {
       "<Piece NumberOfPoints=\"4\" NumberOfPolys=\"1\" NumberOfStrips=\"1\"><Points><DataArray type=\"Float32\" "
       "NumberOfComponents=\"3\" format=\"ascii\">0 0 0 1 0 0 0 1 0 1 1 1</DataArray></Points><Polys><DataArray "
       "type=\"Int64\" Name=\"connectivity\" format=\"ascii\">0 1 2</DataArray><DataArray type=\"Int64\" "
-      "Name=\"offsets\" "
-      "format=\"ascii\">3</DataArray></Polys><Strips><DataArray type=\"Int32\" Name=\"connectivity\" "
+      "Name=\"offsets\" format=\"ascii\">3</DataArray></Polys><Strips><DataArray type=\"Int32\" Name=\"connectivity\" "
       "format=\"ascii\">0 1 2 3"
       "</DataArray><DataArray type=\"Int32\" Name=\"offsets\" "
       "format=\"ascii\">4</DataArray></Strips></Piece></PolyData>"
@@ -395,6 +394,7 @@ void putAll() {
   put("label-table", "caret",
       "<CaretExtension><LabelTable><Label Key=\"1\" Red=\"1\" Green=\"0\" Blue=\"0\" Alpha=\"1\">"
       "<![CDATA[a]]></Label></LabelTable></CaretExtension>");
+  for (auto& [name, bytes] : storeRecords(root / "zarr-files")) put("zarr", name, bytes);
   putMeshes();
 }
 

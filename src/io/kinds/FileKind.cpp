@@ -16,6 +16,7 @@
 #include "io/meshes/WriteMesh.h"
 #include "io/models/ReadModel.h"
 #include "io/models/WriteModel.h"
+#include "io/stores/OpenStore.h"
 #include "io/volumes/Formats.h"
 
 namespace velum::io {
@@ -60,7 +61,10 @@ FileKind kindOf(const fs::path& path) {
 }
 
 FileKind kindOf(const scene::Source& source) {
-  return source.raw.dims.x > 0 ? FileKind::Volume : kindOf(fs::path(source.path));
+  if (source.raw.dims.x > 0) return FileKind::Volume;
+  if (!source.series.empty() && isStore(source.path))
+    return holdsLabels(source.path, source.series) ? FileKind::Labels : FileKind::Volume;
+  return kindOf(fs::path(source.path));
 }
 
 std::vector<WrittenFormat> writable(FileKind kind) {

@@ -10,6 +10,7 @@
 #include "io/read/ByteSource.h"
 #include "io/read/FileNames.h"
 #include "io/read/Placement.h"
+#include "io/stores/OpenStore.h"
 #include "io/volumes/DicomFile.h"
 #include "io/volumes/FormatTable.h"
 #include "io/volumes/NiftiHeader.h"
@@ -57,7 +58,9 @@ std::vector<LabelInfo> namesInNifti(const NiftiHeader& header) {
   return {};
 }
 
-std::vector<LabelInfo> tableOf(const Path& path, std::vector<std::string>& warnings) {
+std::vector<LabelInfo> tableOf(const scene::Source& source, std::vector<std::string>& warnings) {
+  Path path = source.path;
+  if (isStore(path)) return openImage(path, source.series)->image().structures;
   if (isNifti(path))
     if (auto table = namesInNifti(readNiftiHeader(path)); !table.empty()) return table;
   for (const Path& beside : tablesBeside(path)) {
@@ -132,7 +135,8 @@ LabelVolume convert(const Volume& v, Overlay& overlay, const Path& path, Progres
   return labels;
 }
 
-LabelVolume labelsFrom(const Volume& v, const Path& path, Progress& progress) {
+LabelVolume labelsFrom(const Volume& v, const scene::Source& source, Progress& progress) {
+  Path path = source.path;
   auto segments = segmentsOf(path);
   if (v.channels > 1 && (segments.empty() || v.isColor))
     refuse(path, fmt::format("is no label volume: it has {} samples per voxel", v.channels));
@@ -161,7 +165,7 @@ LabelVolume labelsFrom(const Volume& v, const Path& path, Progress& progress) {
   if (renumbered > 0)
     labels.warnings.push_back(fmt::format(
         "{} segments have numbers of their own here: in the file they share values of other layers", renumbered));
-  if (table.empty()) table = tableOf(path, labels.warnings);
+  if (table.empty()) table = tableOf(source, labels.warnings);
   labels.table = completeTable(std::move(table), labels.idsInUse());
   return labels;
 }
@@ -196,6 +200,7 @@ Volume readOn(const LabelGrid& scan, const scene::Source& source, Progress& prog
 /// Files of segments where a folder, or a medium, holds no images; nothing for all else.
 std::vector<DicomFile> labelsAloneIn(const Path& path, Progress& progress) {
   bool isFolder = std::filesystem::is_directory(path);
+  if (isFolder && isStore(path)) return {};
   if (!isFolder && !isDicomIndex(path)) return {};
   try {
     return labelsWithoutImages(isFolder ? path : path.parent_path(), progress);
@@ -231,7 +236,7 @@ std::optional<LabelVolume> readDicomLabels(const scene::Source& source, Progress
 LabelVolume readLabels(const scene::Source& source, Progress& progress, const std::optional<LabelGrid>& scan) {
   if (auto labels = readDicomLabels(source, progress)) return std::move(*labels);
   Volume volume = scan ? readOn(*scan, source, progress) : readVolume(source, progress);
-  return labelsFrom(volume, source.path, progress);
+  return labelsFrom(volume, source, progress);
 }
 
 std::variant<Volume, LabelVolume> readVoxels(const scene::Source& source, Progress& progress) {
@@ -239,22 +244,22 @@ std::variant<Volume, LabelVolume> readVoxels(const scene::Source& source, Progre
   bool hasLayout = source.raw.dims.x > 0;
   if (hasLayout) return readVolume(source, progress);
   if (auto labels = readDicomLabels(source, progress)) return std::move(*labels);
-  if (!looksLikeLabels(path)) {
+  if (!looksLikeLabels(path) && !holdsLabels(path, source.series)) {
     Volume volume = readVolume(source, progress);
     if (!holdsNothingButIds(volume)) return volume;
-    return labelsFrom(volume, path, progress);
+    return labelsFrom(volume, source, progress);
   }
-  if (!segmentsOf(path).empty()) return readLabels(source, progress);
+  if (!segmentsOf(path).empty() || holdsLabels(path, source.series)) return readLabels(source, progress);
   Volume volume = readVolume(source, progress);
   if (!holdsAreasOfIds(volume)) return volume;
-  return labelsFrom(volume, path, progress);
+  return labelsFrom(volume, source, progress);
 }
 
 bool looksLikeLabels(const std::filesystem::path& path) {
   try {
     if (nameSaysLabels(path)) return true;
     Progress unseen;
-    if (!labelsAloneIn(path, unseen).empty()) return true;
+    if (!labelsAloneIn(path, unseen).empty() || holdsLabels(path, "")) return true;
     if (!std::filesystem::is_regular_file(path)) return false;
     if (isDicomSeg(path) || isRtStruct(path) || !segmentsOf(path).empty()) return true;
     if (!isNifti(path)) return false;

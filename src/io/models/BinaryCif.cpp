@@ -12,7 +12,7 @@
 
 #include "core/FileName.h"
 #include "io/models/CifColumns.h"
-#include "io/models/JsonParts.h"
+#include "io/read/JsonParts.h"
 
 namespace velum::io {
 

@@ -11,7 +11,7 @@
 #include "core/FileName.h"
 #include "core/Parallel.h"
 #include "io/models/Completion.h"
-#include "io/models/JsonParts.h"
+#include "io/read/JsonParts.h"
 #include "io/models/ModelReaders.h"
 #include "io/models/Recipe.h"
 #include "io/models/StructureFiles.h"

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "io/models/CifTable.h"
-#include "io/models/JsonParts.h"
+#include "io/read/JsonParts.h"
 
 namespace velum::io {
 

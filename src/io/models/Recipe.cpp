@@ -8,7 +8,7 @@
 
 #include "core/FileName.h"
 #include "core/Text.h"
-#include "io/models/JsonParts.h"
+#include "io/read/JsonParts.h"
 #include "io/read/ByteSource.h"
 #include "io/read/FileNames.h"
 

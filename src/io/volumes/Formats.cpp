@@ -7,6 +7,7 @@
 #include "io/read/ByteSource.h"
 #include "io/read/FileBytes.h"
 #include "io/read/FileNames.h"
+#include "io/stores/OpenStore.h"
 
 #include "io/volumes/FormatTable.h"
 
@@ -34,6 +35,7 @@ bool isTiff(const FileHead& h) {
   return holds(h, 0, std::string_view("II*\0", 4)) || holds(h, 0, std::string_view("MM\0*", 4)) ||
          holds(h, 0, std::string_view("II+\0", 4)) || holds(h, 0, std::string_view("MM\0+", 4));
 }
+bool isZarr(const FileHead& h) { return isStoreArchive(h.path, h.bytes); }
 bool isVdb(const FileHead& h) { return holds(h, 0, " BDV"); }
 bool isOtherThanDicom(const FileHead& head);
 
@@ -62,6 +64,7 @@ constexpr FormatRow kTable[] = {
     {{"SEG-Y", ".sgy .segy", true, ""}, nullptr, readSegy, nullptr},
     {{"TIFF", ".tif .tiff", true, ""}, isTiff, readTiff, nullptr},
     {{"OpenVDB", ".vdb", true, ".vdb"}, isVdb, readVdb, writeVdb},
+    {{"OME-Zarr", ".zarr .ozx .zarr.zip", true, ""}, isZarr, readZarr, nullptr},
     {{"InVesalius project", ".inv3", true, ""}, nullptr, readInvesalius, nullptr},
     {{"Raw", ".raw .bin .img .den .dat .vol .data .raw.gz", true, ""}, nullptr, readRaw, nullptr},
 };

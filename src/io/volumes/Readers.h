@@ -40,6 +40,7 @@ Volume readTiff(const scene::Source& source, Progress& progress);
 Volume readVdb(const scene::Source& source, Progress& progress);
 std::vector<std::string> writeVdb(const Volume& volume, ReplaceFile& file, Progress& progress);
 Volume readRaw(const scene::Source& source, Progress& progress);
+Volume readZarr(const scene::Source& source, Progress& progress);  // folders and archives
 Volume readInvesalius(const scene::Source& source, Progress& progress);  // .inv3
 
 }  // namespace velum::io

@@ -1,9 +1,11 @@
 #pragma once
+#include <glm/glm.hpp>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
+#include <vector>
 
-#include "io/models/ModelParts.h"
+#include "io/read/Refuse.h"
 
 /// Reads values from JSON that strangers wrote, in which anything may be of the wrong type.
 namespace velum::io {

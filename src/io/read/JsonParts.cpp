@@ -1,4 +1,4 @@
-#include "io/models/JsonParts.h"
+#include "io/read/JsonParts.h"
 
 #include <fmt/format.h>
 

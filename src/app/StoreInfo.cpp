@@ -1,0 +1,84 @@
+#include "app/StoreInfo.h"
+
+#include <filesystem>
+
+#include "core/VoxelSource.h"
+#include "io/stores/OpenStore.h"
+
+namespace velum::app {
+
+namespace {
+
+Json listOf(const auto& vector, int count) {
+  Json list = Json::array();
+  for (int i = 0; i < count; ++i) list.push_back(vector[i]);
+  return list;
+}
+
+Json describeLevel(const io::ZarrSource& source, int number) {
+  const VoxelLevel& level = source.levels()[std::size_t(number)];
+  const io::ZarrArray& stored = source.stored(number);
+  double mm = unitsPer(source.head().lengthUnit, LengthUnit::Millimetre);
+  glm::dmat3 axes(level.worldFromVoxel);
+  glm::dvec3 spacing(glm::length(axes[0]), glm::length(axes[1]), glm::length(axes[2]));
+  Json json = {{"path", stored.key},
+               {"dims", listOf(level.dims, 3)},
+               {"spacingMm", listOf(spacing * mm, 3)},
+               {"originMm", listOf(glm::dvec3(level.worldFromVoxel[3]) * mm, 3)},
+               {"bytes", levelBytes(source, number)},
+               {"storedType", io::nameOf(stored.type)},
+               {"chunk", stored.brick},
+               {"codec", stored.packing}};
+  if (stored.shard) json["shard"] = stored.chunk;
+  return json;
+}
+
+Json describeChannels(const io::ZarrSource& source) {
+  const Volume& head = source.head();
+  Json channels = Json::array();
+  for (std::size_t i = 0; i < head.channelNames.size(); ++i) {
+    Json channel = {{"name", head.channelNames[i]}};
+    if (!head.channelColors.empty()) channel["color"] = listOf(head.channelColors[i], 3);
+    if (!source.channelWindows().empty()) channel["window"] = listOf(source.channelWindows()[i], 2);
+    channels.push_back(channel);
+  }
+  return channels;
+}
+
+}  // namespace
+
+Json describeStore(const scene::Source& source) {
+  auto image = io::openImage(source.path, source.series);
+  const Volume& head = image->head();
+  std::string axes, units;
+  for (const io::OmeAxis& axis : image->image().axes) {
+    axes += (axes.empty() ? "" : " ") + axis.name;
+    if (units.empty()) units = axis.role >= io::OmeAxis::Role::Z ? axis.unit : "";
+  }
+  Json levels = Json::array();
+  for (int i = 0; i < int(image->levels().size()); ++i) levels.push_back(describeLevel(*image, i));
+  Json json = {{"kind", image->image().isLabels ? "labels" : "volume"},
+               {"name", head.name.empty() ? std::filesystem::path(source.path).filename().string() : head.name},
+               {"dims", listOf(head.dims, 3)},
+               {"type", std::string(enumName(head.type))},
+               {"spacingMm", listOf(spacingOf(head) * unitsPer(head.lengthUnit, LengthUnit::Millimetre), 3)},
+               {"unitInFile", units},
+               {"axes", axes},
+               {"channels", head.channels},
+               {"frames", head.timeSteps},
+               {"frameSeconds", head.timeStepSeconds},
+               {"spacingKnown", head.isSpacingKnown},
+               {"levels", levels},
+               {"levelsAlignedByBorders", image->isAlignedByBorders()},
+               {"channelList", describeChannels(*image)}};
+  std::vector<std::string> warnings = head.warnings;
+  try {
+    json["levelRead"] = io::levelToRead(*image, source);
+  } catch (const InputError& error) {
+    warnings.push_back(error.what());
+  }
+  json["warnings"] = warnings;
+  return json;
+}
+
+}  // namespace velum::app

@@ -1,0 +1,35 @@
+#pragma once
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "io/stores/ZarrSource.h"
+#include "scene/Source.h"
+
+/// Opens stores of chunked volumes: folders, or archives of them, in Zarr.
+namespace velum::io {
+
+/// True for a folder with metadata of Zarr, or an archive of one. Any thread.
+bool isStore(const Path& path);
+/// True for the first bytes of an archive that may hold a store. @param path  its name may tell, too
+bool isStoreArchive(const Path& path, std::string_view head);
+
+/// The images in a store. @throw InputError
+std::vector<StoreImage> imagesIn(const Path& path);
+
+/// Opens an image of a store. Metadata is read, and no voxel.
+/// @param image  its key, one of those of imagesIn(); empty: the first
+/// @throw InputError for a store or an image that is missing, damaged or not supported
+std::unique_ptr<ZarrSource> openImage(const Path& path, const std::string& image);
+
+/// The level that readVolume() reads: the one that is asked for, or else the finest that fits into an eighth of the
+/// machine's memory. @throw InputError when there is no such level, or it is too large
+int levelToRead(const VoxelSource& of, const scene::Source& source);
+
+/// True for a store whose image of that key (empty: the first) has ids for samples. False for what is no store, or
+/// cannot be read. Any thread.
+bool holdsLabels(const Path& path, const std::string& image);
+
+}  // namespace velum::io

@@ -26,7 +26,7 @@ constexpr float kShares[] = {0.72f, 0.80f, 0.88f, 1.0f};
 constexpr int kDirections = 42;
 // What computeLevels() finds for most clusters of proteins and lipids: the share, and the error in cells. Cells that
 // no mean has moved are somewhat worse.
-constexpr float kQuickShare = 0.80f, kQuickError = 0.6f;
+constexpr float kQuickShare = 0.80f, kQuickError = 0.8f;
 constexpr float kUnmeasured = 1e-3f;  // angstrom: what the finest of quick levels claims, which nobody sees
 
 /// Directions all around, evenly [FIBONACCI].

@@ -92,6 +92,19 @@ TEST_F(LevelWorkerCase, WorkForAModelThatHasGoneIsGivenUp) {
   EXPECT_FALSE(mWorker.hasRests());
 }
 
+/// Another model was opened while the last piece of the work was on its way.
+TEST_F(LevelWorkerCase, LevelsOfOneModelAreNeverGivenToAnother) {
+  mWorker.follow(withQuickLevels());
+  Worker::Finish finish = mWorker.nextWork()(mProgress);
+  mModel = Shared<Model>(ModelMaker{.types = 2, .atoms = 30, .seed = 9}.make());
+  scene::Scene other = withQuickLevels();
+  mWorker.follow(other);
+  mWorker.endWork(finish, {});
+  EXPECT_FALSE(mWorker.hasRests());
+  bringToRest(other);
+  EXPECT_EQ(*other.model.levels, computed());
+}
+
 TEST_F(LevelWorkerCase, WorkThatHasFailedIsNotBegunAgain) {
   mWorker.follow(withQuickLevels());
   ASSERT_TRUE(mWorker.nextWork());

@@ -21,6 +21,12 @@ int ceilOf(float value) {
   return whole + (float(whole) < value ? 1 : 0);
 }
 
+/// The bits of a word of a row from one pixel of the row to another, both included; the word has one of them.
+std::uint64_t runIn(int word, int from, int to) {
+  int first = std::max(from - word * 64, 0), last = std::min(to - word * 64, 63);
+  return (~std::uint64_t(0) >> (63 - last)) & (~std::uint64_t(0) << first);
+}
+
 }  // namespace
 
 Silhouette::Silhouette(glm::vec3 side, std::span<const Ball> around, float pixel) : mPixel(pixel) {
@@ -48,10 +54,17 @@ Silhouette Silhouette::blank() const {
 /// Pixels from one to another, both included.
 void Silhouette::addRun(int y, int from, int to) {
   std::uint64_t* row = &mBits[std::size_t(y) * std::size_t(mWords)];
-  for (int word = from / 64; word <= to / 64; ++word) {
-    int first = std::max(from - word * 64, 0), last = std::min(to - word * 64, 63);
-    row[word] |= (~std::uint64_t(0) >> (63 - last)) & (~std::uint64_t(0) << first);
+  for (int word = from / 64; word <= to / 64; ++word) row[word] |= runIn(word, from, to);
+}
+
+/// True when all pixels of a rectangle are set, its edges included.
+bool Silhouette::covers(glm::ivec2 low, glm::ivec2 high) const {
+  for (int word = low.x / 64; word <= high.x / 64; ++word) {
+    const std::uint64_t run = runIn(word, low.x, high.x);
+    for (int y = low.y; y <= high.y; ++y)
+      if (run & ~mBits[std::size_t(y) * std::size_t(mWords) + std::size_t(word)]) return false;
   }
+  return true;
 }
 
 void Silhouette::add(std::span<const Ball> balls) {
@@ -60,6 +73,9 @@ void Silhouette::add(std::span<const Ball> balls) {
     glm::vec2 at = (glm::vec2(glm::dot(ball.centre, mRight), glm::dot(ball.centre, mUp)) - mLow) / mPixel;
     float radius = ball.radius / mPixel;
     int top = std::max(ceilOf(at.y - radius), 0), bottom = std::min(floorOf(at.y + radius), mSize.y - 1);
+    int left = std::max(ceilOf(at.x - radius), 0), right = std::min(floorOf(at.x + radius), mSize.x - 1);
+    // Most atoms lie behind others: that is seen sooner than their pixels are set.
+    if (left <= right && top <= bottom && covers({left, top}, {right, bottom})) continue;
     for (int y = top; y <= bottom; ++y) {
       float dy = float(y) - at.y, half = std::sqrt(std::max(radius * radius - dy * dy, 0.0f));
       int from = std::max(ceilOf(at.x - half), 0), to = std::min(floorOf(at.x + half), mSize.x - 1);

@@ -26,6 +26,7 @@ class Silhouette {
   bool holds(const Silhouette& other) const;
   void grow(bool diagonally);
   void addRun(int y, int from, int to);
+  bool covers(glm::ivec2 low, glm::ivec2 high) const;
 
   glm::vec3 mRight{0.0f}, mUp{0.0f};
   glm::vec2 mLow{0.0f};

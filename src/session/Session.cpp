@@ -10,6 +10,7 @@
 #include "core/Assert.h"
 #include "core/Clock.h"
 #include "session/Rest.h"
+#include "session/document/Folders.h"
 #include "session/picture/Film.h"
 
 namespace velum::session {
@@ -20,8 +21,9 @@ constexpr auto kPause = std::chrono::milliseconds(1);
 
 }  // namespace
 
-Session::Session(scene::Scene scene) {
+Session::Session(scene::Scene scene) : mLevels(levelFolder()) {
   mWorking.push_back({&mGrowth, nullptr, nullptr, {}, {}});
+  mWorking.push_back({&mLevels, nullptr, nullptr, {}, {}});
   mWorking.push_back({&mMembranes, &mMembranes, nullptr, {}, {}});
   mDocument.replace(std::move(scene));
   for (auto& working : mWorking) working.worker->follow(mDocument.scene());

@@ -15,6 +15,7 @@
 #include "session/look/ValueHistogram.h"
 #include "session/membrane/MembraneMover.h"
 #include "session/membrane/Membranes.h"
+#include "session/model/LevelWorker.h"
 #include "session/model/PictureCounter.h"
 
 namespace velum::session {
@@ -55,6 +56,7 @@ class Session {
   const MembraneMover& membranes() const { return mMembranes; }
   GrowthWorker& growth() { return mGrowth; }
   const GrowthWorker& growth() const { return mGrowth; }
+  const LevelWorker& levels() const { return mLevels; }
   /// The histograms that tools ask for when they measure materials.
   HistogramMemo& histograms() { return mHistograms; }
   /// Takes in what jobs have computed, writes into the document what has come to rest, begins the due work of workers
@@ -149,6 +151,7 @@ class Session {
   Document mDocument;
   WorkFile mFile{mDocument};
   GrowthWorker mGrowth;
+  LevelWorker mLevels;
   MembraneMover mMembranes{MembraneMover::Purpose::Rest};
   HistogramMemo mHistograms;
   std::vector<Working> mWorking;  ///< Never grows while jobs run: each job holds a reference to its element.

@@ -155,5 +155,44 @@ TEST(Levels, WithBeadsAloneBeginWithTheFinestBeads) {
   EXPECT_EQ(levels.front()[1].radius, 4.0f);
 }
 
+/// What a model is drawn with until its levels are there: the same atoms, and outlines that are nearly as good.
+TEST(Levels, QuickOnesHaveTheSameAtomsAndOutlinesThatAreNoFurtherOffThanTheyClaim) {
+  Model model = ModelMaker{.types = 3, .atoms = 1500, .instances = 3, .moleculeRadius = 24.0f}.make();
+  Progress progress;
+  LevelSet quick = model::makeQuickLevels(model, progress), made = computeLevels(model, progress);
+  EXPECT_TRUE(model::areQuick(quick));
+  EXPECT_FALSE(model::areQuick(made));
+  auto ballsOf = [](const LevelSet& set, const Level& level) {
+    return std::vector<Ball>(set.balls.begin() + level.first, set.balls.begin() + level.first + level.count);
+  };
+  constexpr int kEdge = 72;
+  constexpr float kPixel = 1.0f;
+  const glm::vec3 side(0.36f, -0.48f, 0.8f);
+  for (std::size_t m = 0; m < model.molecules.size(); ++m) {
+    auto levels = quick.of(m);
+    EXPECT_EQ(ballsOf(quick, levels.front()), ballsOf(made, made.of(m).front()));
+    EXPECT_EQ(levels.back().count, 1u);
+    auto atoms = silhouette(ballsOf(quick, levels.front()), side, kPixel, kEdge);
+    for (std::size_t l = 1; l < levels.size(); ++l) {
+      EXPECT_LT(levels[l].count, levels[l - 1].count);
+      EXPECT_GT(levels[l].error, levels[l - 1].error);
+      auto own = silhouette(ballsOf(quick, levels[l]), side, kPixel, kEdge);
+      float off = kPixel * std::max(farthest(atoms, own, kEdge), farthest(own, atoms, kEdge));
+      EXPECT_LE(off, levels[l].error + 2.0f * kPixel) << "molecule " << m << ", level " << l;
+    }
+  }
+}
+
+TEST(Levels, TheShareThatIsDoneGrowsAndEndsNearAll) {
+  Model model = ModelMaker{.types = 6, .atoms = 300}.make();
+  std::vector<double> told;
+  Progress progress([&](double fraction, const std::string&) { told.push_back(fraction); });
+  computeLevels(model, progress);
+  EXPECT_EQ(told.size(), 1 + model.molecules.size());
+  EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
+  EXPECT_EQ(told.front(), 0.0);
+  EXPECT_NEAR(told.back(), 1.0, 0.01);
+}
+
 }  // namespace
 }  // namespace velum

@@ -23,7 +23,7 @@ render::InstanceBits bitsOf(const Model& model, std::size_t shown, std::size_t r
   return bits;
 }
 
-scene::Scene modelScene() {
+scene::Scene countedScene() {
   scene::Scene scene;
   scene.unit = LengthUnit::Angstrom;
   scene.model.data = Shared<Model>(ModelMaker{}.make());
@@ -65,7 +65,7 @@ TEST(LiveCounts, ForgetAnotherModel) {
 }
 
 TEST(ClipState, IsWholeWhereNothingIsTakenAway) {
-  scene::Scene scene = modelScene();
+  scene::Scene scene = countedScene();
   EXPECT_EQ(clipState(scene), ClipState::Whole);
   scene::addCut(scene, makeCut(scene, scene::CutShape::Everywhere));
   EXPECT_EQ(clipState(scene), ClipState::Whole) << "it spares all until shares say so";
@@ -76,7 +76,7 @@ TEST(ClipState, IsWholeWhereNothingIsTakenAway) {
 }
 
 TEST(ClipState, IsThinnedWhereLotsDecide) {
-  scene::Scene scene = modelScene();
+  scene::Scene scene = countedScene();
   scene::addCut(scene, makeCut(scene, scene::CutShape::Sphere));
   setTypeShare(scene.cuts[0], "root.a", 1.0);
   EXPECT_EQ(clipState(scene), ClipState::Cut) << "all of a type";
@@ -90,7 +90,7 @@ TEST(ClipState, IsThinnedWhereLotsDecide) {
 }
 
 TEST(ClipState, IsWholeExactlyWhereNothingIsRemovedWhateverARowOrACutSays) {
-  scene::Scene whole = modelScene();
+  scene::Scene whole = countedScene();
   scene::Cut ball = makeCut(whole, scene::CutShape::Sphere);
   ball.size = glm::dvec3(300.0);
   ball.model.spares = {{.type = "root"}};
@@ -123,7 +123,7 @@ TEST(ClipState, IsWholeExactlyWhereNothingIsRemovedWhateverARowOrACutSays) {
 }
 
 TEST(ClipState, GoesToTheCutAndToTheWhole) {
-  scene::Scene scene = modelScene();
+  scene::Scene scene = countedScene();
   scene::addCut(scene, makeCut(scene, scene::CutShape::Sphere));
   scene::addCut(scene, makeCut(scene, scene::CutShape::Everywhere));
   for (scene::Cut& cut : scene.cuts) setTypeShare(cut, "root.a.type0", 0.4);

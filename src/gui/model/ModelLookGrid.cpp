@@ -10,7 +10,7 @@
 namespace velum::gui {
 
 ModelLookGrid::ModelLookGrid(session::Document& document, QWidget* parent)
-    : PictureGrid(document, {.pictureHeight = 72, .draw = session::drawModelPictures, .patienceMs = 6000}, parent) {
+    : PictureGrid(document, {.pictureHeight = 72, .draw = session::drawModelPictures, .patienceMs = 20'000}, parent) {
   column().setSpacing(6);
   column().insertWidget(0, makeTitle(tr("Look"), this));
   list().setObjectName("modelLook");

@@ -21,7 +21,6 @@ namespace {
 constexpr double kWorkMs = 8.0;         // a sixth of the 50 ms in which every view answers
 constexpr double kCoarseWorkMs = 28.0;  // a coarse picture in one piece: what waits is that picture
 constexpr int kStillMs = 140;           // a hand that pauses in a drag for less does not start a full picture
-constexpr int kTellMs = 250;            // how often the status line is told: the window is composed anew for each word
 constexpr int kShowMs = 150;            // how often a growing picture is shown: showing costs a pass over it
 
 /// While a tool drags something that wants the machine the picture stands, and the tool paints over it what changes.
@@ -49,6 +48,10 @@ Viewport::Viewport(session::Session& session, Toolbox& toolbox, QWidget* parent)
   mPauseTimer.setSingleShot(true);
   connect(&mPauseTimer, &QTimer::timeout, this, [this] { mSectionTimer.start(); });
   connect(&mToolbox, &Toolbox::activeChanged, this, &Viewport::sceneChanged);
+  mLevelTimer.setSingleShot(true);
+  connect(&mLevelTimer, &QTimer::timeout, this, [this] {
+    if (mStage == Stage::Idle) tellProgress();
+  });
   mPickTimer.setSingleShot(true);
   mPickTimer.setInterval(80);
   connect(&mPickTimer, &QTimer::timeout, this, &Viewport::pickUnderPointer);
@@ -84,6 +87,7 @@ void Viewport::release() {
   mSectionTimer.stop();
   mRestTimer.stop();
   mPickTimer.stop();
+  mLevelTimer.stop();
   mPauseTimer.stop();
   if (!mContext) return;
   makeCurrent();
@@ -291,32 +295,6 @@ void Viewport::adaptCoarseScale() {
   for (auto [name, share] : {std::pair("RayCast", 1.0), {"Instances", 1.0 / 3.0}})
     if (auto found = passes.find(name); found != passes.end()) ms += share * found->second;
   if (ms > 0.0) mCoarseScale = adaptedScale(mCoarseScale, ms);
-}
-
-void Viewport::tellProgress() {
-  if (mToldStage == mStage && mStage != Stage::Idle && mSinceTold.elapsed() < kTellMs) return;
-  mToldStage = mStage;
-  mSinceTold.start();
-  switch (mStage) {
-    case Stage::Idle:
-      // A sheet or a region that is being computed will change the picture.
-      if (mVeil->hasFailed())
-        emit refined(0.0, tr("No picture"));
-      else if (isVisible() && (mPending || mSession.isOnItsWay()))
-        emit refined(0.0, tr("Preparing"));
-      else
-        emit refined(1.0, {});
-      break;
-    case Stage::Coarse:
-      emit refined(0.0, mRenderer->fractionDone() < 1.0 ? tr("Preparing") : tr("Preview"));
-      break;
-    case Stage::Half:
-      emit refined(0.0, tr("Preview"));
-      break;
-    case Stage::Full:
-      emit refined(mRenderer->fractionDone(), tr("Refining"));
-      break;
-  }
 }
 
 scene::Camera Viewport::frame(const scene::Scene& scene, scene::StandardView view) const {

@@ -124,6 +124,7 @@ class Viewport : public QOpenGLWidget, public ToolView {
   void show();
   void adaptCoarseScale();
   void tellProgress();
+  void tellLevels(double fraction);
   void pickUnderPointer();
   void dragCamera(glm::dvec2 from, glm::dvec2 to);
   void beginDrag(QMouseEvent* event);
@@ -149,7 +150,7 @@ class Viewport : public QOpenGLWidget, public ToolView {
   bool mAwaitsCounts = false;  ///< The counts of mFrame have not arrived yet.
   bool mHasPicture = false;    ///< mFrame has a complete sample, so that it can be picked from.
   double mCoarseScale = 0;     ///< Device pixels to one pixel of a coarse picture; 0: not known yet.
-  QTimer mSectionTimer, mRestTimer, mPickTimer, mPauseTimer;
+  QTimer mSectionTimer, mRestTimer, mPickTimer, mPauseTimer, mLevelTimer;
   QElapsedTimer mSinceShown, mSinceTold;
   Stage mToldStage = Stage::Idle;
   bool mIsFresh = false;  ///< The next paint puts a new picture on the screen.

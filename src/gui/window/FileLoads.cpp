@@ -56,7 +56,9 @@ FileLoads::FileLoads(const WindowParts& parts) : QObject(&parts.window), mParts(
 }
 
 session::DataPolicy FileLoads::policy() const {
-  return {.folders = session::recentFolders(session::recentList()), .keepsWithoutData = !mUnattended};
+  return {.folders = session::recentFolders(session::recentList()),
+          .keepsWithoutData = !mUnattended,
+          .quickLevels = true};
 }
 
 void FileLoads::start(const QString& what, Read read, bool add, const QString& path) {
@@ -130,8 +132,8 @@ void FileLoads::readPaths(const QStringList& paths, bool add) {
   bool beside = add && mParts.session.file().isOpen();
   Read read = [names, policy = policy()](Progress& progress) { return session::readPaths(names, progress, policy); };
   if (beside)
-    read = [names, scene = mParts.session.scene()](Progress& progress) {
-      return session::readBeside(scene, names, progress);
+    read = [names, scene = mParts.session.scene(), policy = policy()](Progress& progress) {
+      return session::readBeside(scene, names, progress, policy);
     };
   start(what, read, beside, first);
 }

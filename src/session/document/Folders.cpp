@@ -27,6 +27,7 @@ fs::path xdgFolder(const char* variable, const char* fallback) {
 
 fs::path stateFolder() { return xdgFolder("XDG_STATE_HOME", ".local/state"); }
 fs::path cacheFolder() { return xdgFolder("XDG_CACHE_HOME", ".cache"); }
+fs::path levelFolder() { return cacheFolder() / "levels"; }
 fs::path recoveryFolder() { return stateFolder() / "recovery"; }
 
 }  // namespace velum::session

@@ -9,6 +9,8 @@ namespace velum::session {
 std::filesystem::path stateFolder();
 /// For what can be made again: $XDG_CACHE_HOME/velum.
 std::filesystem::path cacheFolder();
+/// For levels of detail of models: cacheFolder()/levels.
+std::filesystem::path levelFolder();
 /// Where journals lie, a folder for each document that is open: stateFolder()/recovery.
 std::filesystem::path recoveryFolder();
 

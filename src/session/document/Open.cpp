@@ -14,12 +14,9 @@
 #include "io/images/ImageFile.h"
 #include "io/kinds/FileKind.h"
 #include "io/labels/ReadLabels.h"
-#include "io/labels/WriteLabels.h"
 #include "io/meshes/ReadMesh.h"
 #include "io/models/ReadModel.h"
-#include "io/phantoms/Sample.h"
 #include "io/volumes/ReadVolume.h"
-#include "io/volumes/WriteVolume.h"
 #include "scene/FirstLook.h"
 #include "scene/ModelLooks.h"
 #include "scene/Presets.h"
@@ -147,11 +144,12 @@ void readSurfaceInto(scene::Surface& surface, Progress& progress) {
   surface.source.fingerprint = fingerprintOf(surface.source.path);
 }
 
-void readModelInto(scene::ModelLayer& layer, Progress& progress, const Notes& notes) {
+void readModelInto(scene::ModelLayer& layer, Progress& progress, const DataPolicy& policy, const Notes& notes) {
   Model model = io::readModel(layer.source.path, progress, {.completes = layer.completes});
   warnAll(layer.source.path, model.warnings);
   for (const auto& line : model.added) notes.add(line);
-  layer.levels = Shared<LevelSet>(cachedLevels(model, cacheFolder() / "levels", progress));
+  layer.levels = Shared<LevelSet>(policy.quickLevels ? keptOrQuickLevels(model, levelFolder(), progress)
+                                                     : cachedLevels(model, levelFolder(), progress));
   layer.data = Shared<Model>(std::move(model));
   layer.source.fingerprint = fingerprintOf(layer.source.path);
 }
@@ -209,7 +207,7 @@ scene::Scene open(const scene::Source& source, Progress& progress, const DataPol
   if (auto text = readSceneText(path)) return fromText(*text, path, progress, policy, notes);
   scene::Scene scene;
   if (policy.beforeData) policy.beforeData(scene);
-  add(scene, source, progress, notes);
+  add(scene, source, progress, notes, policy);
   scene.camera = scene::firstCamera(scene, 4.0 / 3.0);
   scene::placeSections(scene);
   return scene;
@@ -219,7 +217,8 @@ void addLabels(scene::Scene& scene, const scene::Source& source, Progress& progr
   takeLabels(scene, source, io::readLabels(source, progress, gridOfScan(scene)), progress);
 }
 
-void add(scene::Scene& scene, const scene::Source& source, Progress& progress, std::vector<std::string>* notes) {
+void add(scene::Scene& scene, const scene::Source& source, Progress& progress, std::vector<std::string>* notes,
+         const DataPolicy& policy) {
   fs::path path(source.path);
   if (!fs::exists(path)) throw InputError(fmt::format("{}: there is no such file or folder", source.path));
   io::FileKind kind = io::kindOf(source);
@@ -240,7 +239,7 @@ void add(scene::Scene& scene, const scene::Source& source, Progress& progress, s
     adoptUnit(scene, LengthUnit::Angstrom);
     bool isAlone = !scene::hasData(scene);
     scene.model.source = source;
-    readModelInto(scene.model, progress, Notes{notes});
+    readModelInto(scene.model, progress, policy, Notes{notes});
     if (isAlone) scene::applyFirstModelLook(scene);
     return;
   }
@@ -282,7 +281,7 @@ void loadData(scene::Scene& scene, const fs::path& folder, Progress& progress, c
       readSurfaceInto(surface, progress);
   }
   if (isPlaced(scene.model.source, bool(scene.model.data), "model", "model"))
-    readModelInto(scene.model, progress, Notes{notes});
+    readModelInto(scene.model, progress, policy, Notes{notes});
   scene::typesFromLabels(scene);
   try {
     for (const auto& note : settleGrowths(scene, progress)) Notes{notes}.add(note);
@@ -303,26 +302,6 @@ void saveScene(const scene::Scene& scene, const fs::path& path) {
     throw InputError(
         fmt::format("{}: {} MiB is too much for a scene file; it was not written", path.string(), text.size() >> 20));
   replaceFile(path, text);
-}
-
-std::vector<std::string> sampleNames() {
-  std::vector<std::string> names;
-  for (const auto& sample : io::samples()) names.emplace_back(sample.name);
-  return names;
-}
-
-scene::Scene openSample(const std::string& name, int size, const fs::path& folder, Progress& progress) {
-  io::Sample sample = io::makeSample(name, size, progress);
-  fs::create_directories(folder);
-  scene::Source volume, labels;
-  volume.path = (folder / (name + ".nrrd")).string();
-  labels.path = (folder / (name + "_labels.seg.nrrd")).string();
-  io::writeVolume(sample.volume, volume.path, progress);
-  io::writeLabels(sample.labels, labels.path, progress);
-  scene::Scene scene = open(volume, progress);
-  // Labels have no time: over what moves they would lie wrong.
-  if (sample.volume.timeSteps == 1) add(scene, labels, progress);
-  return scene;
 }
 
 }  // namespace velum::session

@@ -25,9 +25,9 @@ std::optional<std::string> readSceneText(const std::filesystem::path& path);
 
 /// Adds another input to a scene: a model, labels beside the volume, a surface, or, where the scene has no volume yet,
 /// a volume.
-/// @param notes  as of open()
+/// @param notes, policy  as of open()
 void add(scene::Scene& scene, const scene::Source& source, Progress& progress,
-         std::vector<std::string>* notes = nullptr);
+         std::vector<std::string>* notes = nullptr, const DataPolicy& policy = {});
 
 /// Reads a file as labels, whatever it looks like, and puts them beside the scene's volume.
 /// @throw InputError, Cancelled
@@ -49,7 +49,7 @@ std::vector<scene::Source> sourcesOf(const std::vector<std::string>& paths);
 
 /// Adds several inputs to a scene as openAll() does. @throw InputError when none can be read; Cancelled
 void addAll(scene::Scene& scene, const std::vector<std::string>& paths, Progress& progress,
-            std::vector<std::string>* notes = nullptr);
+            std::vector<std::string>* notes = nullptr, const DataPolicy& policy = {});
 
 /// Reads the data that the scene names and does not hold yet. Paths are taken relative to `folder`; a file that is not
 /// there is looked for; a file that is not found is an error, or is left out (missingData() then names it), as the

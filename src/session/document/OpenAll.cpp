@@ -67,7 +67,7 @@ Opened openAll(std::vector<scene::Source> sources, Progress& progress, const Dat
   });
   Opened opened;
   std::vector<std::string> refused = openEach(sources, policy.refusesOne, [&](const scene::Source& source) {
-    if (!opened.path.empty()) return add(opened.scene, source, progress, notes);
+    if (!opened.path.empty()) return add(opened.scene, source, progress, notes, policy);
     opened.scene = open(source, progress, policy, notes);
     opened.path = source.path;
   });
@@ -81,9 +81,9 @@ Opened openAll(std::vector<scene::Source> sources, Progress& progress, const Dat
 }
 
 void addAll(scene::Scene& scene, const std::vector<std::string>& paths, Progress& progress,
-            std::vector<std::string>* notes) {
-  auto refused =
-      openEach(sourcesOf(paths), false, [&](const scene::Source& source) { add(scene, source, progress, notes); });
+            std::vector<std::string>* notes, const DataPolicy& policy) {
+  auto refused = openEach(sourcesOf(paths), false,
+                          [&](const scene::Source& source) { add(scene, source, progress, notes, policy); });
   tell(refused, notes);
   tellScale(scene, notes);
 }

@@ -9,8 +9,11 @@
 #include <utility>
 
 #include "core/Error.h"
+#include "io/labels/WriteLabels.h"
 #include "io/models/WriteModel.h"
+#include "io/phantoms/Sample.h"
 #include "io/phantoms/Virion.h"
+#include "io/volumes/WriteVolume.h"
 #include "scene/Presets.h"
 #include "scene/VisibleFrame.h"
 #include "scene/json/Paths.h"
@@ -107,6 +110,26 @@ scene::Scene openPhantom(const Row& row, const fs::path& folder, Progress& progr
 }
 
 }  // namespace
+
+std::vector<std::string> sampleNames() {
+  std::vector<std::string> names;
+  for (const auto& sample : io::samples()) names.emplace_back(sample.name);
+  return names;
+}
+
+scene::Scene openSample(const std::string& name, int size, const fs::path& folder, Progress& progress) {
+  io::Sample sample = io::makeSample(name, size, progress);
+  fs::create_directories(folder);
+  scene::Source volume, labels;
+  volume.path = (folder / (name + ".nrrd")).string();
+  labels.path = (folder / (name + "_labels.seg.nrrd")).string();
+  io::writeVolume(sample.volume, volume.path, progress);
+  io::writeLabels(sample.labels, labels.path, progress);
+  scene::Scene scene = open(volume, progress);
+  // Labels have no time: over what moves they would lie wrong.
+  if (sample.volume.timeSteps == 1) add(scene, labels, progress);
+  return scene;
+}
 
 std::span<const Showcase> showcases() { return kShowcases; }
 

@@ -98,10 +98,11 @@ void rereadVolume(scene::Scene& scene, const scene::Source& source, Progress& pr
   scene::placeSections(scene);
 }
 
-Loaded readBeside(scene::Scene beside, const std::vector<std::string>& paths, Progress& progress) {
+Loaded readBeside(scene::Scene beside, const std::vector<std::string>& paths, Progress& progress,
+                  const DataPolicy& policy) {
   Loaded loaded;
   loaded.scene = std::move(beside);
-  addAll(loaded.scene, paths, progress, &loaded.notes);
+  addAll(loaded.scene, paths, progress, &loaded.notes, policy);
   return loaded;
 }
 

@@ -34,7 +34,8 @@ Loaded readPaths(const std::vector<std::string>& paths, Progress& progress, cons
 /// @throw ArgumentError where there is no volume, or where structures were grown in it and would lie elsewhere
 void rereadVolume(scene::Scene& scene, const scene::Source& source, Progress& progress);
 /// Reads files beside what is open. @param beside  the scene that is open
-Loaded readBeside(scene::Scene beside, const std::vector<std::string>& paths, Progress& progress);
+Loaded readBeside(scene::Scene beside, const std::vector<std::string>& paths, Progress& progress,
+                  const DataPolicy& policy = {});
 /// Reads a file as labels of what is open, whatever the file looks like. @param beside  the scene that is open
 Loaded readLabels(scene::Scene beside, const std::string& path, Progress& progress);
 /// Makes and reads a phantom. @param voxels  along its longest axis; 0: its own size  @param folder  where its files

@@ -208,6 +208,16 @@ void write(const LevelSet& set, const Model& model, const fs::path& path, std::u
   file.commit(ReplaceFile::Sync::ByCaller);  // nobody waits for the disk: half of it does not fit its check
 }
 
+/// The levels of a model from a file of the folder, where one fits.
+std::optional<LevelSet> keptLevels(const Model& model, const fs::path& folder, std::uint64_t mostBytes) {
+  if (folder.empty() || model.molecules.empty()) return std::nullopt;
+  try {
+    return read(levelFile(model, folder), model, mostBytes);
+  } catch (const std::exception&) {  // as if there were none
+    return std::nullopt;
+  }
+}
+
 }  // namespace
 
 fs::path levelFile(const Model& model, const fs::path& folder) {
@@ -216,18 +226,19 @@ fs::path levelFile(const Model& model, const fs::path& folder) {
 }
 
 LevelSet cachedLevels(const Model& model, const fs::path& folder, Progress& progress, std::uint64_t mostBytes) {
-  if (folder.empty() || model.molecules.empty()) return model::computeLevels(model, progress);
-  const fs::path path = levelFile(model, folder);
-  try {
-    if (auto set = read(path, model, mostBytes)) return std::move(*set);
-  } catch (const std::exception&) {  // as if there were none
-  }
+  if (auto kept = keptLevels(model, folder, mostBytes)) return std::move(*kept);
   LevelSet set = model::computeLevels(model, progress);
+  if (folder.empty() || model.molecules.empty()) return set;
   try {
-    write(set, model, path, mostBytes);
+    write(set, model, levelFile(model, folder), mostBytes);
   } catch (const std::exception&) {  // the next time it takes as long again
   }
   return set;
+}
+
+LevelSet keptOrQuickLevels(const Model& model, const fs::path& folder, Progress& progress) {
+  auto kept = keptLevels(model, folder, kMostLevelCacheBytes);
+  return kept ? std::move(*kept) : model::makeQuickLevels(model, progress);
 }
 
 }  // namespace velum::session

@@ -26,6 +26,10 @@ constexpr std::uint64_t kMostLevelCacheBytes = 512u << 20;
 LevelSet cachedLevels(const Model& model, const std::filesystem::path& folder, Progress& progress,
                       std::uint64_t mostBytes = kMostLevelCacheBytes);
 
+/// The levels of a model from such a file of the folder where one fits, else quick ones (model::makeQuickLevels()).
+/// @param folder  as of cachedLevels()  @throw Cancelled. Any thread.
+LevelSet keptOrQuickLevels(const Model& model, const std::filesystem::path& folder, Progress& progress);
+
 /// The path of the file for a model within the folder, whether the file is there or not.
 std::filesystem::path levelFile(const Model& model, const std::filesystem::path& folder);
 

@@ -77,9 +77,10 @@ ModelExport exportModel(const scene::Scene& scene, const std::filesystem::path& 
   Model shown = layer.visible ? render::shownModel(scene, kept) : Model{};
   if (shown.instances.empty())
     throw InputError("nothing of the model shows: cuts, or types that are hidden, leave no instance of it");
+  bool hasLevels = layer.levels && !model::areQuick(*layer.levels);
   LevelSet made;
-  if (!layer.levels) made = model::computeLevels(*layer.data, progress);
-  Along along = alongOf(layer, layer.levels ? *layer.levels : made, kept);
+  if (!hasLevels) made = model::computeLevels(*layer.data, progress);
+  Along along = alongOf(layer, hasLevels ? *layer.levels : made, kept);
   VELUM_ASSERT(along.numbers.size() == shown.instances.size() && along.colors.size() == shown.types.size(),
                "both leave out the same");
   ModelExport out{shown.types.size(), shown.instances.size(), {}};

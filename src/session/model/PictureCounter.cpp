@@ -7,19 +7,16 @@
 
 namespace velum::session {
 
-namespace {
-
-scene::Scene bareScene(const scene::Scene& scene) {
+scene::Scene PictureCounter::bareScene(const scene::Scene& scene) {
   scene::Scene bare = scene;
   bare.rayCast.samplesPerPixel = 1;
   bare.lighting.shaded = false;
   bare.finish = {};
   bare.model.ghosts = scene::Ghosts::None;
   for (scene::TypeLook& look : bare.model.types) look.ghosts.reset();
+  mLevels.give(bare.model, mProgress);
   return bare;
 }
-
-}  // namespace
 
 const render::InstanceBits& PictureCounter::count(const scene::Scene& scene) {
   scene::refuseCrowd(scene.model, "counts");

@@ -8,6 +8,7 @@
 #include "render/Counts.h"
 #include "render/Renderer.h"
 #include "scene/Scene.h"
+#include "session/model/TrueLevels.h"
 
 namespace velum::session {
 
@@ -31,12 +32,14 @@ class PictureCounter {
   Image structures(const scene::Scene& scene);
 
  private:
+  scene::Scene bareScene(const scene::Scene& scene);
   Image draw(const scene::Scene& scene, const render::Layers& layers);
 
   render::Renderer& mRenderer;
   glm::ivec2 mSize;
   int mLargestWindow;
   Progress& mProgress;
+  TrueLevels mLevels;
   scene::Scene mLast;
   render::InstanceBits mBits;
 };

@@ -17,6 +17,7 @@
 #include "scene/Shown.h"
 #include "session/document/Open.h"
 #include "session/lettering/Lettering.h"
+#include "session/model/TrueLevels.h"
 #include "session/picture/Cryptomatte.h"
 #include "session/picture/LayerPictures.h"
 
@@ -106,6 +107,7 @@ Image drawPicture(render::Renderer& renderer, const scene::Scene& scene, const P
                   const gpu::Limits& limits, Progress& progress) {
   render::Frame frame;
   frame.scene = sceneForPicture(scene, options);
+  TrueLevels().give(frame.scene.model, progress);
   frame.pictureSize = options.size;
   render::Layers layers;
   if (options.layers) layers = {true, true, true, true, true, bool(scene.model.data)};

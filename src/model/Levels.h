@@ -25,7 +25,7 @@ std::vector<std::vector<Ball>> computeLevels(const Molecule& molecule, std::vect
 /// molecules), not of their instances. Tells the share of atoms that are done. @throw Cancelled. Any thread.
 LevelSet computeLevels(const Model& model, Progress& progress);
 
-/// Levels to begin with, in about a twentieth of the time: cells of a grid as they are, with radii and errors as
+/// Levels to begin with, in a small part of the time: cells of a grid as they are, with radii and errors as
 /// computeLevels() mostly finds them. The finest level has the balls of computeLevels(). Nothing is measured, so that
 /// it claims a small error, too. @throw Cancelled. Any thread.
 LevelSet makeQuickLevels(const Model& model, Progress& progress);

@@ -19,7 +19,9 @@ TEST(FrameSetup, ThePicturesOfFewSamplesAreNotDisplaced) {
     for (int sample = 0; sample < samples; ++sample) {
       setSample(params, frame, sample);
       glm::dvec2 place(params.subpixel);
-      if (sample == 0) EXPECT_EQ(place, glm::dvec2(0.0)) << "layers and counts are of a pixel's middle";
+      if (sample == 0) {
+        EXPECT_EQ(place, glm::dvec2(0.0)) << "layers and counts are of a pixel's middle";
+      }
       EXPECT_LT(std::max(std::abs(place.x), std::abs(place.y)), 0.75);
       sum += place;
     }

@@ -70,8 +70,14 @@ SampleTarget targetIn(std::byte* samples, const BrickBox& box, SampleType type) 
 }
 
 Bytes readBox(const VoxelSource& source, int level, const BrickBox& box, const Progress& progress) {
+  Bytes samples;
+  readBoxInto(samples, source, level, box, progress);
+  return samples;
+}
+
+void readBoxInto(Bytes& samples, const VoxelSource& source, int level, const BrickBox& box, const Progress& progress) {
   SampleType type = source.head().type;
-  Bytes samples(bytesOf(box, type));
+  samples.resize(bytesOf(box, type));
   SampleTarget target = targetIn(samples.data(), box, type);
   const VoxelLevel& of = source.levels()[std::size_t(level)];
   int brick[5] = {of.brickSize.x, of.brickSize.y, of.brickSize.z, of.brickChannels, of.brickTimeSteps};
@@ -104,7 +110,6 @@ Bytes readBox(const VoxelSource& source, int level, const BrickBox& box, const P
     source.read(address, from);
     copyShared(there, from, box, target);
   });
-  return samples;
 }
 
 }  // namespace velum::io

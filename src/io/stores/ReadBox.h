@@ -13,5 +13,7 @@ SampleTarget targetIn(std::byte* samples, const BrickBox& box, SampleType type);
 /// once, on all cores.
 /// @param box  inside the level  @throw InputError when a brick cannot be read; Cancelled
 Bytes readBox(const VoxelSource& source, int level, const BrickBox& box, const Progress& progress);
+/// The same into bytes that are used again and again: new memory costs as much as what is done with it.
+void readBoxInto(Bytes& samples, const VoxelSource& source, int level, const BrickBox& box, const Progress& progress);
 
 }  // namespace velum::io

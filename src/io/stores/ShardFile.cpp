@@ -23,36 +23,32 @@ struct Freed {
 }  // namespace
 
 Bytes packZstd(std::span<const std::byte> bytes, int level) {
-  // Its tables are some megabytes: one for each thread, not for each brick.
+  // Its tables are some megabytes: one for each thread, not for each brick; as for the bytes.
   thread_local std::unique_ptr<ZSTD_CCtx, Freed> context(::ZSTD_createCCtx());
   ::ZSTD_CCtx_setParameter(context.get(), ZSTD_c_compressionLevel, level);
   ::ZSTD_CCtx_setParameter(context.get(), ZSTD_c_checksumFlag, 1);
-  Bytes packed(::ZSTD_compressBound(bytes.size()));
-  std::size_t size = ::ZSTD_compress2(context.get(), packed.data(), packed.size(), bytes.data(), bytes.size());
+  thread_local Bytes most;
+  most.resize(::ZSTD_compressBound(bytes.size()));
+  std::size_t size = ::ZSTD_compress2(context.get(), most.data(), most.size(), bytes.data(), bytes.size());
   if (::ZSTD_isError(size)) throw InputError(fmt::format("zstd cannot pack: {}", ::ZSTD_getErrorName(size)));
-  return {packed.begin(), packed.begin() + std::ptrdiff_t(size)};
+  Bytes packed(size);
+  std::memcpy(packed.data(), most.data(), size);
+  return packed;
 }
 
-Bytes joinShard(std::span<const Bytes> bricks) {
+void writeShardFile(std::span<const Bytes> bricks, ReplaceFile& file) {
   std::vector<std::uint64_t> index;
   std::uint64_t at = 0;
   for (const Bytes& brick : bricks) {
     index.push_back(brick.empty() ? kLeftOut : at);
     index.push_back(brick.empty() ? kLeftOut : brick.size());
     at += brick.size();
+    file.write(std::span(brick));
   }
   auto table = std::as_bytes(std::span(index));
   std::uint32_t sum = crc32c(table);
-  Bytes shard(std::size_t(at) + table.size() + sizeof(sum));
-  std::byte* to = shard.data();
-  auto put = [&](const void* from, std::size_t size) {
-    if (size > 0) std::memcpy(to, from, size);
-    to += size;
-  };
-  for (const Bytes& brick : bricks) put(brick.data(), brick.size());
-  put(table.data(), table.size());
-  put(&sum, sizeof(sum));
-  return shard;
+  file.write(table);
+  file.write(std::as_bytes(std::span(&sum, 1)));
 }
 
 bool isWholeShard(const Path& path, std::size_t brickCount) {

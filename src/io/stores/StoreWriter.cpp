@@ -60,6 +60,7 @@ StoreWriter::StoreWriter(const VoxelSource& source, Volume head, Path folder, co
 
 void StoreWriter::writeLevels() {
   writeFinest();
+  mSlab = Bytes();
   for (int level = 1; level < int(mLayout.levels.size()); ++level) writeCoarser(level);
 }
 
@@ -111,8 +112,8 @@ void StoreWriter::writeSlab(BrickBox slab) {
       }
   if (missing.empty()) return;
   // Read the slab, and write them out of it.
-  Bytes samples = readBox(mSource, mOptions.level, slab, mProgress);
-  SampleTarget all = targetIn(samples.data(), slab, mHead.type);
+  readBoxInto(mSlab, mSource, mOptions.level, slab, mProgress);
+  SampleTarget all = targetIn(mSlab.data(), slab, mHead.type);
   auto cut = [&](const BrickBox& box) {
     Bytes brick(bytesOf(box, mHead.type));
     glm::ivec3 at = box.origin - slab.origin;
@@ -184,7 +185,13 @@ void StoreWriter::writeShard(int number, const Place& place, const Fill& fill) {
     });
   });
   bool isEmpty = std::all_of(bricks.begin(), bricks.end(), [](const Bytes& brick) { return brick.empty(); });
-  if (mLayout.version == OmeVersion::V05 && !isEmpty) writeFile(shardPath(number, place), joinShard(bricks));
+  if (mLayout.version == OmeVersion::V05 && !isEmpty) {
+    Path path = shardPath(number, place);
+    makeFolders(path.parent_path());
+    ReplaceFile file(path);
+    writeShardFile(bricks, file);
+    file.commit();
+  }
   tellShard(number, glm::min(level.shard, level.dims - first));
 }
 

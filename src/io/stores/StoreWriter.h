@@ -61,6 +61,7 @@ class StoreWriter {
   OmeLayout mLayout;
   Progress& mProgress;
   bool mResumes = false;
+  Bytes mSlab;          ///< samples of the finest level
   double mTotal = 0.0;  ///< voxels to write, over channels, time steps and levels
   std::mutex mTelling;
   double mDone = 0.0;

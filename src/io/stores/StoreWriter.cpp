@@ -28,7 +28,6 @@ glm::ivec3 placeOf(std::size_t number, glm::ivec3 grid) {
 
 /// The samples at the beginning of a larger brick, the rest 0.
 Bytes padded(const Bytes& samples, glm::ivec3 size, glm::ivec3 brick, std::size_t sampleBytes) {
-  if (size == brick) return samples;
   Bytes whole(volumeOf(brick) * sampleBytes);
   std::fill(whole.begin(), whole.end(), std::byte(0));
   std::size_t row = std::size_t(size.x) * sampleBytes, wholeRow = std::size_t(brick.x) * sampleBytes;
@@ -114,8 +113,8 @@ void StoreWriter::writeSlab(BrickBox slab) {
   // Read the slab, and write them out of it.
   readBoxInto(mSlab, mSource, mOptions.level, slab, mProgress);
   SampleTarget all = targetIn(mSlab.data(), slab, mHead.type);
-  auto cut = [&](const BrickBox& box) {
-    Bytes brick(bytesOf(box, mHead.type));
+  auto cut = [&](const BrickBox& box, Bytes& brick) {
+    brick.resize(bytesOf(box, mHead.type));
     glm::ivec3 at = box.origin - slab.origin;
     const std::byte* first = all.first + (box.timeStep - slab.timeStep) * all.timeStep +
                              (box.channel - slab.channel) * all.channel + at.z * all.z + at.y * all.y + at.x * all.x;
@@ -123,7 +122,6 @@ void StoreWriter::writeSlab(BrickBox slab) {
     std::byte* to = brick.data();
     for (int z = 0; z < box.size.z; ++z)
       for (int y = 0; y < box.size.y; ++y, to += row) std::memcpy(to, first + z * all.z + y * all.y, row);
-    return brick;
   };
   parallelFor(std::size_t(0), missing.size(), [&](std::size_t i) { writeShard(0, missing[i], cut); });
 }
@@ -140,15 +138,17 @@ ZarrSource StoreWriter::written(int level) const {
   return {std::shared_ptr<const Store>(openStore(mFolder)), image, {}};
 }
 
-Bytes StoreWriter::reduced(const VoxelSource& finer, const PlannedLevel& level, const BrickBox& box) const {
+void StoreWriter::reduceInto(Bytes& samples, const VoxelSource& finer, const PlannedLevel& level,
+                             const BrickBox& box) const {
   BrickBox from = box;
   from.origin = box.origin * level.factor;
   from.size = glm::min(box.size * level.factor, finer.levels().front().dims - from.origin);
-  Bytes samples = readBox(finer, 0, from, mProgress);
-  Bytes brick(bytesOf(box, mHead.type));
-  reduceBlocks(mHead.type, mLayout.isLabels ? Reduction::Majority : Reduction::Mean, samples.data(), from.size,
-               box.size, level.factor, brick.data());
-  return brick;
+  thread_local Bytes finerSamples;
+  // While this thread waits it must not begin another brick, which would use the same bytes.
+  isolated([&] { readBoxInto(finerSamples, finer, 0, from, mProgress); });
+  samples.resize(bytesOf(box, mHead.type));
+  reduceBlocks(mHead.type, mLayout.isLabels ? Reduction::Majority : Reduction::Mean, finerSamples.data(), from.size,
+               box.size, level.factor, samples.data());
 }
 
 void StoreWriter::writeCoarser(int number) {
@@ -156,7 +156,7 @@ void StoreWriter::writeCoarser(int number) {
   ZarrSource finer = written(number - 1);
   glm::ivec3 shards = divideUp(level.dims, level.shard);
   std::size_t ofChannel = volumeOf(shards), channels = std::size_t(mHead.channels);
-  auto fill = [&](const BrickBox& box) { return reduced(finer, level, box); };
+  auto fill = [&](const BrickBox& box, Bytes& samples) { reduceInto(samples, finer, level, box); };
   parallelFor(std::size_t(0), ofChannel * channels * std::size_t(mHead.timeSteps), [&](std::size_t i) {
     Place place{int(i / ofChannel / channels), int(i / ofChannel % channels), placeOf(i % ofChannel, shards)};
     if (isThere(number, place))
@@ -196,10 +196,12 @@ void StoreWriter::writeShard(int number, const Place& place, const Fill& fill) {
 }
 
 Bytes StoreWriter::packedBrick(int number, const BrickBox& box, const Fill& fill) const {
-  Bytes samples = fill(box);
+  thread_local Bytes samples;
+  fill(box, samples);
   if (isAllZero(samples)) return {};
-  return packZstd(padded(samples, box.size, mLayout.levels[std::size_t(number)].brick, sampleSize(mHead.type)),
-                  mOptions.zstdLevel);
+  glm::ivec3 brick = mLayout.levels[std::size_t(number)].brick;
+  if (box.size == brick) return packZstd(samples, mOptions.zstdLevel);
+  return packZstd(padded(samples, box.size, brick, sampleSize(mHead.type)), mOptions.zstdLevel);
 }
 
 bool StoreWriter::isThere(int number, const Place& place) const {

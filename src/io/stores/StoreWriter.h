@@ -35,14 +35,14 @@ class StoreWriter {
     glm::ivec3 shard{0};
   };
   /// Gives the samples of a box of one channel and time step, x fastest.
-  using Fill = std::function<Bytes(const BrickBox& box)>;
+  using Fill = std::function<void(const BrickBox& box, Bytes& samples)>;
 
   std::string planText() const;
   std::uint32_t fingerprint() const;
   void writeFinest();
   void writeSlab(BrickBox slab);
   void writeCoarser(int level);
-  Bytes reduced(const VoxelSource& finer, const PlannedLevel& level, const BrickBox& box) const;
+  void reduceInto(Bytes& samples, const VoxelSource& finer, const PlannedLevel& level, const BrickBox& box) const;
   void writeShard(int level, const Place& place, const Fill& fill);
   Bytes packedBrick(int level, const BrickBox& box, const Fill& fill) const;
   bool isThere(int level, const Place& place) const;

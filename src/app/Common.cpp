@@ -13,6 +13,7 @@
 #include "core/Log.h"
 #include "core/ReplaceFile.h"
 #include "core/Text.h"
+#include "io/stores/WriteStore.h"
 
 namespace velum::app {
 
@@ -92,7 +93,10 @@ int stopSignal() { return gSignal != 0 ? gSignal : SIGINT; }
 void expectOutput(const std::string& path, void (*expectFormat)(const std::filesystem::path&)) {
   if (path.empty()) return;
   if (expectFormat) expectFormat(path);
-  if (path != "-") expectReplaceable(path);
+  if (io::isStoreFormat(path))
+    io::expectStoreWritable(path);
+  else if (path != "-")
+    expectReplaceable(path);
 }
 
 std::vector<double> numbersOf(const char* option, const std::string& text, std::size_t count, const char* form) {

@@ -6,8 +6,11 @@
 #include "app/Verbs.h"
 #include "core/Error.h"
 #include "io/kinds/FileKind.h"
+#include "io/labels/LabelStore.h"
 #include "io/labels/ReadLabels.h"
 #include "io/labels/WriteLabels.h"
+#include "io/stores/OpenStore.h"
+#include "io/stores/WriteStore.h"
 #include "io/volumes/ReadVolume.h"
 #include "io/volumes/WriteVolume.h"
 #include "session/document/Open.h"
@@ -27,6 +30,9 @@ struct ConvertOptions {
   std::vector<std::string> structures;
   double smoothness = session::StructureExport().smoothness;
   bool apart = false;
+  std::string zarr = "0.5";
+
+  io::OmeVersion version() const { return zarr == "0.4" ? io::OmeVersion::V04 : io::OmeVersion::V05; }
 };
 
 using Lines = std::vector<std::string>;
@@ -38,6 +44,8 @@ Lines writeStructures(const scene::Scene& scene, const ConvertOptions& options, 
                                 options.apart};
   json["structures"] = what.structures.empty() ? labels.idsInUse().size() : what.structures.size();
   bool isWhole = what.structures.empty() && !what.apart && !session::isSurfaceFile(options.output);
+  if (isWhole && io::isStoreFormat(options.output))
+    return io::writeLabelStore(labels, options.output, options.version(), consoleProgress());
   if (isWhole) return io::writeLabels(labels, options.output, consoleProgress());  // also where nothing is labelled
   return session::exportStructures(scene, options.output, what, consoleProgress());
 }
@@ -69,6 +77,29 @@ std::variant<Volume, LabelVolume> readVoxels(const scene::Source& source, const 
     throw ArgumentError(
         fmt::format("{} does not look like labels, of which surfaces are made; say --labels if it is", source.path));
   return voxels;
+}
+
+/// Volumes in stores are never held in memory on their way to another store.
+bool isStreamed(const scene::Source& source, const ConvertOptions& options) {
+  return io::isStoreFormat(options.output) && io::isStore(source.path) && options.structures.empty() &&
+         !options.apart && options.input.spacing.empty();
+}
+
+/// Writes an image of a store, from its finest level or the one that is asked for, as another store.
+Lines streamStore(const scene::Source& source, const ConvertOptions& options, Json& json) {
+  auto image = io::openImage(source.path, source.series);
+  io::StoreOptions how;
+  how.version = options.version();
+  how.level = std::max(source.level, 0);
+  if (how.level >= int(image->levels().size()))
+    throw ArgumentError(fmt::format("--level {}: the levels are 0 to {}", how.level, image->levels().size() - 1));
+  how.isLabels = options.labels || image->image().isLabels;
+  how.structures = image->image().structures;
+  printWarnings(source.path, image->head().warnings);
+  glm::ivec3 dims = image->levels()[std::size_t(how.level)].dims;
+  json["dims"] = {dims.x, dims.y, dims.z};
+  json["type"] = std::string(enumName(image->head().type));
+  return io::writeStore(*image, options.output, how, consoleProgress());
 }
 
 /// Refuses an output whose format no kind of data is written in, before the input is read and its kind is known.
@@ -106,6 +137,8 @@ int run(const ConvertOptions& options) {
       tell(options.output, writeModel(session, options, json));
     else
       tell(options.output, writeStructures(session.scene(), options, json));
+  } else if (isStreamed(source, options)) {
+    tell(options.output, streamStore(source, options, json));
   } else {
     auto voxels = readVoxels(source, options, progress);
     std::visit([&](const auto& data) { tell(source.path, data.warnings); }, voxels);
@@ -115,7 +148,11 @@ int run(const ConvertOptions& options) {
       tell(options.output, writeStructures(scene, options, json));
     } else {
       const Volume& volume = std::get<Volume>(voxels);
-      tell(options.output, io::writeVolume(volume, options.output, progress));
+      io::StoreOptions how;
+      how.version = options.version();
+      tell(options.output, io::isStoreFormat(options.output)
+                               ? io::writeStore(VolumeSource(volume), options.output, how, progress)
+                               : io::writeVolume(volume, options.output, progress));
       json["dims"] = {volume.dims.x, volume.dims.y, volume.dims.z};
       json["type"] = std::string(enumName(volume.type));
     }
@@ -149,6 +186,8 @@ Run registerConvert(CLI::App& verb) {
                   "how far surfaces of structures are rounded off: 0 as pictures show them .. 1")
       ->check(CLI::Range(0.0, 1.0));
   verb.add_flag("--apart", options->apart, "a file for each structure: OUTPUT-aorta.stl");
+  verb.add_option("--zarr", options->zarr, "of .zarr: version of OME-Zarr, 0.4 or 0.5")
+      ->check(CLI::IsMember({"0.4", "0.5"}));
   return [options] { return run(*options); };
 }
 

@@ -339,7 +339,7 @@ Run registerMembrane(CLI::App& verb) {
   verb.add_flag("--limit", options->limit, "also the least that any sheet in this frame must cut; takes seconds");
   verb.add_option("--sheet", options->sheet, "write the sheet as a surface: .obj, .ply, .vtp, .stl");
   verb.add_option("--clipped", options->clipped,
-                  "write the volume with what the cuts remove emptied: .nrrd, .nii, .nii.gz, .vti, .vdb");
+                  "write the volume with what the cuts remove emptied: .nrrd, .nii, .nii.gz, .vti, .vdb, .zarr, .ozx");
   verb.add_option("--save-scene", options->saveScene, "write the scene with its membranes as JSON");
   return [options] { return run(*options); };
 }

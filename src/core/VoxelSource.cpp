@@ -131,9 +131,11 @@ Volume readLevel(const VoxelSource& source, int level, Progress& progress) {
   return volume;
 }
 
-VolumeSource::VolumeSource(Shared<Volume> volume) : mVolume(std::move(volume)) {
-  const Volume& of = *mVolume;
-  mLevels = {{of.dims, glm::min(of.dims, glm::ivec3(kBrickSize)), of.channels, 1, of.worldFromVoxel}};
+VolumeSource::VolumeSource(Shared<Volume> volume) : VolumeSource(*volume) { mKept = std::move(volume); }
+
+VolumeSource::VolumeSource(const Volume& volume) : mVolume(&volume) {
+  mLevels = {
+      {volume.dims, glm::min(volume.dims, glm::ivec3(kBrickSize)), volume.channels, 1, volume.worldFromVoxel}};
 }
 
 void VolumeSource::read(const BrickAddress& address, const SampleTarget& target) const {

@@ -96,11 +96,15 @@ Volume readLevel(const VoxelSource& source, int level, Progress& progress);
 class VolumeSource : public VoxelSource {
  public:
   explicit VolumeSource(Shared<Volume> volume);
+  /// @param volume  must outlive the source
+  explicit VolumeSource(const Volume& volume);
+  explicit VolumeSource(Volume&&) = delete;
   const Volume& head() const override { return *mVolume; }
   void read(const BrickAddress& address, const SampleTarget& target) const override;
 
  private:
-  Shared<Volume> mVolume;
+  Shared<Volume> mKept;
+  const Volume* mVolume;
 };
 
 }  // namespace velum

@@ -1,5 +1,8 @@
 #include "scene/ModelLooks.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "scene/NamedTable.h"
 #include "scene/Scene.h"
 
@@ -85,6 +88,10 @@ void applyModelLook(Scene& scene, std::string_view name) { put(lookTable().at(pr
 void applyFirstModelLook(Scene& scene) {
   applyModelLook(scene, kFirstModelLook);
   scene.rayCast.samplesPerPixel = kModelSamples;
+}
+
+double shapeDetail(const Scene& scene) {
+  return scene.model.detail / std::sqrt(double(std::max(1, scene.rayCast.samplesPerPixel)));
 }
 
 Finish lookFinish(const Scene& scene) {

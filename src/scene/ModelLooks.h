@@ -31,6 +31,9 @@ void applyModelLook(Scene& scene, std::string_view name);
 /// Gives a scene whose model has just been opened, and is alone, its first look, and samples enough for it.
 void applyFirstModelLook(Scene& scene);
 
+/// How much of a pixel a model's shapes may be off in a scene's picture: more samples resolve finer ones.
+double shapeDetail(const Scene& scene);
+
 /// The finish that belongs to the look which a scene's model was given last; it adds nothing where there is none. The
 /// user's own lit spheres and paper are in it.
 Finish lookFinish(const Scene& scene);

@@ -1,5 +1,6 @@
 """velum-batch convert: what goes in comes out."""
 import json
+import shutil
 import unittest
 
 from velum_cli import CliTest
@@ -29,6 +30,22 @@ class Convert(CliTest):
                 self.run_batch("convert", f"b.{extension}", "c.nrrd")
                 self.close(before["range"], self.report("info", "c.nrrd")["range"], "there and back")
 
+    def test_stores_give_back_what_they_were_given(self):
+        path = self.sample("torso", 32)
+        before = self.report("info", path)
+        for name, options in (("b.ome.zarr", []), ("b.ozx", []), ("old.zarr", ["--zarr", "0.4"])):
+            with self.subTest(name=name):
+                self.run_batch("convert", path, name, *options)
+                self.run_batch("convert", name, "again.zarr")  # from store to store
+                for store in (name, "again.zarr"):
+                    self.run_batch("convert", store, "c.nrrd")
+                    after = self.report("info", "c.nrrd")
+                    for key in KEPT:
+                        self.close(before[key], after[key], f"{key} in {store}")
+                self.refuse("convert", path, "again.zarr", code=2, words=["is there already"])
+                shutil.rmtree(self.folder / "again.zarr")
+        self.refuse("convert", path, "old.ozx", "--zarr", "0.4", code=2, words=["0.5"])
+
     def test_there_and_back_draws_the_same_picture(self):
         path = self.sample("vessels", 32)
         self.run_batch("convert", path, "b.nii.gz")
@@ -49,8 +66,10 @@ class Convert(CliTest):
     def test_labels_keep_their_names(self):
         self.sample("torso", 32)
         before = self.report("info", "torso_labels.seg.nrrd")
-        for name in ("b_labels.nii.gz", "b.seg.nrrd"):
+        for name in ("b_labels.nii.gz", "b.seg.nrrd", "b.zarr"):
             self.run_batch("convert", "torso_labels.seg.nrrd", name)
+            if name == "b.zarr":  # of a store `info` tells levels, and reads no labels
+                self.run_batch("convert", name, name := "c.seg.nrrd")
             after = self.report("info", name)
             self.assertEqual(after["kind"], "labels", name)
             self.assertEqual([s["name"] for s in before["structures"]], [s["name"] for s in after["structures"]], name)

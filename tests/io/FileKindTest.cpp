@@ -82,7 +82,7 @@ TEST_F(FileKinds, EachEndingThatIsWrittenIsTakenByTheWriter) {
     for (const std::string& ending : format.endings) EXPECT_NO_THROW(expectImageFormat("a" + ending)) << ending;
   EXPECT_THROW(expectVolumeFormat("a.hdr"), InputError);
   EXPECT_THROW(expectVolumeFormat("a.nhdr"), InputError);
-  EXPECT_EQ(endingsOf(FileKind::Volume), ".nii.gz, .nii, .nrrd, .vti, .vdb");
+  EXPECT_EQ(endingsOf(FileKind::Volume), ".nii.gz, .nii, .nrrd, .vti, .vdb, .zarr, .ozx");
 }
 
 }  // namespace velum::io

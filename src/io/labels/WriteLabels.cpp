@@ -8,6 +8,7 @@
 
 #include "core/ReplaceFile.h"
 #include "io/labels/DicomSegWriter.h"
+#include "io/labels/LabelStore.h"
 #include "io/read/FileNames.h"
 #include "io/read/Losses.h"
 #include "io/read/Refuse.h"
@@ -106,16 +107,23 @@ std::vector<std::string> writeNiftiLabels(const LabelVolume& labels, ReplaceFile
   return writeAsVolume(labels, file, true, writeNiftiWith, progress);
 }
 
+std::vector<std::string> writeNewestStore(const LabelVolume& labels, const Path& path, Progress& progress) {
+  return writeLabelStore(labels, path, OmeVersion::V05, progress);
+}
+
 struct Row {
   LabelFormat format;
   /// The caller commits. Returns what was lost.
   std::vector<std::string> (*write)(const LabelVolume&, ReplaceFile&, Progress&);
+  /// Writes a format of many files in its own safe way; null: `write` does.
+  std::vector<std::string> (*writeAlone)(const LabelVolume&, const Path&, Progress&) = nullptr;
 };
 // A new format is one row.
 constexpr Row kTable[] = {
     {{"3D Slicer segmentation", ".seg.nrrd .nrrd"}, writeNrrdLabels},
     {{"NIfTI", ".nii.gz .nii"}, writeNiftiLabels},
     {{"DICOM segmentation", ".dcm"}, writeDicomSeg},
+    {{"OME-Zarr", ".zarr .ozx"}, nullptr, writeNewestStore},
 };
 
 constexpr auto kFormats = [] {
@@ -140,12 +148,13 @@ std::span<const LabelFormat> labelFormats() { return kFormats; }
 bool isLabelFormat(const Path& path) { return chooseRow(path) != nullptr; }
 
 void expectLabelFormat(const Path& path) {
-  if (!isLabelFormat(path)) refuse(path, "labels are written as .seg.nrrd, .nrrd, .nii, .nii.gz or .dcm");
+  if (!isLabelFormat(path)) refuse(path, "labels are written as .seg.nrrd, .nrrd, .nii, .nii.gz, .dcm, .zarr or .ozx");
 }
 
 std::vector<std::string> writeLabels(const LabelVolume& labels, const std::filesystem::path& path, Progress& progress) {
   expectLabelFormat(path);
   const Row* row = chooseRow(path);
+  if (row->writeAlone) return row->writeAlone(labels, path, progress);
   ReplaceFile file(path);
   auto losses = row->write(labels, file, progress);
   file.commit();

@@ -25,7 +25,8 @@ bool isLabelFormat(const std::filesystem::path& path);
 void expectLabelFormat(const std::filesystem::path& path);
 
 /// Writes labels with names, colours and opacities, by extension: .seg.nrrd or .nrrd (3D Slicer's segments), .nii.gz or
-/// .nii (Caret's table), both uint8 when ids fit, else uint16; .dcm (DICOM segmentation).
+/// .nii (Caret's table), both uint8 when ids fit, else uint16; .dcm (DICOM segmentation); .zarr and .ozx
+/// as writeStore() does.
 /// @return what the format could not hold, one line each, for people
 /// @throw InputError when the extension is not one of these, the format cannot hold the labels, or the disk refuses;
 /// Cancelled

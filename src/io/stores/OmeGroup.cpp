@@ -4,18 +4,27 @@
 
 namespace velum::io {
 
+namespace {
+
+bool isVersion3(const Store& store, const std::string& key) {
+  return store.open(keyBelow(store, key, "zarr.json")) != nullptr;
+}
+
+}  // namespace
+
+Json attributesOf(const Store& store, const std::string& key) {
+  bool isNew = isVersion3(store, key);
+  std::string file = keyBelow(store, key, isNew ? "zarr.json" : ".zattrs"), text = textOf(store, file);
+  if (text.empty() && !isNew) return nullptr;
+  Json json = parseJson(text, store.pathOf(file));
+  if (!isNew) return json;
+  return json.is_object() && json.contains("attributes") ? std::move(json["attributes"]) : Json(nullptr);
+}
+
 Json omeAttributes(const Store& store, const std::string& key) {
-  std::string file = keyBelow(store, key, "zarr.json");
-  if (std::string text = textOf(store, file); !text.empty()) {
-    Json metadata = parseJson(text, store.pathOf(file));
-    if (!metadata.is_object() || !metadata.contains("attributes")) return nullptr;
-    Json& attributes = metadata["attributes"];
-    if (!attributes.is_object() || !attributes.contains("ome")) return nullptr;
-    return std::move(attributes["ome"]);
-  }
-  file = keyBelow(store, key, ".zattrs");
-  std::string text = textOf(store, file);
-  return text.empty() ? Json(nullptr) : parseJson(text, store.pathOf(file));
+  Json attributes = attributesOf(store, key);
+  if (!isVersion3(store, key)) return attributes;
+  return attributes.is_object() && attributes.contains("ome") ? std::move(attributes["ome"]) : Json(nullptr);
 }
 
 Path omePath(const Store& store, const std::string& key) {

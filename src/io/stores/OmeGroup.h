@@ -10,6 +10,9 @@ namespace velum::io {
 /// group of that key. @throw InputError for damaged metadata
 Json omeAttributes(const Store& store, const std::string& key);
 
+/// All attributes of a group; null where it has none. @throw InputError for damaged metadata
+Json attributesOf(const Store& store, const std::string& key);
+
 /// The file with these attributes, for messages.
 Path omePath(const Store& store, const std::string& key);
 

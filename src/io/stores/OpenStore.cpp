@@ -7,6 +7,7 @@
 
 #include "core/FileName.h"
 #include "io/read/ByteSource.h"
+#include "io/stores/WriteStore.h"
 
 namespace velum::io {
 
@@ -17,7 +18,14 @@ constexpr double kGb = 1e9;
 /// Bytes of the machine's memory.
 double machineBytes() { return double(::sysconf(_SC_PHYS_PAGES)) * double(::sysconf(_SC_PAGESIZE)); }
 
-constexpr std::string_view kMetadata[] = {"zarr.json", ".zgroup", ".zattrs", ".zarray"};
+constexpr std::string_view kMetadata[] = {"zarr.json", ".zgroup", ".zattrs", ".zarray", kUnfinishedName};
+
+/// @throw InputError for one that was not written to its end, too
+std::unique_ptr<Store> openWhole(const Path& path) {
+  if (isUnfinished(path))
+    refuse(path, "is not whole: writing it was stopped; give the same command again, which goes on, or remove it");
+  return openStore(path);
+}
 
 }  // namespace
 
@@ -47,10 +55,10 @@ bool isStoreArchive(const Path& path, std::string_view head) {
   }
 }
 
-std::vector<StoreImage> imagesIn(const Path& path) { return listImages(*openStore(path)); }
+std::vector<StoreImage> imagesIn(const Path& path) { return listImages(*openWhole(path)); }
 
 std::unique_ptr<ZarrSource> openImage(const Path& path, const std::string& wanted) {
-  std::shared_ptr<const Store> store = openStore(path);
+  std::shared_ptr<const Store> store = openWhole(path);
   std::string key = keyBelow(*store, "", wanted);
   std::vector<std::string> notes;
   if (wanted.empty()) {

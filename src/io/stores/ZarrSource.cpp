@@ -5,9 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <nlohmann/json.hpp>
 
 #include "io/read/Placement.h"
 #include "io/stores/AxisUnits.h"
+#include "io/stores/OmeGroup.h"
+#include "io/stores/OwnAttributes.h"
 
 namespace velum::io {
 
@@ -36,6 +39,7 @@ ZarrSource::ZarrSource(std::shared_ptr<const Store> store, OmeImage image, std::
   for (const OmeLevel& level : mImage.levels) openLevel(level);
   describeHead();
   placeLevels();
+  takeOwnAttributes();
 }
 
 void ZarrSource::openLevel(const OmeLevel& level) {
@@ -153,6 +157,18 @@ void ZarrSource::placeLevels() {
     mHead.warnings.insert(mHead.warnings.end(), placed.warnings.begin(), placed.warnings.end());
   }
   mHead.worldFromVoxel = mLevels.front().worldFromVoxel;
+}
+
+/// Of a store that we wrote. It turns all levels as it turns the finest.
+void ZarrSource::takeOwnAttributes() {
+  if (mImage.isBare) return;
+  Json attributes = attributesOf(*mStore, mImage.key);
+  glm::dmat4 placed = mHead.worldFromVoxel;
+  applyOwn(memberOf(attributes, "velum"), mHead);
+  if (mHead.worldFromVoxel == placed) return;
+  glm::dmat4 turned = mHead.worldFromVoxel * glm::inverse(placed);
+  for (VoxelLevel& level : mLevels) level.worldFromVoxel = turned * level.worldFromVoxel;
+  mLevels.front().worldFromVoxel = mHead.worldFromVoxel;
 }
 
 void ZarrSource::read(const BrickAddress& address, const SampleTarget& target) const {

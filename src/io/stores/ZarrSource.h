@@ -31,6 +31,7 @@ class ZarrSource : public VoxelSource {
   void placeLevels();
   void fillScales();
   bool holdsMeansOfBlocks() const;
+  void takeOwnAttributes();
 
   std::shared_ptr<const Store> mStore;
   OmeImage mImage;

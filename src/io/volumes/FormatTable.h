@@ -24,6 +24,10 @@ struct FormatRow {
   /// Writes the format; null when we do not write it. The caller commits the file. Returns what was lost, one line
   /// each.
   std::vector<std::string> (*write)(const Volume&, ReplaceFile&, Progress&);
+  /// Writes a format of many files, or of one that is made of many, in its own safe way; null: `write` does.
+  std::vector<std::string> (*writeAlone)(const Volume&, const Path&, Progress&) = nullptr;
+
+  bool isWritten() const { return write || writeAlone; }
 };
 
 std::span<const FormatRow> formatTable();

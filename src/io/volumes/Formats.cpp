@@ -64,7 +64,7 @@ constexpr FormatRow kTable[] = {
     {{"SEG-Y", ".sgy .segy", true, ""}, nullptr, readSegy, nullptr},
     {{"TIFF", ".tif .tiff", true, ""}, isTiff, readTiff, nullptr},
     {{"OpenVDB", ".vdb", true, ".vdb"}, isVdb, readVdb, writeVdb},
-    {{"OME-Zarr", ".zarr .ozx .zarr.zip", true, ""}, isZarr, readZarr, nullptr},
+    {{"OME-Zarr", ".zarr .ozx .zarr.zip", true, ".zarr .ozx"}, isZarr, readZarr, nullptr, writeZarr},
     {{"InVesalius project", ".inv3", true, ""}, nullptr, readInvesalius, nullptr},
     {{"Raw", ".raw .bin .img .den .dat .vol .data .raw.gz", true, ""}, nullptr, readRaw, nullptr},
 };
@@ -107,7 +107,7 @@ const FormatRow* chooseReader(const FileHead& head) {
 
 const FormatRow* chooseWriter(const Path& path) {
   for (const FormatRow& row : kTable)
-    if (row.write && isAmong(row.format.written, lowerExtension(path))) return &row;
+    if (row.isWritten() && isAmong(row.format.written, lowerExtension(path))) return &row;
   return nullptr;
 }
 

@@ -18,7 +18,7 @@ namespace {
 std::vector<std::string_view> writtenExtensions() {
   std::vector<std::string_view> all;
   for (const FormatRow& row : formatTable())
-    if (row.write) all.push_back(row.format.written);
+    if (row.isWritten()) all.push_back(row.format.written);
   return all;
 }
 
@@ -39,6 +39,7 @@ std::vector<std::string> writeVolume(const Volume& volume, const std::filesystem
   expectVolumeFormat(path);
   const FormatRow* row = chooseWriter(path);
   checkWhole(volume, path);
+  if (row->writeAlone) return row->writeAlone(volume, path, progress);
   ReplaceFile file(path);
   auto losses = row->write(volume, file, progress);
   file.commit();

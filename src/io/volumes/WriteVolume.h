@@ -12,7 +12,8 @@ namespace velum::io {
 /// extension is unknown
 void expectVolumeFormat(const std::filesystem::path& path);
 
-/// Writes .nrrd, .nii, .nii.gz, .vti or .vdb, by extension; to a temporary beside it, then renamed. Orientation,
+/// Writes .nrrd, .nii, .nii.gz, .vti, .vdb, .zarr (a folder) or .ozx, by extension; to a temporary beside it, then
+/// renamed; stores as writeStore() does. Orientation,
 /// spacing, scale and offset survive. VDB gets the values as floats, or as doubles where floats do not hold them; all
 /// other formats get exactly the raw samples.
 /// @return what the format could not hold, one line each, for people

@@ -2,6 +2,7 @@
 
 #include "core/VoxelSource.h"
 #include "io/stores/OpenStore.h"
+#include "io/stores/WriteStore.h"
 #include "io/volumes/Readers.h"
 
 namespace velum::io {
@@ -33,6 +34,10 @@ Volume readZarr(const scene::Source& source, Progress& progress) {
   Volume volume = readLevel(*image, level, progress);
   sayLevel(volume, *image, source, level);
   return volume;
+}
+
+std::vector<std::string> writeZarr(const Volume& volume, const Path& path, Progress& progress) {
+  return writeStore(VolumeSource(volume), path, {}, progress);
 }
 
 }  // namespace velum::io

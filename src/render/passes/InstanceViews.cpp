@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "model/InstanceRows.h"
+#include "scene/ModelLooks.h"
 #include "scene/Shown.h"
 
 namespace velum::render {
@@ -52,9 +53,7 @@ shared::InstanceView eyeViewOf(const FrameData& data, int sample) {
   view.instanceCount = int(model.data->instances.size());
   view.cutCount = int(data.cuts.size());
   view.isOrthographic = (params.flags & shared::kFlagOrthographic) ? 1 : 0;
-  // A picture of more samples resolves finer shapes.
-  view.detail = float(model.detail) * (frame.isPreview ? kPreviewDetail : 1.0f) /
-                std::sqrt(float(std::max(1, frame.scene.rayCast.samplesPerPixel)));
+  view.detail = float(scene::shapeDetail(frame.scene)) * (frame.isPreview ? kPreviewDetail : 1.0f);
   view.largeRadius = kLargeRadius;
   view.wholeInstances = model::wholeInstanceBits(frame.scene);
   return view;

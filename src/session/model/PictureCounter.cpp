@@ -4,11 +4,13 @@
 
 #include "render/RenderPicture.h"
 #include "scene/Crowd.h"
+#include "scene/ModelLooks.h"
 
 namespace velum::session {
 
 scene::Scene PictureCounter::bareScene(const scene::Scene& scene) {
   scene::Scene bare = scene;
+  bare.model.detail = scene::shapeDetail(scene);  // the shapes of the picture that it counts for
   bare.rayCast.samplesPerPixel = 1;
   bare.lighting.shaded = false;
   bare.finish = {};

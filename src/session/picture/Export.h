@@ -17,7 +17,7 @@ namespace velum::session {
 std::vector<std::string> exportSheets(const scene::Scene& settled, const std::vector<int>& cuts,
                                       const std::filesystem::path& path);
 
-/// Writes the volume with the part that the cuts remove emptied: .nrrd, .nii, .nii.gz, .vti or .vdb.
+/// Writes the volume with the part that the cuts remove emptied: .nrrd, .nii, .nii.gz, .vti, .vdb, .zarr or .ozx.
 /// @throw Cancelled, InputError as io::writeVolume, ArgumentError without a volume. @return as exportSheets()
 std::vector<std::string> exportClippedVolume(const scene::Scene& settled, const std::filesystem::path& path,
                                              Progress& progress);

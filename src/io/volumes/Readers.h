@@ -8,6 +8,7 @@
 #include "core/ReplaceFile.h"
 #include "core/Task.h"
 #include "core/Volume.h"
+#include "io/read/Refuse.h"
 #include "scene/Source.h"
 
 /// The readers and writers, each in the file of its name. The table in Formats.cpp lists them and chooses one by the

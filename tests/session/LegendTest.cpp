@@ -32,7 +32,9 @@ TEST(Legend, StructuresAreListedByTheirNamesAndStayListedWhenTheyAreRenamed) {
   scene.labels.data = Shared<LabelVolume>(LabelVolume());
   for (int id : {1, 2, 3}) scene.labels.structures.push_back({.id = id, .name = "s" + std::to_string(id)});
   EXPECT_EQ(namesOf(scene), (std::vector<std::string>{"s1", "s2", "s3"}));
+  EXPECT_FALSE(scene.lettering.legend);
   scene = after(scene, ListStructuresInLegend{{"s3", "1"}, true});
+  EXPECT_TRUE(scene.lettering.legend) << "who lists something wants to see it";
   EXPECT_EQ(namesOf(scene), (std::vector<std::string>{"s3", "s1"})) << "in the order of listing";
   scene = after(scene, RenameStructure{"s3", " Aorta "});
   EXPECT_EQ(namesOf(scene), (std::vector<std::string>{"Aorta", "s1"}));

@@ -113,6 +113,7 @@ void listInLegend(scene::Scene& scene, const std::vector<std::string>& paths, bo
     std::erase(entries, path);
     if (listed) entries.push_back(path);
   }
+  if (listed) scene.lettering.legend = true;  // who lists something wants to see it
 }
 
 void setTypesVisible(scene::Scene& scene, const TypeNumbers& types, bool visible) {

@@ -41,7 +41,8 @@ void setTypesColor(scene::Scene& scene, const TypeNumbers& types, std::optional<
 void setTypesGhosts(scene::Scene& scene, const TypeNumbers& types, std::optional<scene::Ghosts> ghosts);
 /// Gives a type or compartment another name. @param name  empty: the file's again
 void rename(scene::Scene& scene, std::string_view path, std::string_view name);
-/// Lists types or compartments in the legend, or takes them out of its list. @param paths  each gets an entry
+/// Lists types, compartments or structures in the legend, which is turned on, or takes them out of its list.
+/// @param paths  each gets an entry; of structures their names
 void listInLegend(scene::Scene& scene, const std::vector<std::string>& paths, bool listed);
 /// Sets how many instances of a type or compartment are to be seen, in the place of a number that was to be drawn.
 /// @param visible  none: any number will do, drawn or seen

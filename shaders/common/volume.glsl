@@ -23,29 +23,38 @@ layout(binding = kExtinctionUnit) uniform usamplerBuffer extinctionTexture;  // 
 // By structure: StructureRow. A software driver fetches texels of eight rays at once, rows of a block ray by ray.
 layout(binding = kStructureUnit) uniform samplerBuffer structureTexture;
 
+#if BRICKS
+#include "common/bricks.glsl"
+#else
+/// Where a place of the volume lies in the textures, which are the volume.
+vec3 storedAt(vec3 tex) { return tex; }
+#endif
+
 // A texel is 0..1 of its type, or a float.
 #if PACKED != 0
-float rawTexelAt(vec3 tex) { return packedAt(volumeTexture, frame.volumeSize.xyz, tex); }
+float rawTexelIn(vec3 stored) { return packedAt(volumeTexture, frame.storeSize.xyz, stored); }
 const float kRawUnit = kPackedUnit;
 #elif COLOR
 /// COLOR 1: the colours of the data. COLOR 2: of mixed channels, which are kept multiplied by alpha.
 vec3 volumeColorAt(vec3 tex) {
-  vec4 texel = textureLod(volumeTexture, tex, 0.0);
+  vec4 texel = textureLod(volumeTexture, storedAt(tex), 0.0);
   return COLOR == 2 ? texel.rgb / max(texel.a, 1.0 / 255.0) : texel.rgb;
 }
-float rawTexelAt(vec3 tex) { return textureLod(volumeTexture, tex, 0.0).a; }
+float rawTexelIn(vec3 stored) { return textureLod(volumeTexture, stored, 0.0).a; }
 const float kRawUnit = 1.0;
 #else
-float rawTexelAt(vec3 tex) { return textureLod(volumeTexture, tex, 0.0).r; }
+float rawTexelIn(vec3 stored) { return textureLod(volumeTexture, stored, 0.0).r; }
 const float kRawUnit = 1.0;
 #endif
+float rawTexelAt(vec3 tex) { return rawTexelIn(storedAt(tex)); }
 float texelAt(vec3 tex) { return rawTexelAt(tex) * kRawUnit; }
 
-/// Position in the transfer table, 0..kTransferSize-1.
-float tableAt(vec3 tex) {
+/// Position in the transfer table, 0..kTransferSize-1. @param stored  of storedAt()
+float tableIn(vec3 stored) {
   const float last = float(kTransferSize - 1);
-  return clamp(rawTexelAt(tex) * (frame.tablePerTexel * kRawUnit * last) + frame.tableOffset * last, 0.0, last);
+  return clamp(rawTexelIn(stored) * (frame.tablePerTexel * kRawUnit * last) + frame.tableOffset * last, 0.0, last);
 }
+float tableAt(vec3 tex) { return tableIn(storedAt(tex)); }
 
 /// A position among the label voxels, whose corners are at whole numbers.
 vec3 labelVoxelAt(vec3 scenePoint) { return (frame.labelFromScene * vec4(scenePoint, 1.0)).xyz + 0.5; }
@@ -305,7 +314,7 @@ vec3 tinted(vec3 albedo, vec3 scenePoint, vec3 outwards, uint structure) {
 /// Looked up in a texture of them, where there is room for one (`GradientPlanes`, which smooth them further); else on demand.
 vec3 gradientAt(vec3 tex) {
 #if GRADIENTS
-  vec4 texel = textureLod(gradientTexture, tex, 0.0);
+  vec4 texel = textureLod(gradientTexture, storedAt(tex), 0.0);
   vec3 g = (texel.xyz - 128.0 / 255.0) * (texel.w * texel.w * frame.gradientUnit);
 #else
   vec3 h = 1.0 / frame.volumeSize.xyz;

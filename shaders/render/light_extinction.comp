@@ -1,6 +1,9 @@
 // The light grid's first step: mean extinction of each of its cells, as cut and as the structures are shown.
 layout(local_size_x = 4, local_size_y = 4, local_size_z = 4) in;
 
+// A streamed volume throws the shadows of its coarse level, whatever else has come: they hang on nothing that was seen before.
+#define COARSE_ONLY
+
 #include "common/frame.glsl"
 #include "common/cuts.glsl"
 #include "common/volume.glsl"

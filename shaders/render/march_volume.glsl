@@ -203,7 +203,12 @@ Group groupAt(Walk walk, Ray ray, float lattice, float from, float to, bool spar
   group.from = from;
   group.to = to;
 #if LABELS != 2
+#if BRICKS == 1
+  Brick brick = brickAt(texAt(walk, 0.5 * (timeIn(group, walk, 0) + timeIn(group, walk, kGroup))));
+  for (int i = 0; i <= kGroup; ++i) group.x[i] = tableIn(storedIn(brick, texAt(walk, timeIn(group, walk, i))));
+#else
   for (int i = 0; i <= kGroup; ++i) group.x[i] = tableAt(texAt(walk, timeIn(group, walk, i)));
+#endif
 #endif
 #if LABELS != 0
   if (usesShares(sparedOnly)) {

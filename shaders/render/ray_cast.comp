@@ -4,6 +4,7 @@
 // MODE 0 volume, 1 maximum, 2 isosurface; LABELS 0 none, 1 over a volume, 2 alone; COLOR 1 for colour volumes, 2 for mixed
 // channels; GRADIENTS 1 looks gradients up in a texture; MEMBRANES is there when some cut is a membrane.
 layout(local_size_x = 8, local_size_y = 8) in;
+#define SEES_PAGES
 
 #include "common/frame.glsl"
 #include "common/cuts.glsl"
@@ -40,6 +41,7 @@ layout(binding = kSampleImage, rgba32ui) uniform writeonly uimage2D sampleImage;
 layout(location = 0) uniform ivec4 tile;          // x, y: corner in the image; z, w: its size
 layout(location = 1) uniform ivec2 windowOrigin;  // the image's corner in the whole picture
 layout(location = 2) uniform ivec2 groups;        // x: of a row of the tile; y: stride
+layout(location = 3) uniform int pixelStep;       // 1; more: only one of so many pixels along each axis, to see which pages rays meet
 
 /// Everything along one ray, stretch by stretch.
 void castStretches(inout Hit hit, Ray ray, Walk walk, float from, float tEnd) {
@@ -108,7 +110,7 @@ ivec2 pixelInTile() {
 }
 
 void main() {
-  ivec2 inTile = pixelInTile();
+  ivec2 inTile = pixelInTile() * pixelStep;
   if (inTile.x >= tile.z || inTile.y >= tile.w) return;
   ivec2 pixel = tile.xy + inTile;
   ivec2 inPicture = pixel + windowOrigin;
@@ -123,6 +125,7 @@ void main() {
   float jitter = hasFlag(kFlagJitter) ? fract(texelFetch(noiseTexture, inPicture & (textureSize(noiseTexture, 0) - 1), 0).r + frame.noise) : 0.5;
 
   Hit hit = castRay(ray, jitter, stop);
+  if (pixelStep > 1) return;
   uint instance = kDataInstance;
   uint group = kDataInstance;
   float size = kLargestSize;

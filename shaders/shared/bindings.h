@@ -31,6 +31,8 @@ SHARED_CONST uint kStructureUnit = 13u;
 SHARED_CONST uint kShareUnit = 39u;
 SHARED_CONST uint kCoverUnit = 40u;
 SHARED_CONST uint kCoarseShareUnit = 41u;
+SHARED_CONST uint kPageUnit = 47u;     // of a streamed volume: the slot of each page
+SHARED_CONST uint kSlotRowUnit = 48u;  // and where slots lie
 
 // Those of the finish.
 SHARED_CONST uint kSampleUnit = 14u;     // what kSampleImage holds
@@ -75,6 +77,9 @@ SHARED_CONST uint kCutBinding = 0u;
 SHARED_CONST uint kCellBinding = 1u;
 SHARED_CONST uint kCutGridBinding = 2u;
 SHARED_CONST uint kFirstLent = 3u;
+
+// That of casting rays through a streamed volume.
+SHARED_CONST uint kSeenPageBinding = 3u;
 
 // Storage blocks of a view of instances.
 SHARED_CONST uint kDepthBinding = 3u;

@@ -64,7 +64,12 @@ struct FrameParams {
   vec4 right;           ///< from the middle of the picture to its right edge, at distance 1 (orthographic: a length)
   vec4 up;              ///< to its top edge
   vec4 forward;         ///< unit
-  vec4 volumeSize;      ///< voxels x, y, z of the texture
+  vec4 volumeSize;      ///< voxels x, y, z of the volume
+  vec4 storeSize;       ///< texels x, y, z of the texture that holds them
+  vec4 pageGrid;        ///< of a streamed volume: pages x, y, z;
+  vec4 pagesPerTex;     ///< place among the pages = texture coordinates * pagesPerTex + firstPage
+  vec4 firstPage;
+  vec4 coarseEdge;      ///< half a voxel of its coarse level, texture coordinates
   vec4 cellGrid;        ///< cells x, y, z
   vec4 cellsPerTex;     ///< cells in a unit of texture coordinates
   vec4 lightGrid;       ///< cells x, y, z of the light grid

@@ -8,7 +8,11 @@ extern "C" std::size_t
 __sanitizer_get_current_allocated_bytes();  // the compiler's package lacks the header that says it
 #endif
 
+#include <unistd.h>
+
 namespace velum {
+
+double machineBytes() { return double(::sysconf(_SC_PHYS_PAGES)) * double(::sysconf(_SC_PAGESIZE)); }
 
 void releaseFreeMemory() {
 #if defined(__GLIBC__)

@@ -11,4 +11,7 @@ void releaseFreeMemory();
 /// stacks and memory that the allocator holds in reserve are not counted. Any thread; milliseconds.
 std::size_t allocatedBytes();
 
+/// Bytes of the machine's memory. Any thread.
+double machineBytes();
+
 }  // namespace velum

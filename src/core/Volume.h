@@ -50,6 +50,8 @@ struct UnsetAllocator : std::allocator<T> {
 };
 using Bytes = std::vector<std::byte, UnsetAllocator<std::byte>>;
 
+struct FinerLevels;
+
 /// A regular grid of samples with its place in the patient (or specimen, or earth).
 ///
 /// World: in `lengthUnit`, DICOM patient axes (x to the Left, y to the Posterior, z to the Superior). Voxel centres are
@@ -78,6 +80,8 @@ struct Volume {
   std::vector<glm::ivec2> gaps;  ///< Planes along z for which the file has no slice, {first, count}; their values are
                                  ///< interpolated linearly.
   std::vector<std::string> warnings;  ///< What the reader had to assume or mend, one line each.
+  std::shared_ptr<const FinerLevels> finer;  ///< Where the volume is a coarse level of a larger one (core/BrickCache.h);
+                                             ///< else nullptr.
 };
 
 std::size_t voxelCount(const Volume& volume);     ///< dims.x * dims.y * dims.z

@@ -6,6 +6,7 @@
 
 #include "render/FinishSetup.h"
 #include "render/FrameParams.h"
+#include "render/residency/PageGrid.h"
 #include "render/upload/BlueNoise.h"
 #include "render/upload/CutSheets.h"
 #include "scene/Shown.h"
@@ -94,6 +95,16 @@ void writePlanes(const std::vector<shared::CutData>& cuts, shared::FrameParams& 
   }
 }
 
+/// Where the volume's voxels lie in its textures.
+void writeStore(const GpuVolume& volume, shared::FrameParams& params) {
+  params.storeSize = glm::vec4(volume.storeSize, 0.0f);
+  if (!volume.pages) return;
+  params.pageGrid = glm::vec4(volume.pages->grid, 0.0f);
+  params.pagesPerTex = glm::vec4(glm::vec3(volume.pages->perTex), 0.0f);
+  params.firstPage = glm::vec4(glm::vec3(volume.pages->first), 0.0f);
+  params.coarseEdge = glm::vec4(glm::vec3(volume.pages->coarseEdge), 0.0f);
+}
+
 }  // namespace
 
 namespace {
@@ -136,6 +147,7 @@ void completeFrameData(FrameData& data) {
     if (cut.kind.z & shared::kCutJoined) data.params.flags |= shared::kFlagJoined;
   }
   if (int(data.cuts.size()) <= shared::kMostPlanes) writePlanes(data.cuts, data.params);
+  if (data.volume) writeStore(*data.volume, data.params);
   bool hasLooks = scene.labels.unlabelled != 1.0;
   for (const auto& structure : scene.labels.structures) {
     if (structure.tint != 1.0) data.params.flags |= shared::kFlagTints;
@@ -171,6 +183,9 @@ DataVariant dataVariantOf(const FrameData& data) {
     variant.mode = data.frame.scene.rayCast.mode;
     variant.texels = volume->isMixed ? TexelKind::Mixed : volume->isColor ? TexelKind::Color : TexelKind::Value;
     variant.packing = volume->packing;
+    // A group of longer steps reaches farther than what bricks have of their neighbours.
+    bool isLong = data.params.step * data.params.voxelsPerLength * 4.0f > float(kGroupReach) + 1e-3f;
+    if (volume->pages) variant.bricks = isLong ? BrickUse::BySample : BrickUse::ByGroup;
   }
   variant.labels = data.labelUse;
   variant.hasMembranes = (data.params.flags & shared::kFlagMembranes) != 0;

@@ -16,6 +16,8 @@
 
 namespace velum::render {
 
+class Residency;
+
 /// Identifies the texels of a volume that a frame is drawn from.
 struct VolumeKey {
   std::uint64_t id = 0;  ///< Id of the volume's payload; 0: no volume.
@@ -56,6 +58,7 @@ struct FrameData {
   bool isSoftware = false;  ///< the driver is a software driver
   // Data on the GPU, filled in by UploadPass.
   const GpuVolume* volume = nullptr;  ///< nullptr: none is drawn.
+  Residency* residency = nullptr;  ///< Of a volume that is streamed; else nullptr.
   VolumeKey volumeKey;
   LabelUse labelUse = LabelUse::None;
   LabelKey labelKey;                       ///< id 0 where no labels are drawn.

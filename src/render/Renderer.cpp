@@ -6,6 +6,7 @@
 #include <optional>
 #include <thread>
 
+#include "core/Clock.h"
 #include "render/FrameData.h"
 #include "render/Gbuffer.h"
 #include "render/WorkQueue.h"
@@ -21,6 +22,7 @@
 #include "render/passes/StatePass.h"
 #include "render/passes/SurfacePass.h"
 #include "render/passes/UploadPass.h"
+#include "render/residency/Residency.h"
 
 namespace velum::render {
 
@@ -28,6 +30,7 @@ namespace {
 
 constexpr double kUploadShare = 0.05;                   // of a picture's progress
 constexpr std::chrono::milliseconds kProgramsPause{1};  // between two questions whether programs are compiled
+constexpr std::chrono::milliseconds kBricksPause{1};    // and whether bricks have come
 
 }  // namespace
 
@@ -70,12 +73,19 @@ struct Renderer::Impl {
   Pass* const casting[4] = {&rayCast, &counts, &ghosts, &finish};
   WorkQueue queue;
   Stats stats;
+  bool waits = false;                          ///< Nobody looks on: bricks are waited for before anything is drawn.
+  Clock::time_point drawnAt = Clock::now();  ///< When there was something new to be seen.
 
   void begin(const Frame& frame);
   void setUp();
   void askForPrograms();
   bool hasPrograms();
   void addSamples();
+  void addBricks();
+  bool takeBricks();
+  void addCasting();
+  void checkBricks(bool isLast);
+  bool isPatient() const;
   void bind() const;
   void noteStats();
   bool look();
@@ -133,8 +143,73 @@ void Renderer::Impl::addSamples() {
   skip.addSteps(data, 0, queue);
   light.addSteps(data, 0, queue);
   states.addSteps(data, 0, queue);
-  // Each sample: its rays, what is rasterised, what is cast up to there, what an illustrator makes of it.
-  for (int sample = 0; sample < std::max(1, data.frame.scene.rayCast.samplesPerPixel); ++sample) {
+  if (data.residency && !data.frame.isPreview)
+    addBricks();
+  else
+    addCasting();
+  queue.countAll();
+}
+
+/// Of a streamed volume: which bricks rays meet, and what is not there of them.
+void Renderer::Impl::addBricks() {
+  queue.add(rayCast, [this] {
+    bind();
+    data.residency->clearSeen();
+    rayCast.markPages(data);
+  });
+  queue.add("Bricks", [this] { data.residency->gather([this](glm::vec2 texels) { return skip.mayShow(texels); }); });
+  queue.addUntilDone("Bricks", [this] { return takeBricks(); });
+  queue.add("Bricks", [this] {
+    bool hasNews = data.residency->hasNews();
+    if (hasNews) data.residency->updateCells();
+    skip.addSteps(data, 0, queue);
+    // What has come may have let rays through to others.
+    if (hasNews && isPatient())
+      addBricks();
+    else
+      addCasting();
+  });
+}
+
+/// Waits for bricks, but not longer than somebody who looks on likes to see nothing new.
+bool Renderer::Impl::takeBricks() {
+  constexpr double kPieceMs = 8.0;
+  std::size_t missing = data.residency->receive(kPieceMs, [this](glm::vec2 texels) { return skip.mayShow(texels); });
+  if (missing == 0 || !isPatient()) return true;
+  std::this_thread::sleep_for(kBricksPause);
+  queue.rest();
+  return false;
+}
+
+bool Renderer::Impl::isPatient() const {
+  constexpr double kMostMs = 500.0;
+  return waits || msSince(drawnAt) < (rayCast.progress().samples > 0 ? kMostMs : 0.0);
+}
+
+/// A sample may have met what the marks of a few pixels had not told.
+void Renderer::Impl::checkBricks(bool isLast) {
+  auto mayShow = [this](glm::vec2 texels) { return skip.mayShow(texels); };
+  drawnAt = Clock::now();
+  std::size_t missing = data.residency->gather(mayShow);
+  if (missing == 0 && !data.residency->hasNews()) return;
+  static_cast<void>(isLast);
+  queue.dropRest();
+  queue.addUntilDone("Bricks", [this] { return takeBricks(); });
+  queue.add("Bricks", [this] {
+    if (data.residency->hasNews()) data.residency->updateCells();
+    skip.addSteps(data, 0, queue);
+    addBricks();
+  });
+  rayCast.redo();
+  finish.restart();
+  ghosts.restart();
+}
+
+/// Each sample: its rays, what is rasterised, what is cast up to there, what an illustrator makes of it.
+void Renderer::Impl::addCasting() {
+  if (data.residency) queue.add("Bricks", [this] { bind(); data.residency->clearSeen(); });
+  int samples = std::max(1, data.frame.scene.rayCast.samplesPerPixel);
+  for (int sample = 0; sample < samples; ++sample) {
     queue.add("Setup", [this, sample] { inputs.writeParams(data, sample); });
     surfaces.addSteps(data, sample, queue);
     instances.addSteps(data, sample, queue);
@@ -142,8 +217,10 @@ void Renderer::Impl::addSamples() {
     counts.addSteps(data, sample, queue);
     ghosts.addSteps(data, sample, queue);
     finish.addSteps(data, sample, queue);
+    bool isLast = sample + 1 == samples;
+    if (data.residency && !data.frame.isPreview && (sample == 0 || isLast))
+      queue.add("Bricks", [this, isLast] { checkBricks(isLast); });
   }
-  queue.countAll();
 }
 
 /// For all steps that follow. Other GL work that comes in between binds things of its own.
@@ -160,7 +237,7 @@ void Renderer::Impl::noteStats() {
   stats.longestStepMs = queue.longestMs();
   stats.samples = rayCast.progress().samples;
   stats.labelBytes = upload.labelBytes();
-  stats.reduction = isDrawn && data.volume && !data.volumeKey.isQuick ? data.volume->reduction : "";
+  stats.reduction = isDrawn && data.residency ? data.residency->shortfall() : isDrawn && data.volume && !data.volumeKey.isQuick ? data.volume->reduction : "";
   if (queue.isEmpty()) stats.passesMs = queue.timesMs();
 }
 
@@ -206,6 +283,7 @@ bool Renderer::work(const Frame& frame, double budgetMs) {
 }
 
 void Renderer::render(const Frame& frame, Progress& progress) {
+  mImpl->waits = true;
   while (!work(frame, 100.0)) progress.report(fractionDone(), "rendering");
   mImpl->queue.finish();
   mImpl->noteStats();

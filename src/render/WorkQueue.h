@@ -29,6 +29,8 @@ class WorkQueue {
   /// Adds work that belongs to no pass, under a literal name.
   void add(const char* name, Run run);
   void addUntilDone(const char* name, RunAgain run);
+  /// Called by a piece: forgets all pieces after it.
+  void dropRest() { mSteps.erase(mSteps.begin() + 1, mSteps.end()); }
   /// Tells that all pieces of the frame have been added, so that fractionDone() counts from here.
   void countAll() { mCount = mSteps.size(); }
 

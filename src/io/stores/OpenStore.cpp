@@ -1,11 +1,11 @@
 #include "io/stores/OpenStore.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 
 #include "core/FileName.h"
+#include "core/Memory.h"
 #include "io/read/ByteSource.h"
 #include "io/stores/WriteStore.h"
 
@@ -14,9 +14,6 @@ namespace velum::io {
 namespace {
 
 constexpr double kGb = 1e9;
-
-/// Bytes of the machine's memory.
-double machineBytes() { return double(::sysconf(_SC_PHYS_PAGES)) * double(::sysconf(_SC_PAGESIZE)); }
 
 constexpr std::string_view kMetadata[] = {"zarr.json", ".zgroup", ".zattrs", ".zarray", kUnfinishedName};
 

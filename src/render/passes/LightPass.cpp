@@ -21,6 +21,8 @@ bool hasLight(const scene::Lighting& lighting) {
 DataVariant variantOf(const FrameData& data) {
   DataVariant variant = dataVariantOf(data);
   variant.flags = lightFlagsOf(variant.flags);
+  // They look at the coarse level alone.
+  if (variant.bricks != BrickUse::None) variant.bricks = BrickUse::BySample;
   return variant;
 }
 

@@ -4,6 +4,7 @@
 
 #include "gpu/Strided.h"
 #include "render/WorkQueue.h"
+#include "render/residency/Residency.h"
 
 namespace velum::render {
 
@@ -78,7 +79,8 @@ void RayCastPass::addSteps(const FrameData& data, int sample, WorkQueue& queue) 
 /// The next piece: full strips of rows where that is not too much, else a part of one.
 bool RayCastPass::castNext(const FrameData& data, int sample, glm::ivec4 covered) {
   constexpr int kEdge = shared::kTileGroup;
-  if (sample == 0 && mNext == glm::ivec2(0)) mTarget.clear();
+  bool isRedone = mProgress.samples > sample;
+  if (sample == 0 && mNext == glm::ivec2(0) && !isRedone) mTarget.clear();
   if (covered.z <= 0 || covered.w <= 0) {
     mPace.handedOver.push_back(0);
     finishSample(sample);
@@ -93,11 +95,13 @@ bool RayCastPass::castNext(const FrameData& data, int sample, glm::ivec4 covered
   mPace.most = std::max(groups, mPace.most);
   mPace.handedOver.push_back(groups);
   mNext.x += columns;
-  mProgress.strip = glm::ivec2(mNext.y, mNext.y + mStripRows) + covered.y;
-  mProgress.columnsDone = covered.x + mNext.x;
+  if (!isRedone) {
+    mProgress.strip = glm::ivec2(mNext.y, mNext.y + mStripRows) + covered.y;
+    mProgress.columnsDone = covered.x + mNext.x;
+  }
   if (mNext.x < covered.z) return false;
   mNext = {0, mNext.y + mStripRows};
-  mProgress.rowsDone = covered.y + mNext.y;
+  if (!isRedone) mProgress.rowsDone = covered.y + mNext.y;
   if (mNext.y < covered.w) return false;
   finishSample(sample);
   return true;
@@ -108,14 +112,23 @@ void RayCastPass::finishSample(int sample) {
   mNext = {0, 0};
 }
 
-void RayCastPass::castTile(const FrameData& data, glm::ivec4 rect) {
+void RayCastPass::markPages(const FrameData& data) {
+  constexpr int kPixelStep = 8;  // pages are wider than that
+  glm::ivec4 covered = drawnRect(data);
+  if (covered.z > 0 && covered.w > 0) castTile(data, covered, kPixelStep);
+}
+
+void RayCastPass::castTile(const FrameData& data, glm::ivec4 rect, int pixelStep) {
   mTarget.bindImages();
-  glm::ivec2 groups = (glm::ivec2(rect.z, rect.w) + shared::kTileGroup - 1) / shared::kTileGroup;
+  if (data.residency) data.residency->bindSeen();
+  int edge = shared::kTileGroup * pixelStep;
+  glm::ivec2 groups = (glm::ivec2(rect.z, rect.w) + edge - 1) / edge;
   // Groups beyond the tile have nothing to do.
   gpu::Strided order = gpu::stridedGroups(groups.x * groups.y);
   mProgram->set(0, rect);
   mProgram->set(1, data.frame.windowOrigin);
   mProgram->set(2, glm::ivec2(groups.x, order.stride));
+  mProgram->set(3, pixelStep);
   gpu::dispatch(*mProgram, {order.count, 1, 1});
   gpu::barrier();
 }

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <deque>
 #include <glm/glm.hpp>
 
@@ -31,7 +32,15 @@ class RayCastPass : public Pass {
   void addSteps(const FrameData& data, int sample, WorkQueue& queue) override;
   void took(double ms) override;
 
+  /// Casts rays through a few pixels of the first sample that leave nothing but marks on the pages of a streamed volume.
+  void markPages(const FrameData& data);
+
   const PictureProgress& progress() const { return mProgress; }
+  /// Draws the first sample once more, over what is there.
+  void redo() {
+    mProgress = {std::min(mProgress.samples, 1), 0, {0, 0}, 0};
+    mNext = {0, 0};
+  }
   /// Begins the next picture: nothing of it is there yet.
   void restart() {
     mProgress = {};
@@ -53,7 +62,7 @@ class RayCastPass : public Pass {
   };
   bool castNext(const FrameData& data, int sample, glm::ivec4 covered);
   void finishSample(int sample);
-  void castTile(const FrameData& data, glm::ivec4 rect);
+  void castTile(const FrameData& data, glm::ivec4 rect, int pixelStep = 1);
 
   Gbuffer& mTarget;
   ProgramCache<RayVariant> mPrograms;

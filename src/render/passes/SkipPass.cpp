@@ -24,6 +24,7 @@ SkipPass::Key SkipPass::keyOf(const FrameData& data) {
   const scene::Scene& scene = data.frame.scene;
   Key key;
   key.volume = data.volumeKey;
+  if (data.volume) key.cellRanges = data.volume->cellsRevision;
   key.labelCells = data.labelCellsRevision;
   key.cells = data.grid.cells.size;
   if (data.labelUse == LabelUse::Alone) {
@@ -148,6 +149,11 @@ void SkipPass::addSteps(const FrameData& data, int, WorkQueue& queue) {
     mFound = std::move(found);
     mKey = key;
   });
+}
+
+bool SkipPass::mayShow(glm::vec2 texels) const {
+  // Who is solid shows whatever the values.
+  return !mKey || mKey->solid != 0 || (mKey->hidden != 0 ? hasEnds(*mKey, texels) : hasContent(*mKey, texels));
 }
 
 void SkipPass::bind(const FrameData&) const { mMap.bindSampler(shared::kSkipUnit); }

@@ -55,8 +55,19 @@ const UploadPass::Uploaded* UploadPass::drawnFor(const FrameData& data) const {
 void UploadPass::startWhole(const scene::VolumeLayer& layer, const VolumeKey& key) {
   mWhole.reset();
   mUpload.reset();
-  mUpload = std::make_unique<VolumeUpload>(layer, mLimits);
+  mStreamed.reset();
+  if (layer.data->finer)
+    mStreamed = std::make_unique<Residency>(layer, mLimits);
+  else
+    mUpload = std::make_unique<VolumeUpload>(layer, mLimits);
   mUploadKey = key;
+}
+
+bool UploadPass::stepWhole() {
+  if (mStreamed ? !mStreamed->step() : !mUpload->step()) return false;
+  mWhole = Uploaded{mUploadKey, mUpload ? mUpload->take() : GpuVolume{}, std::move(mStreamed)};
+  mUpload.reset();
+  return true;
 }
 
 void UploadPass::prepare(FrameData& data) {
@@ -70,7 +81,7 @@ void UploadPass::prepare(FrameData& data) {
     if (!drawnFor(data)) mQuick.reset();
     return;
   }
-  if (!mUpload || !(mUploadKey == key)) startWhole(layer, key);
+  if (!(mUpload || mStreamed) || !(mUploadKey == key)) startWhole(layer, key);
   mMs = mMsBefore = 0;
 }
 
@@ -79,12 +90,7 @@ void UploadPass::addSteps(const FrameData& data, int, WorkQueue& queue) {
   VolumeKey key = volumeKeyOf(data.frame.scene.volume);
   if (key.id == 0 || (mWhole && mWhole->key == key)) return;
   if (!data.frame.isPreview) {
-    queue.addUntilDone(*this, [this] {
-      if (!mUpload->step()) return false;
-      mWhole = Uploaded{mUploadKey, mUpload->take()};
-      mUpload.reset();
-      return true;
-    });
+    queue.addUntilDone(*this, [this] { return stepWhole(); });
     return;
   }
   if (mQuick) return;
@@ -93,13 +99,15 @@ void UploadPass::addSteps(const FrameData& data, int, WorkQueue& queue) {
     VolumeUpload copy(data.frame.scene.volume, mLimits, kQuickTexels);
     while (!copy.step()) {
     }
-    mQuick = Uploaded{key, copy.take()};
+    mQuick = Uploaded{key, copy.take(), nullptr};
   });
 }
 
 void UploadPass::complete(FrameData& data) {
   const Uploaded* drawn = drawnFor(data);
-  data.volume = drawn ? &drawn->volume : nullptr;
+  data.residency = drawn ? drawn->residency.get() : nullptr;
+  if (data.residency) data.residency->look(data.frame);
+  data.volume = data.residency ? &data.residency->volume() : drawn ? &drawn->volume : nullptr;
   data.volumeKey = drawn ? drawn->key : VolumeKey{};
   data.labelUse = labelUseOf(data.frame.scene);
   data.grid = gridOf(data);
@@ -130,6 +138,7 @@ void UploadPass::bind(const FrameData& data) const {
   const GpuVolume* volume = data.volume;
   bool hasLabels = data.labelUse != LabelUse::None;
   (volume ? volume->texture : mNoVolume).bindSampler(shared::kVolumeUnit);
+  if (data.residency) data.residency->bind();
   if (volume && volume->gradient) volume->gradient.bindSampler(shared::kGradientUnit);
   (volume ? volume->cellRange : mNoCells).bindStorage(shared::kCellBinding);
   (hasLabels ? mLabels.texture() : mNoLabels).bindSampler(shared::kLabelUnit);

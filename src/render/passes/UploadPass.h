@@ -5,6 +5,7 @@
 #include "gpu/Context.h"
 #include "render/FrameData.h"
 #include "render/passes/Pass.h"
+#include "render/residency/Residency.h"
 #include "render/upload/CutSheets.h"
 #include "render/upload/LabelUpload.h"
 #include "render/upload/ShareUpload.h"
@@ -34,14 +35,17 @@ class UploadPass : public Pass {
  private:
   struct Uploaded {
     VolumeKey key;
-    GpuVolume volume;
+    GpuVolume volume;                      ///< Of a volume that is not streamed.
+    std::unique_ptr<Residency> residency;  ///< Of one that is; else nullptr.
   };
   const Uploaded* drawnFor(const FrameData& data) const;
+  bool stepWhole();
   void startWhole(const scene::VolumeLayer& layer, const VolumeKey& key);
 
   gpu::Limits mLimits;
   std::optional<Uploaded> mWhole, mQuick;  ///< mQuick is for previews until mWhole is there.
   std::unique_ptr<VolumeUpload> mUpload;
+  std::unique_ptr<Residency> mStreamed;  ///< On its way, as mUpload.
   VolumeKey mUploadKey;
   LabelUpload mLabels;
   ShareUpload mShares;

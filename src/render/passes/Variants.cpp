@@ -20,7 +20,8 @@ gpu::Defines definesOf(const DataVariant& variant) {
   gpu::Defines defines{{"MODE", number(variant.mode)},
                        {"LABELS", number(variant.labels)},
                        {"COLOR", number(variant.texels)},
-                       {"PACKED", number(variant.packing)}};
+                       {"PACKED", number(variant.packing)},
+                       {"BRICKS", number(variant.bricks)}};
   if (variant.hasMembranes) defines.push_back({"MEMBRANES", "1"});
   if (variant.planes > 0) defines.push_back({"PLANES", std::to_string(variant.planes)});
   defines.push_back({"FLAGS", fmt::format("{}u", variant.flags)});
@@ -54,12 +55,16 @@ std::vector<DataVariant> allLightVariants() {
     for (auto mode : {scene::RenderMode::Volume, scene::RenderMode::Mip, scene::RenderMode::Iso})
       for (LabelUse labels : {LabelUse::None, LabelUse::OverVolume}) {
         for (TexelKind texels : {TexelKind::Value, TexelKind::Color, TexelKind::Mixed})
-          all.push_back({mode, labels, texels, Packing::None, hasMembranes, {}});
+          all.push_back({mode, labels, texels, Packing::None, BrickUse::None, hasMembranes, {}});
         for (Packing packing : {Packing::Bytes, Packing::Shorts})
-          all.push_back({mode, labels, TexelKind::Value, packing, hasMembranes, {}});
+          all.push_back({mode, labels, TexelKind::Value, packing, BrickUse::None, hasMembranes, {}});
+        // How values lie and how bricks are found have nothing to do with each other.
+        for (BrickUse bricks : {BrickUse::ByGroup, BrickUse::BySample})
+          all.push_back({mode, labels, TexelKind::Value, Packing::Bytes, bricks, hasMembranes, {}});
       }
     // Labels alone have no values: there is one mode.
-    all.push_back({scene::RenderMode::Volume, LabelUse::Alone, TexelKind::Value, Packing::None, hasMembranes, {}});
+    all.push_back(
+        {scene::RenderMode::Volume, LabelUse::Alone, TexelKind::Value, Packing::None, BrickUse::None, hasMembranes, {}});
   }
   return all;
 }

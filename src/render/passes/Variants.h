@@ -15,6 +15,9 @@ enum class LabelUse { None, OverVolume, Alone };
 /// What a volume's texels hold; the shaders' define COLOR.
 enum class TexelKind { Value, Color, Mixed };
 
+/// Whether a volume lies in bricks, and who asks in which; the shaders' define BRICKS.
+enum class BrickUse { None, ByGroup, BySample };
+
 /// What a program that reads the data is compiled for: everything that is the same for all rays of a frame. A program
 /// that would test this while it runs would hold the code for everything, thirty times what a plain picture needs: some
 /// drivers take minutes to compile that, and software drivers run both sides of a branch.
@@ -23,6 +26,7 @@ struct DataVariant {
   LabelUse labels = LabelUse::None;
   TexelKind texels = TexelKind::Value;
   Packing packing = Packing::None;  ///< How values are packed, on software drivers.
+  BrickUse bricks = BrickUse::None;
   bool hasMembranes = false;
   std::uint32_t flags = 0;  ///< The frame's kFlag* bits without those of kSwitches.
   int planes = 0;           ///< Number of cuts where all of them are planes, and few; 0: any other cuts.

@@ -15,17 +15,17 @@ namespace {
 std::size_t planeSizeOf(glm::ivec3 dims) { return std::size_t(dims.x) * std::size_t(dims.y) * 3; }
 
 /// Widths of the Gaussian along each axis, voxels.
-glm::dvec3 widthsOf(const Volume& volume) {
+glm::dvec3 widthsOf(glm::dvec3 spacing, glm::ivec3 dims) {
   constexpr double kWidth = 1.0;    // of the finest spacing
   constexpr double kStretch = 0.4;  // of the coarsest one: wider shows fewer stairs and less of what lies in a slice
   // Of a turned grid the last digits differ: the same data has the same gradients however it lies.
-  glm::dvec3 spacing = spacingOf(volume), widths(0.0);
+  glm::dvec3 widths(0.0);
   double finest = std::min(spacing.x, std::min(spacing.y, spacing.z));
   double coarsest = std::max(spacing.x, std::max(spacing.y, spacing.z));
   for (int axis = 0; axis < 3; ++axis) {
     double ratio = std::clamp(coarsest / spacing[axis], 1.0, 8.0);
     double stretch = kStretch * std::sqrt(ratio * ratio - 1.0);
-    if (volume.dims[axis] > 1)
+    if (dims[axis] > 1)
       widths[axis] = std::round(1e4 * std::hypot(kWidth * finest / spacing[axis], stretch)) / 1e4;
   }
   return widths;
@@ -43,6 +43,14 @@ glm::vec3 merged(glm::vec3 narrow, glm::vec3 wide) {
 }
 
 }  // namespace
+
+glm::ivec3 gradientReach(glm::dvec3 spacing, glm::ivec3 dims) {
+  glm::dvec3 widths = widthsOf(spacing, dims);
+  glm::ivec3 reach;
+  // The Gaussian's, a voxel for the differences and one for their neighbours' lengths.
+  for (int axis = 0; axis < 3; ++axis) reach[axis] = int(gaussianTaps(widths[axis], 0, 1)[0].weights.size()) / 2 + 2;
+  return reach;
+}
 
 template <class Make>
 const float* SlidingPlanes::slide(int askedLow, int askedHigh, std::size_t planeSize, const Make& make) {
@@ -67,7 +75,7 @@ std::vector<float> GradientPlanes::narrowPlanes(int low, int high) const {
 
 std::vector<float> GradientPlanes::widePlanes(int low, int high) {
   glm::ivec3 dims = mSource->dims;
-  glm::dvec3 widths = widthsOf(*mSource->volume);
+  glm::dvec3 widths = widthsOf(spacingOf(*mSource->volume), dims);
   std::size_t planeSize = planeSizeOf(dims);
   auto tapsZ = gaussianTaps(widths.z, low, high);
   Span held = askedBy(tapsZ, dims.z);

@@ -17,6 +17,10 @@ struct SlidingPlanes {
   const float* slide(int askedLow, int askedHigh, std::size_t planeSize, const Make& make);
 };
 
+/// How many voxels away, along each axis, values may lie that have a say in the gradient of a voxel, as it is packed.
+/// @param dims  of the volume: along an axis of one voxel nothing is smoothed
+glm::ivec3 gradientReach(glm::dvec3 spacing, glm::ivec3 dims);
+
 /// The gradients of a level, plane by plane.
 ///
 /// They are differences over two voxels along an axis, of values that are smoothed by 1 2 1 along both other axes

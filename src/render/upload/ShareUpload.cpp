@@ -12,7 +12,7 @@ namespace velum::render {
 
 namespace {
 
-constexpr int kSize = LabelVolume::kBrickSize, kWide = kSize + 2;
+constexpr int kBrickVoxels = LabelVolume::kBrickSize, kWide = kBrickVoxels + 2;
 constexpr std::size_t kPerStep = 64;  ///< bricks: some 20 ms on two cores
 
 /// Of how many labels sets speak, and of those that they say nothing of.
@@ -24,7 +24,7 @@ std::vector<bool> membersOf(const StructureSets& sets, std::uint8_t bit) {
 }
 
 std::size_t inBrick(glm::ivec3 at) {
-  return (std::size_t(at.z) * kSize + std::size_t(at.y)) * kSize + std::size_t(at.x);
+  return (std::size_t(at.z) * kBrickVoxels + std::size_t(at.y)) * kBrickVoxels + std::size_t(at.x);
 }
 
 glm::ivec3 halved(glm::ivec3 size) { return (size + 1) / 2; }
@@ -178,7 +178,7 @@ void ShareUpload::begin(const scene::Scene& scene, bool isAlone) {
 ShareUpload::Texels ShareUpload::texelsOf(glm::ivec3 index) const {
   const LabelVolume& labels = *mField->cover().labels();
   const LabelCover::Brick& cover = mField->brick(index);
-  glm::ivec3 corner = index * kSize, size = glm::min(labels.dims() - corner, glm::ivec3(kSize));
+  glm::ivec3 corner = index * kBrickVoxels, size = glm::min(labels.dims() - corner, glm::ivec3(kBrickVoxels));
   std::size_t components = mLayout.sets.size() > 2 ? 4 : std::max(mLayout.sets.size(), std::size_t(1));
   Texels texels;
   texels.covers.reserve(countOf(size));
@@ -204,7 +204,7 @@ bool ShareUpload::step() {
   std::vector<Texels> texels(now.size());
   parallelFor(std::size_t(0), now.size(), [&](std::size_t i) { texels[i] = texelsOf(cellIn(grid, now[i])); });
   for (std::size_t i = 0; i < now.size(); ++i) {
-    glm::ivec3 corner = cellIn(grid, now[i]) * kSize, size = glm::min(labels.dims() - corner, glm::ivec3(kSize));
+    glm::ivec3 corner = cellIn(grid, now[i]) * kBrickVoxels, size = glm::min(labels.dims() - corner, glm::ivec3(kBrickVoxels));
     mCovers.write(corner, size, texels[i].covers.data());
     mShares.write(corner, size, texels[i].shares.data());
     mCoarseShares.write(corner / 2, halved(size), texels[i].coarseShares.data());

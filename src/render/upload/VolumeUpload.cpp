@@ -65,6 +65,7 @@ struct VolumeUpload::Impl {
   TexelPlan plan;
   bool wantsGradients = limits.isSoftware;
   GpuVolume out;
+  GpuVolume* into = nullptr;  ///< Whose textures are written; nullptr: those of `out`.
   int nextCellZ = 0;
   int cellLayersPerStep = 1;
   double longestGradient = 1;  ///< Texels.
@@ -83,7 +84,7 @@ struct VolumeUpload::Impl {
   void tellReduction();
   void place();
   void allocate();
-  void allocateGradients();
+  void prepareGradients();
 
   template <class Texel>
   void stepAs();
@@ -125,6 +126,13 @@ void VolumeUpload::Impl::suitSoftware() {
   bool canPack =
       packed && (source.factor == 1 || source.isQuick) && product(dimsAt(source.factor)) <= limits.textureBuffer;
   if (!(canPack && take(*packed)) && !take(kAsFloats)) plan = narrow;
+}
+
+TexelPlan storedPlan(const Volume& volume, bool isMixed, const gpu::Limits& limits, double texels) {
+  TexelPlan plan = planFor(volume, isMixed);
+  if (!limits.isSoftware || isMixed || volume.isColor) return plan;
+  auto packed = packedPlan(plan);
+  return packed && texels <= double(limits.textureBuffer) ? *packed : kAsFloats;
 }
 
 void VolumeUpload::Impl::smoothen(bool isWanted) {
@@ -175,14 +183,46 @@ void VolumeUpload::Impl::place() {
   out.packing = plan.packing;
 }
 
-void VolumeUpload::Impl::allocate() {
-  if (out.packing != Packing::None) {
-    out.packed = gpu::Buffer("volume", product(out.dims) * texelBytes(plan));
-    out.texture = gpu::Texture::makeOfBuffer("volume", out.packing == Packing::Bytes ? Format::R32ui : Format::Rg32ui,
-                                             out.packed);
+void allocateTexels(GpuVolume& volume, const TexelPlan& plan, glm::ivec3 size, bool withGradients) {
+  volume.packing = plan.packing;
+  volume.storeSize = size;
+  if (plan.packing != Packing::None) {
+    volume.packed = gpu::Buffer("volume", product(size) * texelBytes(plan));
+    volume.texture = gpu::Texture::makeOfBuffer(
+        "volume", plan.packing == Packing::Bytes ? Format::R32ui : Format::Rg32ui, volume.packed);
   } else {
-    out.texture = gpu::Texture::make3d("volume", plan.format, out.dims);
+    volume.texture = gpu::Texture::make3d("volume", plan.format, size);
   }
+  if (withGradients) volume.gradient = gpu::Texture::make3d("gradients", Format::Rgba8, size);
+}
+
+void writeTexels(GpuVolume& volume, glm::ivec3 origin, glm::ivec3 size, const void* texels,
+                 const glm::u8vec4* gradients) {
+  if (gradients) volume.gradient.write(origin, size, gradients);
+  if (volume.packing == Packing::None) return volume.texture.write(origin, size, texels);
+  glm::ivec3 whole = volume.storeSize;
+  std::size_t texel = volume.packing == Packing::Bytes ? 4 : 8;
+  auto at = [&](int y, int z) {
+    return ((std::size_t(z) * std::size_t(whole.y) + std::size_t(y)) * std::size_t(whole.x) + std::size_t(origin.x)) *
+           texel;
+  };
+  auto* bytes = static_cast<const std::byte*>(texels);
+  std::size_t row = std::size_t(size.x) * texel;
+  if (size.x == whole.x && size.y == whole.y)
+    return volume.packed.write(at(0, origin.z), row * std::size_t(size.y) * std::size_t(size.z), bytes);
+  for (int z = 0; z < size.z; ++z)
+    for (int y = 0; y < size.y; ++y, bytes += row) volume.packed.write(at(origin.y + y, origin.z + z), row, bytes);
+}
+
+double longestGradientOf(const Volume& volume, const TexelPlan& plan, bool isColor) {
+  // No difference is longer than the data's whole range along all three axes. Finer levels have more than means show.
+  double wider = volume.finer ? 2.0 : 1.0;
+  double range = isColor ? 1.0 : (volume.range.y - volume.range.x) / std::abs(plan.scale * volume.scale);
+  return wider * std::sqrt(3.0) * std::max(1e-30, range);
+}
+
+void VolumeUpload::Impl::allocate() {
+  if (!into) allocateTexels(out, plan, out.dims, wantsGradients);
   std::size_t layerBytes = std::size_t(out.dims.x) * std::size_t(out.dims.y) * std::size_t(out.cells.edge) *
                            texelBytes(plan) * (source.isQuick ? 1 : std::size_t(source.factor));
   constexpr std::size_t kStepBytes = 4u << 20;
@@ -190,14 +230,10 @@ void VolumeUpload::Impl::allocate() {
   out.cellRanges.reserve(product(out.cells.size));
 }
 
-void VolumeUpload::Impl::allocateGradients() {
+void VolumeUpload::Impl::prepareGradients() {
   if (!wantsGradients) return;
-  out.gradient = gpu::Texture::make3d("gradients", Format::Rgba8, out.dims);
   if (!isColor()) gradients.emplace(source, finer);
-  // No difference is longer than the data's whole range along all three axes.
-  glm::dvec2 values = source.volume->range;
-  double range = isColor() ? 1.0 : (values.y - values.x) / std::abs(out.valueScale);
-  longestGradient = std::sqrt(3.0) * std::max(1e-30, range);
+  longestGradient = longestGradientOf(*source.volume, plan, isColor());
   out.gradientScale = longestGradient * 255.0 / 127.0;
 }
 
@@ -212,7 +248,21 @@ VolumeUpload::VolumeUpload(const scene::VolumeLayer& layer, const gpu::Limits& l
   m.tellReduction();
   m.place();
   m.allocate();
-  m.allocateGradients();
+  m.prepareGradients();
+}
+
+VolumeUpload::VolumeUpload(const scene::VolumeLayer& layer, const gpu::Limits& limits, const TexelPlan& plan,
+                           GpuVolume& into)
+    : mImpl(new Impl{.limits = limits}) {
+  Impl& m = *mImpl;
+  m.into = &into;
+  m.choose(layer);
+  m.plan = plan;
+  m.wantsGradients = true;
+  m.out.dims = m.source.dims = m.dimsAt(1);
+  m.place();
+  m.allocate();
+  m.prepareGradients();
 }
 
 VolumeUpload::~VolumeUpload() = default;
@@ -221,7 +271,7 @@ template <class Texel>
 void VolumeUpload::Impl::stepAs() {
   int cz0 = nextCellZ, cz1 = std::min(out.cells.size.z, cz0 + cellLayersPerStep);
   int z0 = cz0 * out.cells.edge, z1 = std::min(out.dims.z, cz1 * out.cells.edge);
-  int halo = out.gradient && !gradients ? 2 : 1;
+  int halo = wantsGradients && !gradients ? 2 : 1;
   int halo0 = std::max(0, z0 - halo), halo1 = std::min(out.dims.z, z1 + halo);
   std::vector<Texel> scratch;
   const Texel* texels = nullptr;
@@ -230,15 +280,14 @@ void VolumeUpload::Impl::stepAs() {
   }
   if (!texels) texels = source.planes<Texel>(halo0, halo1, scratch);
   std::size_t planeSize = std::size_t(out.dims.x) * std::size_t(out.dims.y);
+  glm::ivec3 at(0, 0, z0), size(out.dims.x, out.dims.y, z1 - z0);
+  GpuVolume& target = into ? *into : out;
   if constexpr (std::is_same_v<Texel, std::uint8_t> || std::is_same_v<Texel, std::uint16_t>) {
-    if (out.packing != Packing::None) {
-      auto packed = packTexels(texels, out.dims, halo0, z0, z1);
-      auto bytes = std::as_bytes(std::span(packed));
-      out.packed.write(planeSize * std::size_t(z0) * sizeof(packed[0]), bytes.size(), bytes.data());
-    }
+    if (out.packing != Packing::None)
+      writeTexels(target, at, size, packTexels(texels, out.dims, halo0, z0, z1).data(), nullptr);
   }
   if (out.packing == Packing::None)
-    out.texture.write({0, 0, z0}, {out.dims.x, out.dims.y, z1 - z0}, texels + planeSize * std::size_t(z0 - halo0));
+    writeTexels(target, at, size, texels + planeSize * std::size_t(z0 - halo0), nullptr);
   std::vector<glm::vec2> layerRanges;
   int low = std::max(0, z0 - 1), high = std::min(out.dims.z, z1 + 1);
   std::vector<float> differences;
@@ -247,15 +296,14 @@ void VolumeUpload::Impl::stepAs() {
     std::vector<std::uint8_t> grey(planeSize * std::size_t(halo1 - halo0));
     for (std::size_t i = 0; i < grey.size(); ++i) grey[i] = texels[i].a;
     layerRanges = computeCellRanges(grey.data(), out.dims, out.cells, cz0, cz1, halo0);
-    if (out.gradient) differences = takeDifferences(grey.data(), out.dims, halo0, low, high);
+    if (wantsGradients) differences = takeDifferences(grey.data(), out.dims, halo0, low, high);
     unit = 255.0;
   } else {
     layerRanges = computeCellRanges(texels, out.dims, out.cells, cz0, cz1, halo0);
-    if (out.gradient) differences = gradients->planes(low, high);
+    if (wantsGradients) differences = gradients->planes(low, high);
   }
-  if (out.gradient)
-    out.gradient.write({0, 0, z0}, {out.dims.x, out.dims.y, z1 - z0},
-                       packGradients(differences, out.dims, z0, z1, longestGradient * unit).data());
+  if (wantsGradients)
+    target.gradient.write(at, size, packGradients(differences, out.dims, z0, z1, longestGradient * unit).data());
   out.cellRanges.insert(out.cellRanges.end(), layerRanges.begin(), layerRanges.end());
   nextCellZ = cz1;
 }

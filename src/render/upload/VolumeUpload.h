@@ -1,6 +1,8 @@
 #pragma once
 #include <glm/glm.hpp>
+#include <glm/gtc/type_precision.hpp>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,9 +12,16 @@
 #include "gpu/Texture.h"
 #include "render/upload/CellGrid.h"
 #include "render/upload/PackedTexels.h"
+#include "render/upload/VolumeTexels.h"
 #include "scene/SceneFwd.h"
 
 namespace velum::render {
+
+/// Where the pages of a streamed volume lie in its texture coordinates (shaders/common/bricks.glsl).
+struct PagePlace {
+  glm::ivec3 grid{0};                                   ///< Pages.
+  glm::dvec3 perTex{1.0}, first{0.0}, coarseEdge{0.0};  ///< As FrameParams has them.
+};
 
 /// One time step of a volume on the GPU, one channel or all of them mixed, at the best level that fits.
 struct GpuVolume {
@@ -20,17 +29,34 @@ struct GpuVolume {
   gpu::Buffer packed;
   Packing packing = Packing::None;
   gpu::Texture gradient;              ///< Gradients as packGradients() makes them, where there is room.
+  glm::ivec3 storeSize{0};            ///< Texels of the texture; of a streamed volume its slots lie there, too.
   double gradientScale = 0;           ///< Length of a full-length gradient texel, texels times 255/127.
   std::vector<glm::vec2> cellRanges;  ///< By cell: smallest and largest texel, with a halo of one voxel.
   gpu::Buffer cellRange;              ///< cellRanges on the GPU.
+  std::uint64_t cellsRevision = 0;    ///< Changes with cellRanges.
   CellGrid cells;
-  glm::ivec3 dims{0};                      ///< Voxels of the texture.
+  std::optional<PagePlace> pages;          ///< Of a streamed volume.
+  glm::ivec3 dims{0};                      ///< Voxels of the volume.
   glm::dmat4 worldFromTex{1.0};            ///< From texture coordinates 0..1.
   double valueScale = 1, valueOffset = 0;  ///< value = texel * scale + offset, texel as a sampler returns it
   bool isColor = false;                    ///< rgb holds colours, alpha the value
   bool isMixed = false;                    ///< rgb and alpha as MixTable says
   std::string reduction;                   ///< In words for people, where the resolution is reduced.
 };
+
+/// How values of one channel are kept on the GPU; integers four to a texel where a software driver has room for that.
+/// @param texels  how many there will be
+TexelPlan storedPlan(const Volume& volume, bool isMixed, const gpu::Limits& limits, double texels);
+
+/// The length, in texels, that no gradient of a volume exceeds. @param plan  of its texels
+double longestGradientOf(const Volume& volume, const TexelPlan& plan, bool isColor);
+
+/// Makes the textures of a volume of so many texels. @throw gpu::GpuError
+void allocateTexels(GpuVolume& volume, const TexelPlan& plan, glm::ivec3 size, bool withGradients);
+
+/// Writes a box of texels, tightly packed, as the volume's plan has them. @param gradients  or nullptr
+void writeTexels(GpuVolume& volume, glm::ivec3 origin, glm::ivec3 size, const void* texels,
+                 const glm::u8vec4* gradients);
 
 /// Brings a volume to the GPU slab by slab, so that the caller can stop in between.
 class VolumeUpload {
@@ -39,6 +65,9 @@ class VolumeUpload {
   /// @param mostAlong  most texels along the longest side of a quick copy, whose texels are single voxels of the
   /// volume; 0: the best level that fits, whose texels are means where it is reduced
   VolumeUpload(const scene::VolumeLayer& layer, const gpu::Limits& limits, int mostAlong = 0);
+  /// Into textures that are there, whose first texels become the volume's. @param into  must outlive this object;
+  /// large enough; take() gives all but its textures
+  VolumeUpload(const scene::VolumeLayer& layer, const gpu::Limits& limits, const TexelPlan& plan, GpuVolume& into);
   ~VolumeUpload();
   /// Converts and uploads one slab of about 4 MB. @return true when that was the last slab
   bool step();

@@ -1,0 +1,144 @@
+#include "render/residency/BrickTexels.h"
+
+#include <algorithm>
+#include <cstring>
+#include <type_traits>
+
+#include "render/upload/GradientPlanes.h"
+#include "render/upload/GradientTexels.h"
+#include "render/upload/PackedTexels.h"
+
+namespace velum::render {
+
+namespace {
+
+float texelValue(std::uint8_t t) { return float(t) / 255.0f; }
+float texelValue(std::uint16_t t) { return float(t) / 65535.0f; }
+float texelValue(float t) { return t; }
+float texelValue(const glm::u8vec4& t) { return float(t.a) / 255.0f; }
+
+/// The part of a level that a brick's texels are made of, and where the slot's voxels lie in it.
+struct Block {
+  VolumeTexels source;
+  glm::ivec3 slotOrigin{0};  ///< voxels of the block
+  glm::ivec3 dims{0};
+
+  std::size_t at(glm::ivec3 slotVoxel) const {
+    glm::ivec3 v = glm::clamp(slotOrigin + slotVoxel, glm::ivec3(0), dims - 1);
+    return (std::size_t(v.z) * std::size_t(dims.y) + std::size_t(v.y)) * std::size_t(dims.x) + std::size_t(v.x);
+  }
+};
+
+Block readBlock(const TexelRecipe& recipe, const PageGrid& grid, const PageBrick& brick) {
+  const PageLevel& level = grid.levels()[std::size_t(brick.level)];
+  glm::ivec3 margin = gradientReach(level.spacing, level.dims), origin = grid.slotOrigin(brick);
+  // Not beyond the level's border, where gradients are not those of repeated voxels.
+  glm::ivec3 low = glm::clamp(origin - margin, glm::ivec3(0), level.dims - 1);
+  glm::ivec3 high = glm::clamp(origin + kSlotEdge + margin, low + 1, level.dims);
+  VoxelBox box{grid.sourceLevel(brick.level), low, high - low};
+  Volume volume = recipe.bricks->read(box, recipe.isMixed || recipe.bricks->source().head().isColor ? -1 : recipe.channel,
+                                      recipe.timeStep);
+  volume.range = recipe.range;
+  for (int axis = 0; axis < 3; ++axis) volume.worldFromVoxel[axis] = level.worldFromTex[axis] / double(level.dims[axis]);
+  Block block;
+  block.dims = block.source.dims = volume.dims;
+  block.source.isMixed = recipe.isMixed;
+  block.source.mix = recipe.mix;
+  block.source.volume = Shared<Volume>(std::move(volume));
+  block.slotOrigin = origin - low;
+  return block;
+}
+
+/// Copies what a slot holds out of a block.
+template <class Texel>
+void cutOut(const Block& block, const Texel* texels, std::byte* out) {
+  glm::ivec3 v;
+  bool isInside = block.slotOrigin.x >= 0 && block.slotOrigin.x + kSlotEdge <= block.dims.x;
+  for (v.z = 0; v.z < kSlotEdge; ++v.z)
+    for (v.y = 0; v.y < kSlotEdge; ++v.y) {
+      v.x = 0;
+      if (isInside) {
+        std::memcpy(out, texels + block.at(v), sizeof(Texel) * kSlotEdge);
+        out += sizeof(Texel) * kSlotEdge;
+        continue;
+      }
+      for (; v.x < kSlotEdge; ++v.x, out += sizeof(Texel)) std::memcpy(out, texels + block.at(v), sizeof(Texel));
+    }
+}
+
+/// The ranges of a brick's cells with a halo of a voxel, wherever the brick lies in its slot: a little more than that.
+template <class Texel>
+BrickRanges rangesOf(const Block& block, const Texel* texels) {
+  constexpr int kFirst = 2, kCell = kPageVoxels / kRangeCells;  // voxels of a slot before its brick, at least
+  constexpr int kWide = kCell + 3;
+  BrickRanges ranges;
+  for (int i = 0; i < int(ranges.size()); ++i) {
+    glm::ivec3 cell(i % kRangeCells, i / kRangeCells % kRangeCells, i / (kRangeCells * kRangeCells));
+    glm::ivec3 from = cell * kCell + kFirst - 1, v;
+    Texel first = texels[block.at(from)];
+    float low = texelValue(first), high = low;
+    for (v.z = from.z; v.z < from.z + kWide + 1; ++v.z)
+      for (v.y = from.y; v.y < from.y + kWide + 1; ++v.y)
+        for (v.x = from.x; v.x < from.x + kWide + 1; ++v.x) {
+          float value = texelValue(texels[block.at(glm::min(v, glm::ivec3(kSlotEdge - 1)))]);
+          low = std::min(low, value);
+          high = std::max(high, value);
+        }
+    ranges[std::size_t(i)] = {low, high};
+  }
+  return ranges;
+}
+
+template <class Texel>
+BrickTexels makeAs(const TexelRecipe& recipe, const Block& block) {
+  BrickTexels out;
+  constexpr std::size_t kCount = std::size_t(kSlotEdge) * kSlotEdge * kSlotEdge;
+  std::vector<Texel> scratch;
+  const Texel* texels = block.source.planes<Texel>(0, block.dims.z, scratch);
+  bool isPacked = false;
+  if constexpr (std::is_same_v<Texel, std::uint8_t> || std::is_same_v<Texel, std::uint16_t>) {
+    isPacked = recipe.plan.packing != Packing::None;
+    if (isPacked) {
+      auto packed = packTexels(texels, block.dims, 0, 0, block.dims.z);
+      out.texels.resize(kCount * sizeof(packed[0]));
+      cutOut(block, packed.data(), out.texels.data());
+    }
+  }
+  if (!isPacked) {
+    out.texels.resize(kCount * sizeof(Texel));
+    cutOut(block, texels, out.texels.data());
+  }
+  out.ranges = rangesOf(block, texels);
+  std::vector<float> differences;
+  double unit = recipe.plan.scale;
+  if constexpr (std::is_same_v<Texel, glm::u8vec4>) {
+    std::vector<std::uint8_t> grey(std::size_t(block.dims.x) * std::size_t(block.dims.y) * std::size_t(block.dims.z));
+    for (std::size_t i = 0; i < grey.size(); ++i) grey[i] = texels[i].a;
+    differences = takeDifferences(grey.data(), block.dims, 0, 0, block.dims.z);
+    unit = 255.0;
+  } else {
+    differences = GradientPlanes(block.source, glm::ivec3(1)).planes(0, block.dims.z);
+  }
+  auto gradients = packGradients(differences, block.dims, 0, block.dims.z, recipe.longestGradient * unit);
+  out.gradients.resize(kCount);
+  cutOut(block, gradients.data(), reinterpret_cast<std::byte*>(out.gradients.data()));
+  return out;
+}
+
+}  // namespace
+
+BrickTexels makeBrickTexels(const TexelRecipe& recipe, const PageGrid& grid, const PageBrick& brick) {
+  Block block = readBlock(recipe, grid, brick);
+  switch (recipe.plan.format) {
+    case gpu::Format::R8:
+      return makeAs<std::uint8_t>(recipe, block);
+    case gpu::Format::R16:
+      return makeAs<std::uint16_t>(recipe, block);
+    case gpu::Format::Rgba8:
+      return makeAs<glm::u8vec4>(recipe, block);
+    default:
+      return makeAs<float>(recipe, block);
+  }
+}
+
+}  // namespace velum::render

@@ -6,6 +6,7 @@
 #include <type_traits>
 
 #include "core/Assert.h"
+#include "core/BrickCache.h"
 #include "core/ChannelHistogram.h"
 #include "core/Parallel.h"
 
@@ -186,16 +187,28 @@ double quantile(const Histogram& histogram, double fraction) {
   return histogram.range.y;
 }
 
-glm::dvec3 centreOf(const Volume& volume) {
-  return glm::dvec3(volume.worldFromVoxel * glm::dvec4((glm::dvec3(volume.dims) - 1.0) * 0.5, 1.0));
+glm::dmat4 worldFromBox(const Volume& volume) {
+  if (!volume.finer) return worldFromBox(volume.dims, volume.worldFromVoxel);
+  return worldFromBox(volume.finer->bricks->source().levels().front().dims, worldFromLevel(volume, 0));
 }
+
+glm::dmat4 worldFromBox(glm::ivec3 dims, const glm::dmat4& worldFromVoxel) {
+  glm::dmat4 voxelFromBox(1.0);
+  for (int axis = 0; axis < 3; ++axis) {
+    voxelFromBox[axis][axis] = dims[axis];
+    voxelFromBox[3][axis] = -0.5;
+  }
+  return worldFromVoxel * voxelFromBox;
+}
+
+glm::dvec3 centreOf(const Volume& volume) { return worldFromBox(volume) * glm::dvec4(glm::dvec3(0.5), 1.0); }
 
 double radiusOf(const Volume& volume) {
   double radius = 0;
-  glm::dmat3 m(volume.worldFromVoxel);
+  glm::dmat3 m(worldFromBox(volume));
   for (int corner = 0; corner < 4; ++corner) {
     glm::dvec3 sign(1.0, corner & 1 ? -1.0 : 1.0, corner & 2 ? -1.0 : 1.0);
-    radius = std::max(radius, glm::length(m * (sign * glm::dvec3(volume.dims) * 0.5)));
+    radius = std::max(radius, glm::length(m * (sign * 0.5)));
   }
   return radius;
 }

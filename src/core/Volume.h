@@ -136,8 +136,12 @@ struct Histogram {
 Histogram computeHistogram(const Volume& volume, int bins = 4096, int channel = 0, int timeStep = 0);
 double quantile(const Histogram& histogram, double fraction);
 
-/// Centre and radius, in the world, of the sphere around the box that holds all voxels: in voxel space the box from
-/// -0.5 to dims - 0.5.
+/// From 0..1 along each axis over the box that holds all voxels: in voxel space the box from -0.5 to dims - 0.5. Where
+/// the volume is a coarse level, the box of the finest one.
+glm::dmat4 worldFromBox(const Volume& volume);
+/// The same of any grid of voxels.
+glm::dmat4 worldFromBox(glm::ivec3 dims, const glm::dmat4& worldFromVoxel);
+/// Centre and radius, in the world, of the sphere around that box.
 glm::dvec3 centreOf(const Volume& volume);
 double radiusOf(const Volume& volume);
 

@@ -30,6 +30,7 @@ namespace {
 
 constexpr double kUploadShare = 0.05;                   // of a picture's progress
 constexpr std::chrono::milliseconds kProgramsPause{1};  // between two questions whether programs are compiled
+constexpr int kCoarseMarks = 8, kFineMarks = 3;         // rays leave marks on pages through one of so many pixels a side
 constexpr std::chrono::milliseconds kBricksPause{1};    // and whether bricks have come
 
 }  // namespace
@@ -81,11 +82,12 @@ struct Renderer::Impl {
   void askForPrograms();
   bool hasPrograms();
   void addSamples();
-  void addBricks();
+  void addBricks(int pixelStep);
   bool takeBricks();
   void addCasting();
-  void checkBricks(bool isLast);
+  void checkBricks();
   bool isPatient() const;
+  Residency::MayShow whatShows() const;
   void bind() const;
   void noteStats();
   bool look();
@@ -144,41 +146,55 @@ void Renderer::Impl::addSamples() {
   light.addSteps(data, 0, queue);
   states.addSteps(data, 0, queue);
   if (data.residency && !data.frame.isPreview)
-    addBricks();
+    addBricks(kCoarseMarks);
   else
     addCasting();
   queue.countAll();
 }
 
-/// Of a streamed volume: which bricks rays meet, and what is not there of them.
-void Renderer::Impl::addBricks() {
-  queue.add(rayCast, [this] {
+/// Of a streamed volume: which bricks rays meet, and what is not there of them. First those of few pixels; when these
+/// have what they want, those of more pixels, in each of their samples.
+void Renderer::Impl::addBricks(int pixelStep) {
+  queue.add("Setup", [this] {
     bind();
     data.residency->clearSeen();
-    rayCast.markPages(data);
   });
-  queue.add("Bricks", [this] { data.residency->gather([this](glm::vec2 texels) { return skip.mayShow(texels); }); });
+  int samples = pixelStep == kCoarseMarks ? 1 : std::max(1, data.frame.scene.rayCast.samplesPerPixel);
+  for (int sample = samples - 1; sample >= 0; --sample)
+    queue.add(rayCast, [this, sample, pixelStep] {
+      inputs.writeParams(data, sample);
+      rayCast.markPages(data, pixelStep);
+    });
+  queue.add("Bricks", [this] { data.residency->gather(whatShows()); });
   queue.addUntilDone("Bricks", [this] { return takeBricks(); });
-  queue.add("Bricks", [this] {
+  queue.add("Bricks", [this, pixelStep] {
     bool hasNews = data.residency->hasNews();
     if (hasNews) data.residency->updateCells();
     skip.addSteps(data, 0, queue);
     // What has come may have let rays through to others.
-    if (hasNews && isPatient())
-      addBricks();
-    else
+    if (!isPatient() || (!hasNews && pixelStep == kFineMarks))
       addCasting();
+    else
+      addBricks(hasNews ? pixelStep : kFineMarks);
   });
 }
 
 /// Waits for bricks, but not longer than somebody who looks on likes to see nothing new.
 bool Renderer::Impl::takeBricks() {
   constexpr double kPieceMs = 8.0;
-  std::size_t missing = data.residency->receive(kPieceMs, [this](glm::vec2 texels) { return skip.mayShow(texels); });
+  std::size_t missing = data.residency->receive(kPieceMs, whatShows());
   if (missing == 0 || !isPatient()) return true;
   std::this_thread::sleep_for(kBricksPause);
   queue.rest();
   return false;
+}
+
+/// Rays stop for all values where they leap over nothing, look for the largest, or a cut shows the data on its face.
+Residency::MayShow Renderer::Impl::whatShows() const {
+  bool isAll = data.frame.scene.rayCast.mode == scene::RenderMode::Mip || (data.params.flags & shared::kFlagFaces) ||
+               !(data.params.flags & shared::kFlagSkipEmpty) || (data.params.flags & shared::kFlagInlays);
+  if (isAll) return [](glm::vec2) { return true; };
+  return skip.whatShows();
 }
 
 bool Renderer::Impl::isPatient() const {
@@ -187,18 +203,16 @@ bool Renderer::Impl::isPatient() const {
 }
 
 /// A sample may have met what the marks of a few pixels had not told.
-void Renderer::Impl::checkBricks(bool isLast) {
-  auto mayShow = [this](glm::vec2 texels) { return skip.mayShow(texels); };
+void Renderer::Impl::checkBricks() {
   drawnAt = Clock::now();
-  std::size_t missing = data.residency->gather(mayShow);
+  std::size_t missing = data.residency->gather(whatShows());
   if (missing == 0 && !data.residency->hasNews()) return;
-  static_cast<void>(isLast);
   queue.dropRest();
   queue.addUntilDone("Bricks", [this] { return takeBricks(); });
   queue.add("Bricks", [this] {
     if (data.residency->hasNews()) data.residency->updateCells();
     skip.addSteps(data, 0, queue);
-    addBricks();
+    addBricks(kFineMarks);
   });
   rayCast.redo();
   finish.restart();
@@ -217,9 +231,8 @@ void Renderer::Impl::addCasting() {
     counts.addSteps(data, sample, queue);
     ghosts.addSteps(data, sample, queue);
     finish.addSteps(data, sample, queue);
-    bool isLast = sample + 1 == samples;
-    if (data.residency && !data.frame.isPreview && (sample == 0 || isLast))
-      queue.add("Bricks", [this, isLast] { checkBricks(isLast); });
+    if (data.residency && !data.frame.isPreview && (sample == 0 || sample + 1 == samples))
+      queue.add("Bricks", [this] { checkBricks(); });
   }
 }
 

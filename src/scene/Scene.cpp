@@ -19,11 +19,10 @@ namespace velum::scene {
 
 namespace {
 
-void addBox(Bounds& bounds, glm::ivec3 dims, const glm::dmat4& worldFromVoxel) {
+/// @param worldFromBox  of places 0..1
+void addBox(Bounds& bounds, const glm::dmat4& worldFromBox) {
   for (int corner = 0; corner < 8; ++corner) {
-    glm::dvec3 voxel;
-    for (int axis = 0; axis < 3; ++axis) voxel[axis] = corner >> axis & 1 ? dims[axis] - 0.5 : -0.5;
-    glm::dvec3 world(worldFromVoxel * glm::dvec4(voxel, 1.0));
+    glm::dvec3 world(worldFromBox * glm::dvec4(corner & 1, corner >> 1 & 1, corner >> 2, 1.0));
     bounds.min = glm::min(bounds.min, world);
     bounds.max = glm::max(bounds.max, world);
   }
@@ -39,9 +38,9 @@ Bounds computeBounds(const Scene& scene) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   Bounds bounds{glm::dvec3(kInfinity), glm::dvec3(-kInfinity)};
   if (scene.volume.data)
-    addBox(bounds, scene.volume.data->dims, scene.volume.data->worldFromVoxel);
+    addBox(bounds, worldFromBox(*scene.volume.data));
   else if (scene.labels.data)
-    addBox(bounds, scene.labels.data->dims(), scene.labels.data->worldFromVoxel());
+    addBox(bounds, worldFromBox(scene.labels.data->dims(), scene.labels.data->worldFromVoxel()));
   for (const auto& surface : scene.surfaces) {
     if (!surface.data) continue;
     for (const auto& p : surface.data->positions) {

@@ -112,10 +112,10 @@ void RayCastPass::finishSample(int sample) {
   mNext = {0, 0};
 }
 
-void RayCastPass::markPages(const FrameData& data) {
-  constexpr int kPixelStep = 8;  // pages are wider than that
+void RayCastPass::markPages(const FrameData& data, int pixelStep) {
   glm::ivec4 covered = drawnRect(data);
-  if (covered.z > 0 && covered.w > 0) castTile(data, covered, kPixelStep);
+  mPace.handedOver.push_back(0);
+  if (covered.z > 0 && covered.w > 0) castTile(data, covered, pixelStep);
 }
 
 void RayCastPass::castTile(const FrameData& data, glm::ivec4 rect, int pixelStep) {

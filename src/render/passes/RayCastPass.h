@@ -32,8 +32,9 @@ class RayCastPass : public Pass {
   void addSteps(const FrameData& data, int sample, WorkQueue& queue) override;
   void took(double ms) override;
 
-  /// Casts rays through a few pixels of the first sample that leave nothing but marks on the pages of a streamed volume.
-  void markPages(const FrameData& data);
+  /// Casts rays through some pixels that leave nothing but marks on the pages of a streamed volume.
+  /// @param pixelStep  one of so many pixels along each axis
+  void markPages(const FrameData& data, int pixelStep);
 
   const PictureProgress& progress() const { return mProgress; }
   /// Draws the first sample once more, over what is there.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <memory>
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "core/Parallel.h"
@@ -151,9 +152,14 @@ void SkipPass::addSteps(const FrameData& data, int, WorkQueue& queue) {
   });
 }
 
-bool SkipPass::mayShow(glm::vec2 texels) const {
+std::function<bool(glm::vec2)> SkipPass::whatShows() const {
   // Who is solid shows whatever the values.
-  return !mKey || mKey->solid != 0 || (mKey->hidden != 0 ? hasEnds(*mKey, texels) : hasContent(*mKey, texels));
+  if (!mKey || mKey->solid != 0) return [](glm::vec2) { return true; };
+  auto key = std::make_shared<const Key>(*mKey);
+  bool bordersOnHidden = key->hidden != 0 || key->spared != 0;
+  return [key, bordersOnHidden](glm::vec2 texels) {
+    return bordersOnHidden ? hasEnds(*key, texels) : hasContent(*key, texels);
+  };
 }
 
 void SkipPass::bind(const FrameData&) const { mMap.bindSampler(shared::kSkipUnit); }

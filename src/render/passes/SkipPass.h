@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <glm/glm.hpp>
 #include <optional>
 #include <vector>
@@ -21,9 +22,9 @@ class SkipPass : public Pass {
   void prepare(FrameData& data) override;
   void addSteps(const FrameData& data, int sample, WorkQueue& queue) override;
   void bind(const FrameData& data) const override;
-  /// True when a cell of these values, smallest and largest, may show something in the frame for which steps were
-  /// added last.
-  bool mayShow(glm::vec2 texels) const;
+  /// Tells whether values, smallest and largest, may show something in the frame for which the map was made. Any
+  /// thread.
+  std::function<bool(glm::vec2 texels)> whatShows() const;
 
  private:
   enum class Content { Opacity, Iso, Labels };

@@ -26,10 +26,11 @@ BrickLoader::~BrickLoader() {
   for (auto& thread : mThreads) thread.join();
 }
 
-void BrickLoader::ask(std::vector<PageBrick> bricks) {
+void BrickLoader::ask(std::vector<PageBrick> bricks, IsWorthSlot isWorthSlot) {
   {
     std::lock_guard lock(mMutex);
     mAsked.clear();
+    mIsWorthSlot = std::make_shared<const IsWorthSlot>(std::move(isWorthSlot));
     std::unordered_set<std::uint64_t> done;
     for (const auto& loaded : mDone) done.insert(loaded.brick.key());
     for (const auto& brick : bricks)
@@ -63,9 +64,10 @@ void BrickLoader::work() {
     Loaded loaded{mAsked.front(), {}, {}};
     mAsked.pop_front();
     mInWork.insert(loaded.brick.key());
+    auto isWorthSlot = mIsWorthSlot;
     lock.unlock();
     try {
-      loaded.texels = mMake(loaded.brick);
+      loaded.texels = mMake(loaded.brick, *isWorthSlot);
     } catch (const std::exception& error) {
       loaded.error = error.what();
     }

@@ -20,14 +20,14 @@ class BrickLoader {
     BrickTexels texels;
     std::string error;  ///< not empty: the brick could not be read, and why
   };
-  using Make = std::function<BrickTexels(const PageBrick&)>;
+  using Make = std::function<BrickTexels(const PageBrick&, const IsWorthSlot&)>;
 
   /// @param make  called on several threads at once; may throw
   explicit BrickLoader(Make make);
   ~BrickLoader();
 
   /// What is wanted now, the most urgent first, instead of all that was asked for and has not begun.
-  void ask(std::vector<PageBrick> bricks);
+  void ask(std::vector<PageBrick> bricks, IsWorthSlot isWorthSlot);
   /// A brick that is done, if there is one.
   std::optional<Loaded> take();
   /// True when nothing is asked for, in work, or waiting to be taken.
@@ -40,6 +40,7 @@ class BrickLoader {
   mutable std::mutex mMutex;
   std::condition_variable mChanged;
   std::deque<PageBrick> mAsked;
+  std::shared_ptr<const IsWorthSlot> mIsWorthSlot;
   std::unordered_set<std::uint64_t> mInWork;
   std::deque<Loaded> mDone;
   bool mEnds = false;

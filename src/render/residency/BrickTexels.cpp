@@ -1,12 +1,13 @@
 #include "render/residency/BrickTexels.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <type_traits>
 
+#include "render/residency/BlockGradients.h"
 #include "render/upload/GradientPlanes.h"
 #include "render/upload/GradientTexels.h"
-#include "render/upload/PackedTexels.h"
 
 namespace velum::render {
 
@@ -26,6 +27,10 @@ struct Block {
   std::size_t at(glm::ivec3 slotVoxel) const {
     glm::ivec3 v = glm::clamp(slotOrigin + slotVoxel, glm::ivec3(0), dims - 1);
     return (std::size_t(v.z) * std::size_t(dims.y) + std::size_t(v.y)) * std::size_t(dims.x) + std::size_t(v.x);
+  }
+  /// Where a row of the slot's begins: its block's first voxel.
+  std::size_t row(int y, int z) const {
+    return at({-slotOrigin.x, y, z});
   }
 };
 
@@ -66,6 +71,23 @@ void cutOut(const Block& block, const Texel* texels, std::byte* out) {
     }
 }
 
+/// The same, four neighbours to a texel, as packTexels() has them.
+template <class Texel>
+void cutOutPacked(const Block& block, const Texel* texels, Bytes& out) {
+  using Packed = glm::vec<4, Texel>;
+  out.resize(sizeof(Packed) * kSlotEdge * kSlotEdge * kSlotEdge);
+  auto* packed = reinterpret_cast<Packed*>(out.data());
+  for (int z = 0; z < kSlotEdge; ++z)
+    for (int y = 0; y < kSlotEdge; ++y) {
+      const Texel *here = texels + block.row(y, z), *next = texels + block.row(y + 1, z);
+      const Texel *above = texels + block.row(y, z + 1), *both = texels + block.row(y + 1, z + 1);
+      for (int x = 0; x < kSlotEdge; ++x, ++packed) {
+        int i = std::clamp(block.slotOrigin.x + x, 0, block.dims.x - 1);
+        *packed = {here[i], next[i], above[i], both[i]};
+      }
+    }
+}
+
 /// The ranges of a brick's cells with a halo of a voxel, wherever the brick lies in its slot: a little more than that.
 template <class Texel>
 BrickRanges rangesOf(const Block& block, const Texel* texels) {
@@ -89,55 +111,66 @@ BrickRanges rangesOf(const Block& block, const Texel* texels) {
   return ranges;
 }
 
+/// Raw values as numbers.
+const std::vector<float>& valuesOf(const Volume& volume) {
+  thread_local std::vector<float> values;
+  values.resize(voxelCount(volume));
+  auto fallback = float((volume.range.x - volume.offset) / (volume.scale == 0 ? 1 : volume.scale));
+  visitSamples(volume, [&](auto* samples) {
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      values[i] = float(samples[i]);
+      if constexpr (std::is_floating_point_v<std::remove_cvref_t<decltype(*samples)>>)
+        values[i] = std::isfinite(values[i]) ? values[i] : fallback;
+    }
+  });
+  return values;
+}
+
 template <class Texel>
-BrickTexels makeAs(const TexelRecipe& recipe, const Block& block) {
+BrickTexels makeAs(const TexelRecipe& recipe, const Block& block, const IsWorthSlot& isWorthSlot) {
   BrickTexels out;
   constexpr std::size_t kCount = std::size_t(kSlotEdge) * kSlotEdge * kSlotEdge;
   std::vector<Texel> scratch;
   const Texel* texels = block.source.planes<Texel>(0, block.dims.z, scratch);
+  out.ranges = rangesOf(block, texels);
+  if (!isWorthSlot(out.ranges)) return out;
   bool isPacked = false;
   if constexpr (std::is_same_v<Texel, std::uint8_t> || std::is_same_v<Texel, std::uint16_t>) {
     isPacked = recipe.plan.packing != Packing::None;
-    if (isPacked) {
-      auto packed = packTexels(texels, block.dims, 0, 0, block.dims.z);
-      out.texels.resize(kCount * sizeof(packed[0]));
-      cutOut(block, packed.data(), out.texels.data());
-    }
+    if (isPacked) cutOutPacked(block, texels, out.texels);
   }
   if (!isPacked) {
     out.texels.resize(kCount * sizeof(Texel));
     cutOut(block, texels, out.texels.data());
   }
-  out.ranges = rangesOf(block, texels);
-  std::vector<float> differences;
-  double unit = recipe.plan.scale;
   if constexpr (std::is_same_v<Texel, glm::u8vec4>) {
     std::vector<std::uint8_t> grey(std::size_t(block.dims.x) * std::size_t(block.dims.y) * std::size_t(block.dims.z));
     for (std::size_t i = 0; i < grey.size(); ++i) grey[i] = texels[i].a;
-    differences = takeDifferences(grey.data(), block.dims, 0, 0, block.dims.z);
-    unit = 255.0;
+    auto differences = takeDifferences(grey.data(), block.dims, 0, 0, block.dims.z);
+    auto gradients = packGradients(differences, block.dims, 0, block.dims.z, recipe.longestGradient * 255.0);
+    out.gradients.resize(kCount);
+    cutOut(block, gradients.data(), reinterpret_cast<std::byte*>(out.gradients.data()));
   } else {
-    differences = GradientPlanes(block.source, glm::ivec3(1)).planes(0, block.dims.z);
+    out.gradients = blockGradients(valuesOf(*block.source.volume), block.dims, spacingOf(*block.source.volume),
+                                   {block.slotOrigin, glm::ivec3(kSlotEdge)}, recipe.longestGradient * recipe.plan.scale);
   }
-  auto gradients = packGradients(differences, block.dims, 0, block.dims.z, recipe.longestGradient * unit);
-  out.gradients.resize(kCount);
-  cutOut(block, gradients.data(), reinterpret_cast<std::byte*>(out.gradients.data()));
   return out;
 }
 
 }  // namespace
 
-BrickTexels makeBrickTexels(const TexelRecipe& recipe, const PageGrid& grid, const PageBrick& brick) {
+BrickTexels makeBrickTexels(const TexelRecipe& recipe, const PageGrid& grid, const PageBrick& brick,
+                            const IsWorthSlot& isWorthSlot) {
   Block block = readBlock(recipe, grid, brick);
   switch (recipe.plan.format) {
     case gpu::Format::R8:
-      return makeAs<std::uint8_t>(recipe, block);
+      return makeAs<std::uint8_t>(recipe, block, isWorthSlot);
     case gpu::Format::R16:
-      return makeAs<std::uint16_t>(recipe, block);
+      return makeAs<std::uint16_t>(recipe, block, isWorthSlot);
     case gpu::Format::Rgba8:
-      return makeAs<glm::u8vec4>(recipe, block);
+      return makeAs<glm::u8vec4>(recipe, block, isWorthSlot);
     default:
-      return makeAs<float>(recipe, block);
+      return makeAs<float>(recipe, block, isWorthSlot);
   }
 }
 

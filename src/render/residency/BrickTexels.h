@@ -1,10 +1,12 @@
 #pragma once
 #include <array>
+#include <functional>
 #include <glm/glm.hpp>
 #include <glm/gtc/type_precision.hpp>
 #include <vector>
 
 #include "core/BrickCache.h"
+#include "render/residency/BlockGradients.h"
 #include "render/residency/PageGrid.h"
 #include "render/upload/TransferTable.h"
 #include "render/upload/VolumeTexels.h"
@@ -19,8 +21,8 @@ using BrickRanges = std::array<glm::vec2, kRangeCells * kRangeCells * kRangeCell
 
 /// What goes into a slot.
 struct BrickTexels {
-  std::vector<std::byte> texels;       ///< of kSlotEdge^3, as the plan says
-  std::vector<glm::u8vec4> gradients;  ///< as packGradients() makes them
+  Bytes texels;                        ///< of kSlotEdge^3, as the plan says; empty: not worth a slot
+  Texels8 gradients;                   ///< as packGradients() makes them
   BrickRanges ranges;
 };
 
@@ -35,9 +37,14 @@ struct TexelRecipe {
   double longestGradient = 1;  ///< texels
 };
 
-/// Reads a brick and makes its texels: the same, to the last bit, as those that the whole level would have there.
+/// True when a brick of these ranges is worth a slot. Any thread.
+using IsWorthSlot = std::function<bool(const BrickRanges&)>;
+
+/// Reads a brick and makes its texels: those that the whole level would have there. Of a brick that is not worth a slot
+/// only its ranges.
 /// Cost: the voxels of a slot and of a border as wide as gradients reach. Any thread.
 /// @throw InputError when a brick cannot be read
-BrickTexels makeBrickTexels(const TexelRecipe& recipe, const PageGrid& grid, const PageBrick& brick);
+BrickTexels makeBrickTexels(const TexelRecipe& recipe, const PageGrid& grid, const PageBrick& brick,
+                            const IsWorthSlot& isWorthSlot);
 
 }  // namespace velum::render

@@ -29,21 +29,18 @@ PageGrid::PageGrid(const Volume& volume) {
     glm::dmat4 voxelFromFinest = glm::inverse(worldFromVoxel) * worldFromFinest;
     if (!isStraight(voxelFromFinest)) continue;
     out.dims = source[std::size_t(level)].dims;
-    glm::dmat4 voxelFromTex(1.0);
     for (int axis = 0; axis < 3; ++axis) {
       double finest = source.front().dims[axis];
       // Of places among voxels whose corners are at whole numbers: index + 0.5.
       out.voxelsPerBox[axis] = voxelFromFinest[axis][axis] * finest;
       out.firstVoxel[axis] = voxelFromFinest[3][axis] - 0.5 * voxelFromFinest[axis][axis] + 0.5;
-      out.shift[axis] = std::max(0, int(std::floor(-std::log2(voxelFromFinest[axis][axis]) + 0.01)));
+      out.shift[axis] = std::max(0, int(std::floor(-std::log2(voxelFromFinest[axis][axis]) + 0.005)));
       out.brickEdge[axis] = std::ldexp(kPageVoxels, out.shift[axis]) / finest;
       out.bricks[axis] = std::max(1, int(std::ceil(1.0 / out.brickEdge[axis] - 1e-9)));
-      voxelFromTex[axis][axis] = out.dims[axis];
-      voxelFromTex[3][axis] = -0.5;
       out.spacing[axis] = glm::length(glm::dvec3(worldFromVoxel[axis]));
     }
     out.voxelSize = std::min(out.spacing.x, std::min(out.spacing.y, out.spacing.z));
-    out.worldFromTex = worldFromVoxel * voxelFromTex;
+    out.worldFromTex = worldFromBox(out.dims, worldFromVoxel);
     mLevels.push_back(out);
     mSourceLevels.push_back(level);
   }

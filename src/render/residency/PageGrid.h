@@ -12,7 +12,7 @@ namespace velum::render {
 /// its neighbours lend: the reach, and what interpolation takes, wherever the levels' grids lie to each other.
 inline constexpr int kPageVoxels = 32;
 inline constexpr double kGroupReach = 2.0;
-inline constexpr int kSlotEdge = 40;
+inline constexpr int kSlotEdge = 39;
 
 /// A brick of a level, as it lies in a slot.
 struct PageBrick {

@@ -17,7 +17,7 @@ namespace velum::render {
 
 namespace {
 
-constexpr double kBudgetBytes = double(std::size_t(1) << 30);  ///< of the textures
+constexpr double kBudgetBytes = double(std::size_t(2) << 30);  ///< of the textures
 constexpr double kBudgetShare = 0.25;                          ///< of the driver's memory
 constexpr int kSlotsAlong = 16;                                ///< of the texture, along x and y
 constexpr double kVoxelsPerPixel = 1.42;  ///< a voxel may be so many pixels wide: halfway between two levels
@@ -35,8 +35,7 @@ Residency::Residency(const scene::VolumeLayer& layer, const gpu::Limits& limits)
   mRecipe.timeStep = scene::shownTimeStep(layer);
   mRecipe.isMixed = scene::mixesChannels(layer);
   if (mRecipe.isMixed) mRecipe.mix = makeMixTable(layer);
-  double most = std::min(kBudgetBytes, kBudgetShare * double(limits.memoryBytes));
-  mRecipe.plan = storedPlan(*mCoarse, mRecipe.isMixed, limits, most / 8);
+  mRecipe.plan = storedPlan(*mCoarse, mRecipe.isMixed, limits, 0.0);
   mRecipe.range = mCoarse->range;
   mRecipe.longestGradient = longestGradientOf(*mCoarse, mRecipe.plan, mCoarse->isColor || mRecipe.isMixed);
   makeSlots(limits);
@@ -44,7 +43,9 @@ Residency::Residency(const scene::VolumeLayer& layer, const gpu::Limits& limits)
   coarse.smooth = false;
   mUpload = std::make_unique<VolumeUpload>(coarse, limits, mRecipe.plan, mVolume);
   mLoader = std::make_unique<BrickLoader>(
-      [recipe = mRecipe, grid = mGrid](const PageBrick& brick) { return makeBrickTexels(recipe, grid, brick); });
+      [recipe = mRecipe, grid = mGrid](const PageBrick& brick, const IsWorthSlot& isWorthSlot) {
+        return makeBrickTexels(recipe, grid, brick, isWorthSlot);
+      });
 }
 
 Residency::~Residency() = default;
@@ -226,9 +227,9 @@ std::uint32_t Residency::freeSlot() {
 }
 
 /// What cannot be seen takes no place where rays leap over it: cells are no larger than its page.
-bool Residency::needsSlot(const BrickRanges& ranges, const MayShow& mayShow) const {
-  if (mVolume.cells.edge > kPageVoxels) return true;
-  return std::ranges::any_of(ranges, mayShow);
+IsWorthSlot Residency::worthOf(const MayShow& mayShow) const {
+  if (mVolume.cells.edge > kPageVoxels) return [](const BrickRanges&) { return true; };
+  return [mayShow](const BrickRanges& ranges) { return std::ranges::any_of(ranges, mayShow); };
 }
 
 std::size_t Residency::gather(const MayShow& mayShow) {
@@ -240,6 +241,7 @@ std::size_t Residency::gather(const MayShow& mayShow) {
     double urgency;  ///< the smaller the more urgent
   };
   std::size_t room = mSlots.size() - 1;
+  IsWorthSlot isWorthSlot = worthOf(mayShow);
   for (;;) {
     ++mTurn;
     std::unordered_set<std::uint64_t> wanted;
@@ -264,11 +266,13 @@ std::size_t Residency::gather(const MayShow& mayShow) {
         }
         if (std::uint32_t shown = mTable.slot(index)) mSlots[shown].seen = std::max(mSlots[shown].seen, mTurn - 1);
         if (mFailed.contains(key) || !wanted.insert(key).second) continue;
-        if (auto known = mKnown.find(key); known != mKnown.end() && !needsSlot(known->second, mayShow)) {
-          wanted.erase(key);
-          continue;
+        if (auto known = mKnown.find(key); known != mKnown.end()) {
+          if (!isWorthSlot(known->second)) {
+            wanted.erase(key);
+            continue;
+          }
+          ++needed;
         }
-        ++needed;
         std::uint32_t shown = mTable.slot(index);
         int shownLevel = shown == 0 ? mGrid.coarsest() : mSlots[shown].brick.level;
         glm::dvec3 tex = (glm::dvec3(page) + 0.5 - mVolume.pages->first) / mVolume.pages->perTex;
@@ -280,11 +284,15 @@ std::size_t Residency::gather(const MayShow& mayShow) {
       continue;
     }
     std::sort(wishes.begin(), wishes.end(), [](const Wish& a, const Wish& b) { return a.urgency < b.urgency; });
+    // Of most that was never read nothing will be seen. What will be asks for room once it is known.
+    if (wishes.size() > room) wishes.resize(room);
     std::vector<PageBrick> bricks;
-    for (const auto& wish : wishes) bricks.push_back(wish.brick);
-    mMissing = std::move(wanted);
-    if (room == 0) mMissing.clear(), bricks.clear();
-    mLoader->ask(std::move(bricks));
+    mMissing.clear();
+    for (const auto& wish : wishes) {
+      bricks.push_back(wish.brick);
+      mMissing.insert(wish.brick.key());
+    }
+    mLoader->ask(std::move(bricks), isWorthSlot);
     mTable.upload();
     return mMissing.size();
   }
@@ -292,6 +300,7 @@ std::size_t Residency::gather(const MayShow& mayShow) {
 
 std::size_t Residency::receive(double budgetMs, const MayShow& mayShow) {
   Clock::time_point start = Clock::now();
+  IsWorthSlot isWorthSlot = worthOf(mayShow);
   while (!mMissing.empty()) {
     auto loaded = mLoader->take();
     if (!loaded) break;
@@ -304,7 +313,7 @@ std::size_t Residency::receive(double budgetMs, const MayShow& mayShow) {
       continue;
     }
     mKnown[key] = loaded->texels.ranges;
-    if (!mResident.contains(key) && needsSlot(loaded->texels.ranges, mayShow)) {
+    if (!mResident.contains(key) && !loaded->texels.texels.empty() && isWorthSlot(loaded->texels.ranges)) {
       if (std::uint32_t slot = freeSlot()) {
         mSlots[slot].brick = loaded->brick;
         mSlots[slot].isUsed = true;

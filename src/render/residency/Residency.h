@@ -28,7 +28,7 @@ namespace velum::render {
 /// level. GL thread.
 class Residency {
  public:
-  /// True when values of a page may be seen. @param texels  smallest and largest
+  /// True when values of a page may be seen. Any thread. @param texels  smallest and largest
   using MayShow = std::function<bool(glm::vec2 texels)>;
 
   /// @param layer  whose volume has finer levels  @throw gpu::GpuError
@@ -87,7 +87,7 @@ class Residency {
   void writeRow(std::uint32_t slot);
   void refreshPages(const PageBrick& brick);
   std::uint32_t freeSlot();
-  bool needsSlot(const BrickRanges& ranges, const MayShow& mayShow) const;
+  IsWorthSlot worthOf(const MayShow& mayShow) const;
   glm::vec2 coarseRange(glm::dvec3 low, glm::dvec3 high) const;
   glm::vec2 brickRange(const PageBrick& brick, const BrickRanges& ranges, glm::dvec3 low, glm::dvec3 high) const;
   glm::vec2 cellRange(glm::ivec3 cell) const;

@@ -14,8 +14,20 @@ namespace {
 
 std::size_t planeSizeOf(glm::ivec3 dims) { return std::size_t(dims.x) * std::size_t(dims.y) * 3; }
 
-/// Widths of the Gaussian along each axis, voxels.
-glm::dvec3 widthsOf(glm::dvec3 spacing, glm::ivec3 dims) {
+/// A direction from the wide gradient, as long as the narrow one.
+glm::vec3 merged(glm::vec3 narrow, glm::vec3 wide) {
+  const float kApart = std::cos(glm::radians(20.0f)), kTogether = std::cos(glm::radians(10.0f));
+  float length = glm::length(narrow), wideLength = glm::length(wide);
+  if (length == 0.0f || wideLength == 0.0f) return narrow;
+  narrow /= length;
+  wide /= wideLength;
+  float share = glm::smoothstep(kApart, kTogether, glm::dot(narrow, wide));
+  return glm::normalize(glm::mix(narrow, wide, share)) * length;
+}
+
+}  // namespace
+
+glm::dvec3 gradientWidths(glm::dvec3 spacing, glm::ivec3 dims) {
   constexpr double kWidth = 1.0;    // of the finest spacing
   constexpr double kStretch = 0.4;  // of the coarsest one: wider shows fewer stairs and less of what lies in a slice
   // Of a turned grid the last digits differ: the same data has the same gradients however it lies.
@@ -31,21 +43,8 @@ glm::dvec3 widthsOf(glm::dvec3 spacing, glm::ivec3 dims) {
   return widths;
 }
 
-/// A direction from the wide gradient, as long as the narrow one.
-glm::vec3 merged(glm::vec3 narrow, glm::vec3 wide) {
-  const float kApart = std::cos(glm::radians(20.0f)), kTogether = std::cos(glm::radians(10.0f));
-  float length = glm::length(narrow), wideLength = glm::length(wide);
-  if (length == 0.0f || wideLength == 0.0f) return narrow;
-  narrow /= length;
-  wide /= wideLength;
-  float share = glm::smoothstep(kApart, kTogether, glm::dot(narrow, wide));
-  return glm::normalize(glm::mix(narrow, wide, share)) * length;
-}
-
-}  // namespace
-
 glm::ivec3 gradientReach(glm::dvec3 spacing, glm::ivec3 dims) {
-  glm::dvec3 widths = widthsOf(spacing, dims);
+  glm::dvec3 widths = gradientWidths(spacing, dims);
   glm::ivec3 reach;
   // The Gaussian's, a voxel for the differences and one for their neighbours' lengths.
   for (int axis = 0; axis < 3; ++axis) reach[axis] = int(gaussianTaps(widths[axis], 0, 1)[0].weights.size()) / 2 + 2;
@@ -75,7 +74,7 @@ std::vector<float> GradientPlanes::narrowPlanes(int low, int high) const {
 
 std::vector<float> GradientPlanes::widePlanes(int low, int high) {
   glm::ivec3 dims = mSource->dims;
-  glm::dvec3 widths = widthsOf(spacingOf(*mSource->volume), dims);
+  glm::dvec3 widths = gradientWidths(spacingOf(*mSource->volume), dims);
   std::size_t planeSize = planeSizeOf(dims);
   auto tapsZ = gaussianTaps(widths.z, low, high);
   Span held = askedBy(tapsZ, dims.z);

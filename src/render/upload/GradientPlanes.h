@@ -17,6 +17,9 @@ struct SlidingPlanes {
   const float* slide(int askedLow, int askedHigh, std::size_t planeSize, const Make& make);
 };
 
+/// Widths of the Gaussian by which gradients are smoothed along each axis, voxels.
+glm::dvec3 gradientWidths(glm::dvec3 spacing, glm::ivec3 dims);
+
 /// How many voxels away, along each axis, values may lie that have a say in the gradient of a voxel, as it is packed.
 /// @param dims  of the volume: along an axis of one voxel nothing is smoothed
 glm::ivec3 gradientReach(glm::dvec3 spacing, glm::ivec3 dims);

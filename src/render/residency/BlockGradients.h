@@ -1,0 +1,28 @@
+#pragma once
+#include <glm/glm.hpp>
+#include <glm/gtc/type_precision.hpp>
+#include <vector>
+
+#include "core/Volume.h"
+
+namespace velum::render {
+
+/// Texels of four bytes, unset when they are new.
+using Texels8 = std::vector<glm::u8vec4, UnsetAllocator<glm::u8vec4>>;
+
+/// A box of texels within a block.
+struct TexelBox {
+  glm::ivec3 origin{0}, size{0};
+};
+
+/// Gradients of a block that fits into a processor's cache: what GradientPlanes and packGradients() make, on one thread
+/// and in a tenth of the time, as nothing is kept but what the block needs. Cost: the block's voxels times the widths
+/// of the Gaussians. Any thread.
+/// @param values   raw values, x fastest; beyond the block they repeat
+/// @param spacing  of voxels, any unit
+/// @param box      what is wanted of the block; may reach beyond it, where texels repeat
+/// @param longestGradient  the length that a full-length texel stands for, raw values
+Texels8 blockGradients(const std::vector<float>& values, glm::ivec3 dims, glm::dvec3 spacing,
+                                        const TexelBox& box, double longestGradient);
+
+}  // namespace velum::render

@@ -1,0 +1,160 @@
+// A volume that is streamed looks as it does in memory.
+#include <fmt/format.h>
+
+#include "PyramidSource.h"
+#include "RenderFixture.h"
+#include "render/residency/BlockGradients.h"
+#include "render/upload/GradientPlanes.h"
+#include "render/upload/GradientTexels.h"
+
+namespace velum {
+namespace {
+
+constexpr glm::ivec3 kDims{101, 90, 77};
+
+/// Balls, tubes and a noise that is the same everywhere.
+double fieldAt(glm::ivec3 p) {
+  double value = 20.0 + (p.x * 31 + p.y * 17 + p.z * 57 + p.x * p.y) % 9;
+  for (glm::dvec3 centre : {glm::dvec3(30, 40, 30), glm::dvec3(70, 50, 45), glm::dvec3(50, 20, 60)})
+    value += 90.0 * 0.5 * std::erfc((glm::length(glm::dvec3(p) - centre) - 17.0) / 1.5);
+  double tube = std::hypot(p.y - 45.0 - 20.0 * std::sin(p.x / 14.0), p.z - 38.0 - 15.0 * std::cos(p.x / 11.0));
+  return value + 100.0 * 0.5 * std::erfc((tube - 3.0) / 1.0);
+}
+
+class StreamedGL : public RenderTest {
+ protected:
+  static std::shared_ptr<PyramidSource> makeSource(SampleType type, const glm::dmat4& worldFromVoxel = glm::dmat4(1.0)) {
+    return std::make_shared<PyramidSource>(
+        makeVolume(kDims, type, [](glm::ivec3 p) { return fieldAt(p); }, worldFromVoxel), 3, glm::ivec3(24, 40, 16));
+  }
+  /// @param data  in memory or streamed
+  static scene::Scene lookOf(Volume data, scene::RenderMode mode) {
+    data.range = {15.0, 260.0};
+    scene::Scene scene = sceneOf(std::move(data));
+    scene.rayCast.mode = mode;
+    scene.rayCast.isoValue = 90.0;
+    scene.rayCast.jitter = true;
+    scene.volume.transfer.colors = {{40, {0.2f, 0.3f, 0.9f}}, {120, {0.9f, 0.6f, 0.3f}}, {220, {1.0f, 1.0f, 0.9f}}};
+    scene.volume.transfer.opacities = {{60, 0}, {80, 0.4}, {130, 0.95}};
+    scene.lighting.shaded = true;
+    scene.lighting.shadow = scene.lighting.occlusion = 0;
+    scene.camera.projection = scene::Projection::Orthographic;
+    scene.camera.height = 120.0;
+    lookAlong(scene, {0.5, -1.0, 0.4}, 300);
+    return scene;
+  }
+  /// Of a streamed scene and the same with the volume of a level in memory, seen by the same camera.
+  Difference compare(const scene::Scene& streamed, const Volume& inMemory, glm::ivec2 size, Image* picture = nullptr) {
+    scene::Scene whole = streamed;
+    Volume volume = inMemory;
+    volume.range = streamed.volume.data->range;
+    whole.volume.data = Shared<Volume>(std::move(volume));
+    Image a = draw(streamed, size, kAllLayers), b = draw(whole, size, kAllLayers);
+    EXPECT_GT(coverageOf(b), 0.1);
+    if (picture) *picture = a;
+    return differenceOf(a, b);
+  }
+};
+
+TEST_F(StreamedGL, ThePictureIsThatOfTheLevelInMemory) {
+  for (auto type : {SampleType::UInt8, SampleType::Int16, SampleType::Float32}) {
+    auto source = makeSource(type);
+    for (auto mode : {scene::RenderMode::Volume, scene::RenderMode::Mip, scene::RenderMode::Iso}) {
+      scene::Scene scene = lookOf(streamedVolume(source, 2), mode);
+      Difference finest = compare(scene, source->level(0), {160, 160});
+      EXPECT_LE(finest.largest, 1.0) << enumName(type) << ' ' << enumName(mode) << ", pixel " << finest.where.x << ' '
+                                     << finest.where.y;
+      Difference middle = compare(scene, source->level(1), {66, 66});
+      EXPECT_LE(middle.largest, 1.0) << "middle level, " << enumName(type) << ' ' << enumName(mode);
+      Difference coarse = compare(scene, source->level(2), {30, 30});
+      EXPECT_LE(coarse.largest, 1.0) << "coarse level, " << enumName(type) << ' ' << enumName(mode);
+    }
+  }
+}
+
+TEST_F(StreamedGL, CutsAndPlacesAreThoseInMemory) {
+  glm::dmat4 turned = glm::dmat4(1.0);
+  turned[0] = {0.8, 0.3, 0.1, 0}, turned[1] = {-0.3, 1.1, 0.2, 0}, turned[2] = {0.1, -0.2, 1.4, 0}, turned[3] = {50, 20, -9, 1};
+  for (const glm::dmat4& place : {glm::dmat4(1.0), turned}) {
+    auto source = makeSource(SampleType::UInt8, place);
+    for (auto shape : {scene::CutShape::Plane, scene::CutShape::Sphere, scene::CutShape::Box})
+      for (bool showsData : {false, true}) {
+        scene::Scene scene = lookOf(streamedVolume(source, 2), scene::RenderMode::Volume);
+        scene.camera.height = 170.0;
+        scene::Cut cut;
+        cut.shape = shape;
+        cut.centre = scene.camera.target;
+        cut.size = glm::dvec3(50.0);
+        cut.face = showsData ? scene::CutFace::Section : scene::CutFace::Shaded;
+        scene.cuts = {cut};
+        Difference found = compare(scene, source->level(0), {240, 240});
+        EXPECT_LE(found.largest, 1.0) << enumName(shape) << (showsData ? " with data" : "") << ", pixel " << found.where.x
+                                      << ' ' << found.where.y;
+      }
+  }
+}
+
+/// What the means of the coarse levels do not show is looked for all the same.
+TEST_F(StreamedGL, AThinWireIsFoundThoughNoCoarseLevelShowsIt) {
+  auto source = std::make_shared<PyramidSource>(
+      makeVolume({100, 100, 100}, SampleType::UInt8,
+                 [](glm::ivec3 p) { return p.y == 50 && p.z == 41 ? 200.0 : 10.0; }),
+      4, glm::ivec3(32));
+  scene::Scene scene = lookOf(streamedVolume(source, 3), scene::RenderMode::Volume);
+  Image picture;
+  scene::Scene whole = scene;
+  EXPECT_GT(coverageOf(draw(scene, {160, 160}, kAllLayers)), 0.003);
+  whole.volume.data = Shared<Volume>(source->level(0));
+  EXPECT_LE(differenceOf(draw(scene, {160, 160}, kAllLayers), draw(whole, {160, 160}, kAllLayers)).largest, 1.5);
+}
+
+TEST_F(StreamedGL, WhatCannotBeReadIsSeenCoarseAndSaid) {
+  auto source = makeSource(SampleType::UInt8);
+  source->damaged = true;
+  scene::Scene scene = lookOf(streamedVolume(source, 2), scene::RenderMode::Volume);
+  Image image = draw(scene, {160, 160}, kAllLayers);
+  EXPECT_GT(coverageOf(image), 0.2);
+  EXPECT_NE(renderer().stats().reduction.find("could not be read"), std::string::npos) << renderer().stats().reduction;
+  EXPECT_NE(renderer().stats().reduction.find("brick is damaged"), std::string::npos);
+}
+
+/// A preview shows what is there and waits for nothing.
+TEST_F(StreamedGL, APreviewReadsNothing) {
+  auto source = makeSource(SampleType::UInt8);
+  scene::Scene scene = lookOf(streamedVolume(source, 2), scene::RenderMode::Volume);
+  draw(scene, {160, 160}, kAllLayers);
+  int before = source->reads;
+  render::Frame frame = frameOf(scene, {160, 160});
+  frame.isPreview = true;
+  frame.stepFactor = 2.0;
+  frame.scene.camera.target.x += 3.0;
+  Progress progress;
+  renderer().render(frame, progress);
+  EXPECT_GT(coverageOf(renderer().read(kAllLayers)), 0.2);
+  EXPECT_EQ(source->reads, before);
+}
+
+TEST_F(StreamedGL, GradientsOfABlockAreThoseOfTheWhole) {
+  for (glm::dvec3 spacing : {glm::dvec3(1.0), glm::dvec3(0.5, 0.5, 1.7)}) {
+    Volume volume = makeVolume({31, 26, 29}, SampleType::Int16, [](glm::ivec3 p) { return 10.0 * fieldAt(p + 20); });
+    for (int axis = 0; axis < 3; ++axis) volume.worldFromVoxel[axis][axis] = spacing[axis];
+    render::VolumeTexels texels;
+    texels.volume = Shared<Volume>(volume);
+    texels.dims = volume.dims;
+    auto differences = render::GradientPlanes(texels, glm::ivec3(1)).planes(0, volume.dims.z);
+    auto whole = render::packGradients(differences, volume.dims, 0, volume.dims.z, 3000.0);
+    std::vector<float> values;
+    for (int z = 0; z < volume.dims.z; ++z)
+      for (int y = 0; y < volume.dims.y; ++y)
+        for (int x = 0; x < volume.dims.x; ++x) values.push_back(float(valueAt(volume, {x, y, z})));
+    auto block = render::blockGradients(values, volume.dims, spacing, {{0, 0, 0}, volume.dims}, 3000.0);
+    ASSERT_EQ(block.size(), whole.size());
+    int apart = 0;
+    for (std::size_t i = 0; i < whole.size(); ++i)
+      for (int c = 0; c < 4; ++c) apart = std::max(apart, std::abs(int(block[i][c]) - int(whole[i][c])));
+    EXPECT_LE(apart, 1);
+  }
+}
+
+}  // namespace
+}  // namespace velum

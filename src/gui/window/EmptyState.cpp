@@ -47,7 +47,7 @@ void EmptyState::addWays(QLayout* layout) {
   title->setAlignment(Qt::AlignCenter);
   layout->addWidget(title);
   auto* text =
-      new QLabel(tr("A folder of DICOM images, NIfTI, NRRD, MetaImage, MRC, TIFF, VTI, SEG-Y, OpenVDB or OME-Zarr; cell models;\n"
+      new QLabel(tr("A folder of DICOM images, NIfTI, NRRD, MetaImage, MRC, TIFF, VTI, SEG-Y, OpenVDB, OME-Zarr, N5, Imaris\nor BigDataViewer; cell models;\n"
                     "labels and surfaces beside it; a Velum scene, or a picture that was saved from one."),
                  this);
   text->setProperty("role", "muted");

@@ -15,7 +15,10 @@ SeriesInfo seriesOf(const Path& path, const StoreImage& image) {
   series.description = image.name;
   series.isSegmentation = image.isLabels;
   series.referencedSeries = image.labelsOf;
-  series.middleFile = image.key.empty() ? path : path / image.key;
+  series.middleFile = path;
+  series.size = image.dims;
+  series.imageCount = image.dims.z;
+  if (image.dims.z > 0) return series;
   try {
     auto source = openImage(path, image.key);
     series.imageCount = source->head().dims.z;
@@ -37,8 +40,8 @@ std::vector<SeriesInfo> seriesInStore(const Path& path, Progress& progress) {
   return series;
 }
 
-Volume readStorePicture(const Path& path, Progress& progress) {
-  auto image = openImage(path, "");
+Volume readStorePicture(const Path& path, const std::string& key, Progress& progress) {
+  auto image = openImage(path, key);
   int level = int(image->levels().size()) - 1;
   if (levelBytes(*image, level) > kMostOfPicture) refuse(path, "its coarsest level is too large for a small picture");
   Volume volume = readLevel(*image, level, progress);

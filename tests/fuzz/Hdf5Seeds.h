@@ -38,8 +38,7 @@ inline std::map<std::string, std::string> hdf5Records() {
       imaris += recordOf(info + "ExtMin" + axis, "0") + recordOf(info + "ExtMax" + axis, "9.5");
     all["imaris-" + name] = imaris + datasetRecords(group + "/Data", filters);
     all["bdv-" + name] = recordOf("s00/resolutions", "\1\1\1\2\2\1") + recordOf("s00@dataType", "uint16") +
-                         datasetRecords("t00000/s00/0/cells", filters) +
-                         datasetRecords("t00000/s00/1/cells", filters);
+                         datasetRecords("t00000/s00/0/cells", filters) + datasetRecords("t00000/s00/1/cells", filters);
   }
   return all;
 }

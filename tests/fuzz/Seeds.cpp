@@ -7,9 +7,7 @@
 #include "../io/BinaryCifParts.h"
 #include "../io/SegyBytes.h"
 #include "../support/DicomParts.h"
-#include "Hdf5Seeds.h"
-#include "N5Seeds.h"
-#include "ZarrSeeds.h"
+#include "StoreSeeds.h"
 #include "core/Error.h"
 #include "core/ModelBuilder.h"
 #include "io/images/ImageFile.h"
@@ -396,15 +394,7 @@ void putAll() {
   put("label-table", "caret",
       "<CaretExtension><LabelTable><Label Key=\"1\" Red=\"1\" Green=\"0\" Blue=\"0\" Alpha=\"1\">"
       "<![CDATA[a]]></Label></LabelTable></CaretExtension>");
-  for (auto& [name, bytes] : storeRecords(root / "zarr-files")) put("zarr", name, bytes);
-  for (auto& [name, bytes] : n5Records(root / "n5-files")) put("n5", name, bytes);
-  for (auto& [name, bytes] : hdf5Records()) put("hdf5-image", name, bytes);
-  std::filesystem::path xml = root / "a.xml";
-  writeSpimData(xml, "hdf5", "a.h5", "<channel>1</channel><tile>0</tile>",
-                registration(0, 0, {"1 0 0 10 0 1 0 20 0 0 1 30", "0 -0.5 0 0 0.5 0 0 0 0 0 2 0"}));
-  std::ifstream text(xml);
-  put("spim-data", "channels", {std::istreambuf_iterator<char>(text), {}});
-  std::filesystem::remove(xml);
+  for (auto& [target, name, bytes] : storeSeeds(root)) put(target, name, bytes);
   putMeshes();
 }
 

@@ -66,7 +66,8 @@ TEST(BigDataViewer, SetupsThatDifferInTheirChannelAreChannelsOfOneImage) {
   for (bool isN5 : {false, true}) {
     fs::path home = folder / (isN5 ? "n5" : "hdf5");
     fs::create_directories(home);
-    fs::path xml = isN5 ? writeChannelsInN5(home, sameForAll({kStraight})) : writeChannels(home, sameForAll({kStraight}));
+    fs::path xml =
+        isN5 ? writeChannelsInN5(home, sameForAll({kStraight})) : writeChannels(home, sameForAll({kStraight}));
     for (const fs::path& path : {xml, home / (isN5 ? "a.n5" : "a.h5")}) {
       SCOPED_TRACE(path);
       EXPECT_TRUE(isStore(path));

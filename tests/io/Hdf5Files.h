@@ -50,8 +50,8 @@ class Hdf5Out {
   void group(const std::string& name) {
     hid_t links = ::H5Pcreate(H5P_LINK_CREATE);
     ::H5Pset_create_intermediate_group(links, 1);
-    if (::H5Lexists(mFile, name.c_str(), H5P_DEFAULT) <= 0)
-      ::H5Gclose(::H5Gcreate2(mFile, name.c_str(), links, H5P_DEFAULT, H5P_DEFAULT));
+    ::H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // that it is there already is no error
+    if (hid_t made = ::H5Gcreate2(mFile, name.c_str(), links, H5P_DEFAULT, H5P_DEFAULT); made >= 0) ::H5Gclose(made);
     ::H5Pclose(links);
   }
   /// An attribute, a string of its length, or, as Imaris writes it, an array of letters.
@@ -158,7 +158,8 @@ inline Hdf5Data hdf5Ramp(const std::string& name, int more = 0) {
 
 /// An image of BigDataViewer: time points 0 and 1, setups 0 and 1, levels 1 and 2 x 2 x 1.
 /// @param change  of each dataset before it is written
-inline void writeBdv(const std::filesystem::path& path, const std::function<void(Hdf5Data&)>& change = [](auto&) {}) {
+inline void writeBdv(
+    const std::filesystem::path& path, const std::function<void(Hdf5Data&)>& change = [](auto&) {}) {
   Hdf5Out out(path);
   for (int setup = 0; setup < 2; ++setup) {
     std::string group = "s0" + std::to_string(setup);
@@ -169,7 +170,7 @@ inline void writeBdv(const std::filesystem::path& path, const std::function<void
       for (int level = 0; level < 2; ++level) {
         Hdf5Data data = hdf5Ramp("t0000" + std::to_string(time) + "/" + group + "/" + std::to_string(level) + "/cells",
                                  time * 10 + setup);
-        if (level == 1) data.shape = {5, 3, 3};
+        if (level == 1) data.shape = {5, 3, 3}, data.chunk = {2, 3, 3};
         data.type = "int16";
         data.filters = {"gzip"};
         change(data);
@@ -182,15 +183,21 @@ inline void writeBdv(const std::filesystem::path& path, const std::function<void
 /// numbers
 inline void writeSpimData(const std::filesystem::path& path, const std::string& format, const std::string& voxels,
                           const std::string& second, const std::string& registrations) {
-  std::string xml = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<SpimData version=\"0.2\">\n<BasePath type=\"relative\">.</BasePath>\n<SequenceDescription>\n<ImageLoader format=\"bdv." +
-                    format + "\"><" + format + " type=\"relative\">" + voxels + "</" + format +
-                    "></ImageLoader>\n<ViewSetups>\n";
+  std::string xml =
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<SpimData version=\"0.2\">\n<BasePath "
+      "type=\"relative\">.</BasePath>\n<SequenceDescription>\n<ImageLoader format=\"bdv." +
+      format + "\"><" + format + " type=\"relative\">" + voxels + "</" + format + "></ImageLoader>\n<ViewSetups>\n";
   for (int setup = 0; setup < 2; ++setup)
     xml += "<ViewSetup><id>" + std::to_string(setup) +
            "</id><size>7 6 5</size><voxelSize><unit>\xc2\xb5m</unit><size>0.5 0.5 2.0</size></voxelSize><attributes>" +
            (setup == 0 ? "<channel>0</channel><tile>0</tile>" : second) + "</attributes></ViewSetup>\n";
-  xml += "<Attributes name=\"channel\"><Channel><id>0</id><name>GFP</name></Channel><Channel><id>1</id><name>RFP</name></Channel></Attributes>\n</ViewSetups>\n<Timepoints type=\"pattern\"><integerpattern>0-1</integerpattern></Timepoints>\n</SequenceDescription>\n<ViewRegistrations>\n" +
-         registrations + "</ViewRegistrations>\n</SpimData>\n";
+  xml +=
+      "<Attributes "
+      "name=\"channel\"><Channel><id>0</id><name>GFP</name></Channel><Channel><id>1</id><name>RFP</name></Channel></"
+      "Attributes>\n</ViewSetups>\n<Timepoints "
+      "type=\"pattern\"><integerpattern>0-1</integerpattern></Timepoints>\n</"
+      "SequenceDescription>\n<ViewRegistrations>\n" +
+      registrations + "</ViewRegistrations>\n</SpimData>\n";
   writeBytes(path, xml);
 }
 
@@ -203,8 +210,9 @@ inline std::string registration(int time, int setup, const std::vector<std::stri
 }
 
 /// An image of Imaris: two time points, two channels, two levels, packed as `filters` say. Arrays are padded to chunks.
-inline void writeImaris(const std::filesystem::path& path, const std::vector<std::string>& filters,
-                        const std::function<void(Hdf5Data&)>& change = [](auto&) {}) {
+inline void writeImaris(
+    const std::filesystem::path& path, const std::vector<std::string>& filters,
+    const std::function<void(Hdf5Data&)>& change = [](auto&) {}) {
   Hdf5Out out(path);
   std::string info = "DataSetInfo";
   auto letters = [&](const std::string& group, const std::string& name, const std::string& text) {

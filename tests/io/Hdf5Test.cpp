@@ -32,9 +32,10 @@ void expectWritten(const Volume& v, const Hdf5Data& data) {
 TEST(Hdf5, EveryTypeAndFilterGivesWhatWasWritten) {
   TempFolder folder;
   const std::vector<std::vector<std::string>> kFilters = {
-      {}, {"gzip"}, {"shuffle"}, {"shuffle", "gzip"}, {"lz4"}, {"shuffle", "lz4"}, {"zstd"}, {"blosc"},
-      {"gzip", "fletcher32"}};
-  for (const char* type : {"uint8", "int8", "uint16", "int16", "uint32", "int32", "uint64", "int64", "float32", "float64"})
+      {},       {"gzip"},  {"shuffle"},           {"shuffle", "gzip"}, {"lz4"}, {"shuffle", "lz4"},
+      {"zstd"}, {"blosc"}, {"gzip", "fletcher32"}};
+  for (const char* type :
+       {"uint8", "int8", "uint16", "int16", "uint32", "int32", "uint64", "int64", "float32", "float64"})
     for (const auto& filters : kFilters)
       for (bool isBigEndian : {false, true}) {
         SCOPED_TRACE(std::string(type) + " " + (filters.empty() ? "" : filters.back()));

@@ -51,7 +51,7 @@ struct N5File {
   std::filesystem::path folder;
   Sizes shape, block;
   std::string type = "uint16", codec = "raw";
-  bool tellsCount = false;  ///< mode 1
+  bool tellsCount = false;     ///< mode 1
   Json more = Json::object();  ///< attributes besides
   std::function<double(const Sizes&)> value;
   std::function<bool(const Sizes&)> isThere = [](auto&) { return true; };  ///< a block, by its index

@@ -23,7 +23,8 @@ void expectRamp(const Volume& v, const std::function<double(const glm::ivec3&)>&
 
 TEST(N5, EveryTypeCodecAndModeGivesWhatWasWritten) {
   TempFolder folder;
-  for (const char* type : {"uint8", "int8", "uint16", "int16", "uint32", "int32", "uint64", "int64", "float32", "float64"})
+  for (const char* type :
+       {"uint8", "int8", "uint16", "int16", "uint32", "int32", "uint64", "int64", "float32", "float64"})
     for (const char* codec : {"raw", "gzip", "zlib", "bzip2", "xz", "lz4", "blosc", "zstd"})
       for (bool tellsCount : {false, true}) {
         SCOPED_TRACE(std::string(type) + " " + codec);
@@ -89,7 +90,8 @@ TEST(N5, LevelsLieOnEachOther) {
   // Without factors they follow from the sizes.
   coarse.more = Json::object();
   coarse.write();
-  expectSameMatrix(openImage(folder / "a.n5", "")->levels()[1].worldFromVoxel, image->levels()[1].worldFromVoxel, 1e-15);
+  expectSameMatrix(openImage(folder / "a.n5", "")->levels()[1].worldFromVoxel, image->levels()[1].worldFromVoxel,
+                   1e-15);
 }
 
 TEST(N5, PlacesOfOtherProgramsAreRead) {
@@ -157,7 +159,9 @@ TEST(N5, EveryDamageOfABlockOrOfAttributesIsRefusedOrRead) {
       // Java's LZ4 and bzip2 end with some bytes that hold nothing.
       bool mayBeWhole = size + 25 > good.size();
       writeText(block, good.substr(0, size));
-      if (!mayBeWhole) EXPECT_NE(refusalOf(file.folder), "") << "cut to " << size;
+      if (!mayBeWhole) {
+        EXPECT_NE(refusalOf(file.folder), "") << "cut to " << size;
+      }
     }
     expectReadOrRefused(good, block, 60, [&] { read(file.folder); });
     writeText(block, good);

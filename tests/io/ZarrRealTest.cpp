@@ -3,6 +3,7 @@
 
 #include "ZarrRamp.h"
 #include "core/VoxelSource.h"
+#include "io/stores/OmeImage.h"
 #include "io/stores/OpenStore.h"
 
 namespace velum::io {

@@ -9,6 +9,7 @@
 #include "TestFiles.h"
 #include "core/Error.h"
 #include "io/stores/Crc32c.h"
+#include "io/stores/OmeImage.h"
 #include "io/stores/OpenStore.h"
 #include "io/stores/WriteStore.h"
 

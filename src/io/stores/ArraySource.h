@@ -30,8 +30,8 @@ struct ArrayPyramid {
 VoxelLevel levelOf(const ChunkArray& array, glm::ivec3 dims = glm::ivec3(0));
 StoredLevel storedAs(const ChunkArray& array, std::string key);
 
-/// An image that lies in an array a level, or an array for each channel and time step of a level. Arrays are opened when
-/// they are first read.
+/// An image that lies in an array a level, or an array for each channel and time step of a level. Arrays are opened
+/// when they are first read.
 class ArraySource : public StoreSource {
  public:
   explicit ArraySource(ArrayPyramid pyramid);

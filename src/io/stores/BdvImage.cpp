@@ -95,8 +95,7 @@ glm::dmat4 BdvImages::place(const SpimData::Setup& setup, std::vector<std::strin
     warnings.push_back("each time point has a place of its own in the file; all were put where the first one lies");
   if (!setup.voxelSize) return world;
   glm::dvec3 ratio;
-  for (int axis = 0; axis < 3; ++axis)
-    ratio[axis] = (*setup.voxelSize)[axis] / glm::length(glm::dvec3(world[axis]));
+  for (int axis = 0; axis < 3; ++axis) ratio[axis] = (*setup.voxelSize)[axis] / glm::length(glm::dvec3(world[axis]));
   double mean = (ratio.x + ratio.y + ratio.z) / 3;
   bool isUniform = glm::all(glm::lessThan(glm::abs(ratio - mean), glm::dvec3(0.01 * mean)));
   if (!isUniform || !(std::abs(mean - 1) > 0.01) || !std::isfinite(mean)) return world;

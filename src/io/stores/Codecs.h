@@ -11,8 +11,8 @@
 namespace velum::io {
 
 /// A codec from bytes to bytes. Inflate is gzip and zlib, which tell themselves apart. Of LZ4 each program frames the
-/// blocks in its own way: Lz4 is numcodecs', Lz4Java that of N5, Lz4Hdf5 the filter of HDF5. Shuffle puts the first bytes
-/// of all samples first, then the second ones.
+/// blocks in its own way: Lz4 is numcodecs', Lz4Java that of N5, Lz4Hdf5 the filter of HDF5. Shuffle puts the first
+/// bytes of all samples first, then the second ones.
 enum class Codec { Inflate, Zstd, Lz4, Lz4Java, Lz4Hdf5, Blosc, Bzip2, Xz, Shuffle, Crc32c };
 
 /// The most bytes of one chunk: libraries count them in 31 bits.

@@ -52,9 +52,7 @@ herr_t readBytes(H5FD_t* base, H5FD_mem_t type, hid_t, haddr_t at, std::size_t s
 }
 
 /// Two files are the same one where they have the same place: the library keeps each of them once.
-int compareFiles(const H5FD_t* a, const H5FD_t* b) {
-  return fileOf(a).bytes->path().compare(fileOf(b).bytes->path());
-}
+int compareFiles(const H5FD_t* a, const H5FD_t* b) { return fileOf(a).bytes->path().compare(fileOf(b).bytes->path()); }
 
 constexpr H5FD_class_t kDriver = {
     .name = "velum",
@@ -120,9 +118,11 @@ Hdf5Id openByDriver(const Hdf5Lock&, const Path& path) {
 
 std::optional<Hdf5Piece> findChunk(const Hdf5Lock& lock, hid_t dataset, const hsize_t* origin, const Path& path) {
   hsize_t size = 0;
-  if (::H5Dget_chunk_storage_size(dataset, origin, &size) < 0)
-    refuse(path, "the place of a chunk cannot be found: it is damaged" + lock.reason());
-  if (size == 0) return std::nullopt;
+  bool isAnswered = ::H5Dget_chunk_storage_size(dataset, origin, &size) >= 0;
+  std::string reason = isAnswered ? std::string() : lock.reason();
+  bool isMissing = isAnswered ? size == 0 : reason.find("is not allocated") != reason.npos;
+  if (isMissing) return std::nullopt;
+  if (!isAnswered) refuse(path, "the place of a chunk cannot be found: it is damaged" + reason);
   std::uint32_t skipped = 0;
   Probe probe;
   char nothing = 0;  // the driver puts nothing there

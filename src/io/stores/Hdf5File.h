@@ -60,7 +60,4 @@ class Hdf5File {
 /// @throw InputError for a file that is no HDF5, is damaged or cut short
 std::unique_ptr<Hdf5File> openHdf5(const Path& path);
 
-/// True for the first bytes of a file of HDF5.
-bool isHdf5(std::string_view head);
-
 }  // namespace velum::io

@@ -8,6 +8,7 @@
 #include "core/FileName.h"
 #include "io/read/ByteSource.h"
 #include "io/stores/BdvImage.h"
+#include "io/stores/Hdf5Array.h"
 #include "io/stores/ImarisImage.h"
 #include "io/stores/N5Image.h"
 #include "io/stores/WriteStore.h"

@@ -25,8 +25,7 @@ class Lz4Walk {
   std::uint64_t number(std::size_t bytes, bool isBigEndian) {
     auto piece = take(bytes);
     std::uint64_t value = 0;
-    for (std::size_t i = 0; i < bytes; ++i)
-      value = value << 8 | std::uint64_t(piece[isBigEndian ? i : bytes - 1 - i]);
+    for (std::size_t i = 0; i < bytes; ++i) value = value << 8 | std::uint64_t(piece[isBigEndian ? i : bytes - 1 - i]);
     return value;
   }
   /// A block that unpacks to so many bytes.

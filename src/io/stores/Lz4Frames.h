@@ -13,8 +13,8 @@ namespace velum::io {
 /// @throw InputError for damaged bytes, as the others do
 Bytes unpackLz4(std::span<const std::byte> from, std::uint64_t most, const Path& path);
 
-/// As Java's LZ4BlockOutputStream writes it: blocks, each with a word, how it is packed, its sizes and a check sum, which
-/// is not looked at; the last one is empty.
+/// As Java's LZ4BlockOutputStream writes it: blocks, each with a word, how it is packed, its sizes and a check sum,
+/// which is not looked at; the last one is empty.
 Bytes unpackLz4Java(std::span<const std::byte> from, std::uint64_t most, const Path& path);
 
 /// As the filter 32004 of HDF5 writes it: the size, 64 bits, and that of a block, 32 bits, then blocks, each with its

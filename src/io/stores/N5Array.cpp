@@ -109,8 +109,7 @@ std::optional<ChunkArray::Chunk> N5Array::read(const FiveSizes& index) const {
   if (mode == 1 && head.take(4) != count) refuse(file, "has another number of samples than its size says");
   // Unpack what follows.
   bytes.erase(bytes.begin(), bytes.begin() + std::ptrdiff_t(head.at));
-  made.bytes = unpackBytes(mCodecs, std::move(bytes), count * std::uint64_t(type.bytes), file,
-                           std::size_t(type.bytes));
+  made.bytes = unpackBytes(mCodecs, std::move(bytes), count * std::uint64_t(type.bytes), file, std::size_t(type.bytes));
   return made;
 }
 

@@ -31,8 +31,8 @@ std::unique_ptr<StoreSource> openImage(const Path& path, const std::string& want
   std::vector<std::string> notes;
   auto count = std::count_if(images.begin(), images.end(), [](const auto& image) { return !image.isLabels; });
   if (count > 1)
-    notes.push_back(fmt::format("the store holds {} images; {} was taken; choose by series", count,
-                                inQuotes(images.front().name)));
+    notes.push_back(
+        fmt::format("the store holds {} images; {} was taken; choose by series", count, inQuotes(images.front().name)));
   return store->open(images.front().key, std::move(notes));
 }
 

@@ -29,9 +29,9 @@ void placeLevels(ArrayPyramid& pyramid, const std::vector<glm::dmat4>& places, c
   head.isOrientationKnown = false;
   head.isSpacingKnown = mm.has_value() || glm::dmat3(places.front()) != glm::dmat3(1.0);
   if (head.isSpacingKnown && !mm)
-    head.warnings.push_back(unit.empty() ? "the file gives no unit of lengths; millimetres were taken"
-                                         : "the unit of lengths, " + inQuotes(unit) +
-                                               ", is not known; millimetres were taken");
+    head.warnings.push_back(unit.empty()
+                                ? "the file gives no unit of lengths; millimetres were taken"
+                                : "the unit of lengths, " + inQuotes(unit) + ", is not known; millimetres were taken");
   for (std::size_t i = 0; i < places.size(); ++i) {
     Volume placed;
     placed.lengthUnit = head.lengthUnit;

@@ -147,7 +147,8 @@ class SpimReader {
       if (std::string type(one.attribute("type")); type != "affine")
         refuse(mPath, fmt::format("a transformation of the type {} is not known here; affine is", inQuotes(type)));
       auto rows = numbers(textOf(one, "affine"));
-      bool isFit = rows.size() == 12 && std::all_of(rows.begin(), rows.end(), [](double x) { return std::isfinite(x); });
+      bool isFit =
+          rows.size() == 12 && std::all_of(rows.begin(), rows.end(), [](double x) { return std::isfinite(x); });
       if (!isFit) refuse(mPath, "an affine transformation has not twelve numbers");
       glm::dmat4 matrix(1.0);
       for (int row = 0; row < 3; ++row)

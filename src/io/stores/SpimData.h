@@ -21,11 +21,11 @@ struct SpimData {
     std::string unit;
     std::map<std::string, std::string> attributes;  ///< "channel", "tile", "angle", "illumination": ids as text
   };
-  std::string format;                                   ///< of the voxels: "bdv.hdf5", "bdv.n5", ...
-  Path voxels;                                          ///< the file or folder that holds them
-  std::vector<Setup> setups;                            ///< in the file's order
-  std::vector<int> timePoints;                          ///< their ids, in the file's order; never empty
-  std::map<std::pair<int, int>, glm::dmat4> worldFrom;  ///< of (time point, setup): place of a voxel
+  std::string format;                                                ///< of the voxels: "bdv.hdf5", "bdv.n5", ...
+  Path voxels;                                                       ///< the file or folder that holds them
+  std::vector<Setup> setups;                                         ///< in the file's order
+  std::vector<int> timePoints;                                       ///< their ids, in the file's order; never empty
+  std::map<std::pair<int, int>, glm::dmat4> worldFrom;               ///< of (time point, setup): place of a voxel
   std::map<std::pair<std::string, std::string>, std::string> names;  ///< of (attribute, id)
 };
 

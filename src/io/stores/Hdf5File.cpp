@@ -201,11 +201,9 @@ class LibraryFile : public Hdf5File {
 }  // namespace
 
 std::unique_ptr<Hdf5File> plugin::openHdf5(const Path& path) {
-  if (!isHdf5(FileBytes(path).head(4096))) refuse(path, "is no file of HDF5");
   Hdf5Lock lock;
   Hdf5Id file = openByDriver(lock, path);
-  if (!file.isValid())
-    refuse(path, "cannot be opened as HDF5: it is damaged or cut short" + lock.reason());
+  if (!file.isValid()) refuse(path, "cannot be opened as HDF5: it is none, is damaged or cut short" + lock.reason());
   return std::make_unique<LibraryFile>(path, std::move(file));
 }
 

@@ -71,7 +71,7 @@ std::vector<SeriesInfo> listSeries(const Path& path, Progress& progress) {
   return gdcmPlugin().listSeries(path, progress);
 }
 Volume readSeriesImage(const SeriesInfo& series, Progress& progress) {
-  if (isStore(series.middleFile)) return readStorePicture(series.middleFile, series.uid, progress);
+  if (auto place = placeInStore(series.middleFile)) return readStorePicture(*place, progress);
   return gdcmPlugin().readSeriesImage(series, progress);
 }
 

@@ -134,6 +134,18 @@ TEST(BigDataViewer, TilesAndSetupsOfOtherPlacesAreImagesOfTheirOwn) {
   EXPECT_EQ(imagesIn(xml).size(), 2u);
 }
 
+TEST(BigDataViewer, EachImageThatIsOfferedHasAPictureOfItsOwn) {
+  TempFolder folder;
+  fs::path xml = writeChannels(folder.path(), sameForAll({kStraight}));
+  writeSpimData(xml, "hdf5", "a.h5", "<channel>1</channel><tile>1</tile>", sameForAll({kStraight}));
+  Progress progress;
+  auto series = listSeries(xml, progress);
+  ASSERT_EQ(series.size(), 2u);
+  EXPECT_EQ(series[1].imageCount, 5);
+  for (int i = 0; i < 2; ++i)
+    EXPECT_GE(readSeriesImage(series[std::size_t(i)], progress).range.x, i * 1000.0) << "of the coarsest level";
+}
+
 TEST(BigDataViewer, MissingViewsAreZeroAndNumbersOfOldFilesHaveNoSign) {
   TempFolder folder;
   fs::path xml = writeChannels(folder.path(), sameForAll({kStraight}));

@@ -205,6 +205,7 @@ TEST(BigDataViewer, AnXmlThatLiesOrIsDamagedIsRefusedOrReadInOneLine) {
   EXPECT_EQ(with("0-1", "0-1:1"), "");
   EXPECT_NE(with("0-1", "7"), "") << "there are no such voxels";
   EXPECT_NE(with("</SpimData>", ""), "");
+  EXPECT_TRUE(has(with("SpimData", "Sequences"), "no store"));
   expectReadOrRefused(good, xml, 150, [&] { read(xml); });
   fs::remove(xml);
   xml = writeChannelsInN5(folder.path(), sameForAll({kStraight}));

@@ -34,6 +34,7 @@ struct Hdf5Data {
   std::vector<std::string> filters;  ///< "shuffle", "gzip", "lz4", "fletcher32", "zstd", "blosc"
   std::function<double(const Sizes&)> value;
   std::function<bool(const Sizes&)> isThere = [](auto&) { return true; };  ///< a chunk, by its index
+  bool skipsFilters = false;                                               ///< the first chunk is stored as it is
 };
 
 /// A file that is being written.
@@ -131,13 +132,14 @@ inline void Hdf5Out::data(const Hdf5Data& data) {
         }
         bytes += sampleBytes(data.type, isInside ? data.value(place) : 77, data.isBigEndian);
       });
-      for (const std::string& filter : data.filters) {
+      bool isSkipped = data.skipsFilters && index == Sizes(index.size(), 0);
+      for (const std::string& filter : isSkipped ? std::vector<std::string>() : data.filters) {
         if (filter == "shuffle") bytes = shuffled(bytes, sample);
         if (filter == "lz4") bytes = packedByHdf5Lz4(bytes, 40);
         if (filter == "gzip") bytes = packedBy("zlib", bytes, 1);
         if (filter == "zstd" || filter == "blosc") bytes = packedBy(filter, bytes, int(sample));
       }
-      ::H5Dwrite_chunk(made, H5P_DEFAULT, 0, origin.data(), bytes.size(), bytes.data());
+      ::H5Dwrite_chunk(made, H5P_DEFAULT, isSkipped ? ~0u : 0u, origin.data(), bytes.size(), bytes.data());
     });
   }
   ::H5Dclose(made);

@@ -64,6 +64,15 @@ TEST(Hdf5, DatasetsInOnePieceAndOfTheNewestLayoutAreRead) {
   expectWritten(read(folder / "whole.h5"), data);
 }
 
+TEST(Hdf5, ChunksThatFiltersLeftAsTheyWereAreRead) {
+  TempFolder folder;
+  Hdf5Data data = hdf5Ramp("");
+  data.filters = {"shuffle", "gzip"};
+  data.skipsFilters = true;
+  writeOneLevel(folder / "a.h5", data);
+  expectWritten(read(folder / "a.h5"), data);
+}
+
 TEST(Hdf5, MissingChunksAreZero) {
   TempFolder folder;
   Hdf5Data data = hdf5Ramp("");

@@ -155,6 +155,8 @@ StoreKind storeKindOfFile(const Path& path, std::string_view head) {
 std::unique_ptr<ImageStore> openImageStore(const Path& path) {
   if (isUnfinished(path))
     refuse(path, "is not whole: writing it was stopped; give the same command again, which goes on, or remove it");
+  std::error_code error;
+  if (!std::filesystem::exists(path, error)) refuse(path, "there is no such file or folder");
   switch (storeKind(path)) {
     case StoreKind::N5:
       return openN5Store(path);
@@ -162,9 +164,14 @@ std::unique_ptr<ImageStore> openImageStore(const Path& path) {
       return openHdf5Store(path);
     case StoreKind::SpimData:
       return openByXml(path);
-    default:
+    case StoreKind::Zarr:
       return std::make_unique<ZarrImages>(path);
+    case StoreKind::None:
+      break;
   }
+  refuse(path,
+         "is no store: neither Zarr nor N5, no HDF5 of Imaris or BigDataViewer, and no XML of the latter; it may be "
+         "damaged");
 }
 
 }  // namespace velum::io

@@ -54,6 +54,10 @@ TEST(N5, MissingBlocksAreZero) {
   file.write();
   expectRamp(read(file.folder),
              [](const glm::ivec3& at) { return at.x < 4 ? double(at.z * 42 + at.y * 7 + at.x) : 0.0; });
+  std::vector<std::uint16_t> samples(18, 77);  // 3 x 3 x 2 at the far border
+  SampleTarget target{reinterpret_cast<std::byte*>(samples.data()), 2, 6, 18, 0, 0};
+  openImage(file.folder, "")->read({0, {1, 0, 0}}, target);
+  EXPECT_EQ(samples, std::vector<std::uint16_t>(18, 0)) << "whatever was there";
 }
 
 TEST(N5, BlocksThatAreSmallerThanSaidAreZeroBeyond) {

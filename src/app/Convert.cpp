@@ -93,8 +93,8 @@ Lines streamStore(const scene::Source& source, const ConvertOptions& options, Js
   how.level = std::max(source.level, 0);
   if (how.level >= int(image->levels().size()))
     throw ArgumentError(fmt::format("--level {}: the levels are 0 to {}", how.level, image->levels().size() - 1));
-  how.isLabels = options.labels || image->image().isLabels;
-  how.structures = image->image().structures;
+  how.isLabels = options.labels || image->facts().isLabels;
+  how.structures = image->facts().structures;
   printWarnings(source.path, image->head().warnings);
   glm::ivec3 dims = image->levels()[std::size_t(how.level)].dims;
   json["dims"] = {dims.x, dims.y, dims.z};

@@ -15,9 +15,9 @@ Json listOf(const auto& vector, int count) {
   return list;
 }
 
-Json describeLevel(const io::ZarrSource& source, int number) {
+Json describeLevel(const io::StoreSource& source, int number) {
   const VoxelLevel& level = source.levels()[std::size_t(number)];
-  const io::ZarrArray& stored = source.stored(number);
+  const io::StoredLevel& stored = source.facts().levels[std::size_t(number)];
   double mm = unitsPer(source.head().lengthUnit, LengthUnit::Millimetre);
   glm::dmat3 axes(level.worldFromVoxel);
   glm::dvec3 spacing(glm::length(axes[0]), glm::length(axes[1]), glm::length(axes[2]));
@@ -27,13 +27,13 @@ Json describeLevel(const io::ZarrSource& source, int number) {
                {"originMm", listOf(glm::dvec3(level.worldFromVoxel[3]) * mm, 3)},
                {"bytes", levelBytes(source, number)},
                {"storedType", io::nameOf(stored.type)},
-               {"chunk", stored.brick},
+               {"chunk", stored.chunk},
                {"codec", stored.packing}};
-  if (stored.shard) json["shard"] = stored.chunk;
+  if (!stored.shard.empty()) json["shard"] = stored.shard;
   return json;
 }
 
-Json describeChannels(const io::ZarrSource& source) {
+Json describeChannels(const io::StoreSource& source) {
   const Volume& head = source.head();
   Json channels = Json::array();
   for (std::size_t i = 0; i < head.channelNames.size(); ++i) {
@@ -50,26 +50,21 @@ Json describeChannels(const io::ZarrSource& source) {
 Json describeStore(const scene::Source& source) {
   auto image = io::openImage(source.path, source.series);
   const Volume& head = image->head();
-  std::string axes, units;
-  for (const io::OmeAxis& axis : image->image().axes) {
-    axes += (axes.empty() ? "" : " ") + axis.name;
-    if (units.empty()) units = axis.role >= io::OmeAxis::Role::Z ? axis.unit : "";
-  }
   Json levels = Json::array();
   for (int i = 0; i < int(image->levels().size()); ++i) levels.push_back(describeLevel(*image, i));
-  Json json = {{"kind", image->image().isLabels ? "labels" : "volume"},
+  Json json = {{"kind", image->facts().isLabels ? "labels" : "volume"},
                {"name", head.name.empty() ? std::filesystem::path(source.path).filename().string() : head.name},
                {"dims", listOf(head.dims, 3)},
                {"type", std::string(enumName(head.type))},
                {"spacingMm", listOf(spacingOf(head) * unitsPer(head.lengthUnit, LengthUnit::Millimetre), 3)},
-               {"unitInFile", units},
-               {"axes", axes},
+               {"unitInFile", image->facts().unit},
+               {"axes", image->facts().axes},
                {"channels", head.channels},
                {"frames", head.timeSteps},
                {"frameSeconds", head.timeStepSeconds},
                {"spacingKnown", head.isSpacingKnown},
                {"levels", levels},
-               {"levelsAlignedByBorders", image->isAlignedByBorders()},
+               {"levelsAlignedByBorders", image->facts().isAlignedByBorders},
                {"channelList", describeChannels(*image)}};
   std::vector<std::string> warnings = head.warnings;
   try {

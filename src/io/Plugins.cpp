@@ -24,6 +24,7 @@ Path folderOfPlugins() {
 }
 
 const GdcmPlugin& gdcmPlugin() { return loaded<GdcmPlugin>(); }
+const Hdf5Plugin& hdf5Plugin() { return loaded<Hdf5Plugin>(); }
 const OiioPlugin& oiioPlugin() { return loaded<OiioPlugin>(); }
 const VdbPlugin& vdbPlugin() { return loaded<VdbPlugin>(); }
 const VtkPlugin& vtkPlugin() { return loaded<VtkPlugin>(); }
@@ -70,9 +71,11 @@ std::vector<SeriesInfo> listSeries(const Path& path, Progress& progress) {
   return gdcmPlugin().listSeries(path, progress);
 }
 Volume readSeriesImage(const SeriesInfo& series, Progress& progress) {
-  if (isStore(series.middleFile)) return readStorePicture(series.middleFile, progress);
+  if (auto place = placeInStore(series.middleFile)) return readStorePicture(*place, progress);
   return gdcmPlugin().readSeriesImage(series, progress);
 }
+
+std::unique_ptr<Hdf5File> openHdf5(const Path& path) { return hdf5Plugin().openHdf5(path); }
 
 void writeImage(const Image& image, const Path& path, const std::string& description, double dpi,
                 const std::vector<ImageAttribute>& attributes, int bits) {

@@ -10,6 +10,7 @@
 #include "io/meshes/ExtractSurface.h"
 #include "io/meshes/VtpWriter.h"
 #include "io/read/VtkXml.h"
+#include "io/stores/Hdf5File.h"
 #include "io/volumes/DicomFile.h"
 #include "io/volumes/ReadVolume.h"
 #include "io/volumes/Readers.h"
@@ -38,6 +39,8 @@ decltype(io::readImage) readImage;
 decltype(io::readImageDescription) readImageDescription;
 decltype(io::readTiff) readTiff;
 
+decltype(io::openHdf5) openHdf5;
+
 decltype(io::readVdb) readVdb;
 decltype(io::writeVdb) writeVdb;
 
@@ -63,6 +66,10 @@ struct GdcmPlugin {
   decltype(&plugin::isRtStruct) isRtStruct = nullptr;
   decltype(&plugin::listSeries) listSeries = nullptr;
   decltype(&plugin::readSeriesImage) readSeriesImage = nullptr;
+};
+struct Hdf5Plugin {
+  static constexpr const char *kName = "hdf5", *kWhat = "HDF5";
+  decltype(&plugin::openHdf5) openHdf5 = nullptr;
 };
 struct OiioPlugin {
   static constexpr const char *kName = "oiio", *kWhat = "pictures";

@@ -1,6 +1,7 @@
 """velum-batch convert: what goes in comes out."""
 import json
 import shutil
+import struct
 import unittest
 
 from velum_cli import CliTest
@@ -45,6 +46,30 @@ class Convert(CliTest):
                 self.refuse("convert", path, "again.zarr", code=2, words=["is there already"])
                 shutil.rmtree(self.folder / "again.zarr")
         self.refuse("convert", path, "old.ozx", "--zarr", "0.4", code=2, words=["0.5"])
+
+    def test_stores_of_others_become_pyramids(self):
+        for level, factor in (("s0", 1), ("s1", 2)):
+            folder = self.folder / "a.n5" / level
+            (folder / "0" / "0").mkdir(parents=True)
+            dims = [16 // factor, 12 // factor, 10]
+            (folder / "attributes.json").write_text(json.dumps({
+                "dimensions": dims, "blockSize": dims, "dataType": "uint16", "compression": {"type": "raw"},
+                "downsamplingFactors": [factor, factor, 1]}))
+            values = range(dims[0] * dims[1] * dims[2])
+            (folder / "0/0/0").write_bytes(struct.pack(f">2H3I{len(values)}H", 0, 3, *dims, *values))
+        (self.folder / "a.n5/attributes.json").write_text(
+            json.dumps({"n5": "4.0.0", "pixelResolution": {"unit": "um", "dimensions": [0.5, 0.5, 2]}}))
+        report = self.report("info", "a.n5")
+        self.assertEqual([level["dims"] for level in report["levels"]], [[16, 12, 10], [8, 6, 10]])
+        self.close(report["spacingMm"], [5e-4, 5e-4, 2e-3], "spacing")
+        self.run_batch("convert", "a.n5", "b.ome.zarr")
+        self.run_batch("convert", "b.ome.zarr", "c.nrrd")
+        self.run_batch("convert", "a.n5", "d.nrrd")
+        written, direct = self.report("info", "c.nrrd"), self.report("info", "d.nrrd")
+        for key in KEPT:
+            self.close(written[key], direct[key], key)
+        self.assertEqual(direct["range"], [0, 1919])
+        self.run_batch("render", "a.n5", "-o", "a.png", "--size", "40x30")
 
     def test_there_and_back_draws_the_same_picture(self):
         path = self.sample("vessels", 32)

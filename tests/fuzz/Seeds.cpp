@@ -7,7 +7,7 @@
 #include "../io/BinaryCifParts.h"
 #include "../io/SegyBytes.h"
 #include "../support/DicomParts.h"
-#include "ZarrSeeds.h"
+#include "StoreSeeds.h"
 #include "core/Error.h"
 #include "core/ModelBuilder.h"
 #include "io/images/ImageFile.h"
@@ -394,7 +394,7 @@ void putAll() {
   put("label-table", "caret",
       "<CaretExtension><LabelTable><Label Key=\"1\" Red=\"1\" Green=\"0\" Blue=\"0\" Alpha=\"1\">"
       "<![CDATA[a]]></Label></LabelTable></CaretExtension>");
-  for (auto& [name, bytes] : storeRecords(root / "zarr-files")) put("zarr", name, bytes);
+  for (auto& [target, name, bytes] : storeSeeds(root)) put(target, name, bytes);
   putMeshes();
 }
 

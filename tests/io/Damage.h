@@ -52,4 +52,16 @@ inline void expectReadOrRefused(const std::string& good, const std::filesystem::
   }
 }
 
+/// What a refusal says of a file or folder; empty where it is read.
+inline std::string refusalOf(const std::filesystem::path& path) {
+  try {
+    Volume v = read(path);
+    return {};
+  } catch (const InputError& error) {
+    std::string message = error.what();
+    EXPECT_EQ(message.find('\n'), message.npos) << message;
+    return message;
+  }
+}
+
 }  // namespace velum::io

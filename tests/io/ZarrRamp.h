@@ -4,9 +4,8 @@
 #include <filesystem>
 #include <string>
 
-#include "TestFiles.h"
+#include "Damage.h"
 #include "ZarrFiles.h"
-#include "core/Error.h"
 
 namespace velum::io {
 
@@ -20,18 +19,6 @@ inline ZarrFile ramp(const fs::path& folder) {
   file.chunk = {2, 3, 4};
   file.value = [](const Sizes& i) { return double(i[0] * 48 + i[1] * 8 + i[2]); };
   return file;
-}
-
-/// What a refusal says of the array in a folder; empty where it is read.
-inline std::string refusalOf(const fs::path& folder) {
-  try {
-    Volume v = read(folder);
-    return {};
-  } catch (const InputError& error) {
-    std::string message = error.what();
-    EXPECT_EQ(message.find('\n'), message.npos) << message;
-    return message;
-  }
 }
 
 }  // namespace velum::io

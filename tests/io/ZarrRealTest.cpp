@@ -3,6 +3,7 @@
 
 #include "ZarrRamp.h"
 #include "core/VoxelSource.h"
+#include "io/stores/OmeImage.h"
 #include "io/stores/OpenStore.h"
 
 namespace velum::io {
@@ -15,7 +16,7 @@ TEST(ZarrReal, ImagesOfOtherProgramsAreRead) {
   ASSERT_EQ(pyramid->levels().size(), 3u);
   EXPECT_EQ(pyramid->levels()[2].dims, glm::ivec3(250, 250, 250));
   EXPECT_EQ(pyramid->levels()[0].brickSize, glm::ivec3(250, 250, 125));
-  EXPECT_TRUE(pyramid->isAlignedByBorders());
+  EXPECT_TRUE(pyramid->facts().isAlignedByBorders);
   Volume five = read(data / "5d_dataset_v5.ome.zarr.zip"), four = read(data / "5d_dataset_v4.ome.zarr.zip");
   EXPECT_EQ(five.channels, 3);
   EXPECT_EQ(five.timeSteps, 4);

@@ -187,7 +187,7 @@ TEST(Zarr, PlacesAreThoseOfVoxelCentres) {
   TempFolder folder;
   auto source = openImage(writePyramid(folder / "a.zarr", 3, {2, 1, 1}), "");
   ASSERT_EQ(source->levels().size(), 2u);
-  EXPECT_FALSE(source->isAlignedByBorders());
+  EXPECT_FALSE(source->facts().isAlignedByBorders);
   auto fine = source->levels()[0].worldFromVoxel, coarse = source->levels()[1].worldFromVoxel;
   EXPECT_EQ(source->head().name, "cells");
   EXPECT_EQ(source->head().modality, Modality::Microscopy);
@@ -201,7 +201,7 @@ TEST(Zarr, PlacesAreThoseOfVoxelCentres) {
 TEST(Zarr, LevelsWithoutPlacesLieBorderOnBorder) {
   TempFolder folder;
   auto source = openImage(writePyramid(folder / "a.zarr", 2, {}), "");
-  EXPECT_TRUE(source->isAlignedByBorders());
+  EXPECT_TRUE(source->facts().isAlignedByBorders);
   glm::dvec4 a = source->levels()[0].worldFromVoxel * glm::dvec4(-0.5, -0.5, -0.5, 1),
              b = source->levels()[1].worldFromVoxel * glm::dvec4(-0.5, -0.5, -0.5, 1);
   EXPECT_NEAR(glm::length(glm::dvec3(a - b)), 0, 1e-12);

@@ -9,6 +9,7 @@
 #include "TestFiles.h"
 #include "core/Error.h"
 #include "io/stores/Crc32c.h"
+#include "io/stores/OmeImage.h"
 #include "io/stores/OpenStore.h"
 #include "io/stores/WriteStore.h"
 
@@ -118,9 +119,10 @@ TEST(ZarrWriter, KeepsChannelsUnitsAndPlaces) {
   EXPECT_EQ(source->head().channelNames, v.channelNames);
   EXPECT_EQ(source->head().channelColors, v.channelColors);
   ASSERT_EQ(source->channelWindows().size(), 2u);
-  EXPECT_EQ(source->image().axes.back().unit, "micrometer");
-  EXPECT_NEAR(source->image().levels[0].scale.back(), 0.4, 1e-12);
-  EXPECT_NEAR(source->image().levels[0].translation.back(), 500.0, 1e-9);
+  OmeImage image = *readOmeImage(*openStore(folder / "a.zarr"), "");
+  EXPECT_EQ(image.axes.back().unit, "micrometer");
+  EXPECT_NEAR(image.levels[0].scale.back(), 0.4, 1e-12);
+  EXPECT_NEAR(image.levels[0].translation.back(), 500.0, 1e-9);
   EXPECT_EQ(source->head().worldFromVoxel, v.worldFromVoxel);
 }
 
@@ -166,7 +168,7 @@ TEST(ZarrWriter, LevelsLieOnEachOther) {
     for (int level = 1; level < levelCount(path); ++level)
       EXPECT_LT(glm::length(centroid(levelOf(path, level)) - finest), 0.01 * 0.5) << level;
     // By the letter of the file, without what only we know.
-    auto image = openImage(path, "")->image();
+    OmeImage image = *readOmeImage(*openStore(path), "");
     for (const OmeLevel& level : image.levels)
       for (std::size_t axis = 0; axis < 3; ++axis)
         EXPECT_NEAR(level.translation[axis], (level.scale[axis] - image.levels[0].scale[axis]) / 2, 1e-12);

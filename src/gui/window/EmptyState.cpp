@@ -46,10 +46,11 @@ void EmptyState::addWays(QLayout* layout) {
   title->setProperty("role", "empty");
   title->setAlignment(Qt::AlignCenter);
   layout->addWidget(title);
-  auto* text =
-      new QLabel(tr("A folder of DICOM images, NIfTI, NRRD, MetaImage, MRC, TIFF, VTI, SEG-Y, OpenVDB or OME-Zarr; cell models;\n"
-                    "labels and surfaces beside it; a Velum scene, or a picture that was saved from one."),
-                 this);
+  auto* text = new QLabel(
+      tr("A folder of DICOM images, NIfTI, NRRD, MetaImage, MRC, TIFF, VTI, SEG-Y, OpenVDB, OME-Zarr, N5, Imaris,\n"
+         "BigDataViewer; cell models; labels and surfaces beside it; a Velum scene, or a picture that was saved from "
+         "one."),
+      this);
   text->setProperty("role", "muted");
   text->setAlignment(Qt::AlignCenter);
   layout->addWidget(text);

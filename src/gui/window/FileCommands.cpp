@@ -53,8 +53,8 @@ void FileCommands::addOpening(QMenu* menu) {
   });
   QAction* open = actions.add(menu, "file.open", tr("&Open..."), tr("Open a volume, labels, surfaces or a scene"),
                               [this] { askOpen(false); });
-  actions.add(menu, "file.openFolder", tr("Open &folder..."), tr("Open a folder of DICOM images, or a Zarr store"),
-              [this] { askOpenFolder(); });
+  actions.add(menu, "file.openFolder", tr("Open &folder..."),
+              tr("Open a folder of DICOM images, or a store in Zarr or N5"), [this] { askOpenFolder(); });
   keepRecentMenu(menu->addMenu(tr("Open &recent")), [this](const QString& path) { openAsked({path}); });
   actions.addForScene(menu, "file.add", tr("&Add labels or surfaces..."), tr("Open beside what is open"),
                       [this] { askOpen(true); });

@@ -60,7 +60,7 @@ std::vector<LabelInfo> namesInNifti(const NiftiHeader& header) {
 
 std::vector<LabelInfo> tableOf(const scene::Source& source, std::vector<std::string>& warnings) {
   Path path = source.path;
-  if (isStore(path)) return openImage(path, source.series)->image().structures;
+  if (isStore(path)) return openImage(path, source.series)->facts().structures;
   if (isNifti(path))
     if (auto table = namesInNifti(readNiftiHeader(path)); !table.empty()) return table;
   for (const Path& beside : tablesBeside(path)) {

@@ -1,22 +1,21 @@
 #include "io/stores/Codecs.h"
 
 #include <blosc.h>
+#include <bzlib.h>
 #include <fmt/format.h>
-#include <lz4.h>
+#include <lzma.h>
 #include <zlib.h>
 #include <zstd.h>
 
+#include <algorithm>
 #include <cstring>
 
 #include "io/stores/Crc32c.h"
+#include "io/stores/Lz4Frames.h"
 
 namespace velum::io {
 
 namespace {
-
-[[noreturn]] void refuseDamaged(const Path& path, std::string_view codec) {
-  refuse(path, fmt::format("its {} bytes are damaged, or unpack to more than the chunk holds", codec));
-}
 
 /// gzip, of one member or several, or zlib.
 Bytes inflateBytes(std::span<const std::byte> from, std::uint64_t most, const Path& path) {
@@ -48,17 +47,48 @@ Bytes unpackZstd(std::span<const std::byte> from, std::uint64_t most, const Path
   return bytes;
 }
 
-/// As numcodecs writes it: the size, 32 bits, then one block.
-Bytes unpackLz4(std::span<const std::byte> from, std::uint64_t most, const Path& path) {
-  std::uint32_t promised = 0;
-  if (from.size() < sizeof(promised)) refuseDamaged(path, "lz4");
-  std::memcpy(&promised, from.data(), sizeof(promised));
-  if (promised > most) refuseDamaged(path, "lz4");
-  Bytes bytes(promised);
-  int size =
-      ::LZ4_decompress_safe(reinterpret_cast<const char*>(from.data() + sizeof(promised)),
-                            reinterpret_cast<char*>(bytes.data()), int(from.size() - sizeof(promised)), int(promised));
-  if (size != int(promised)) refuseDamaged(path, "lz4");
+/// Calls step with a stream until all is unpacked or nothing more fits. @return whether the stream came to its end
+template <class Stream>
+bool unpackStream(Stream& stream, std::span<const std::byte> from, Bytes& to, auto&& step) {
+  stream.next_in = reinterpret_cast<decltype(stream.next_in)>(const_cast<std::byte*>(from.data()));
+  stream.avail_in = static_cast<decltype(stream.avail_in)>(from.size());
+  stream.next_out = reinterpret_cast<decltype(stream.next_out)>(to.data());
+  stream.avail_out = static_cast<decltype(stream.avail_out)>(to.size());
+  bool isWhole = step(stream);
+  to.resize(to.size() - stream.avail_out);
+  return isWhole;
+}
+
+Bytes unpackBzip2(std::span<const std::byte> from, std::uint64_t most, const Path& path) {
+  bz_stream stream{};
+  if (::BZ2_bzDecompressInit(&stream, 0, 0) != BZ_OK) refuse(path, "there is no memory to unpack it");
+  Bytes bytes(static_cast<std::size_t>(most));
+  bool isWhole =
+      unpackStream(stream, from, bytes, [](bz_stream& of) { return ::BZ2_bzDecompress(&of) == BZ_STREAM_END; });
+  ::BZ2_bzDecompressEnd(&stream);
+  if (!isWhole) refuseDamaged(path, "bzip2");
+  return bytes;
+}
+
+Bytes unpackXz(std::span<const std::byte> from, std::uint64_t most, const Path& path) {
+  constexpr std::uint64_t kMostMemory = std::uint64_t(256) << 20;  // what the highest level needs, and more
+  lzma_stream stream = LZMA_STREAM_INIT;
+  if (::lzma_auto_decoder(&stream, kMostMemory, 0) != LZMA_OK) refuse(path, "there is no memory to unpack it");
+  Bytes bytes(static_cast<std::size_t>(most));
+  bool isWhole = unpackStream(stream, from, bytes,
+                              [](lzma_stream& of) { return ::lzma_code(&of, LZMA_FINISH) == LZMA_STREAM_END; });
+  ::lzma_end(&stream);
+  if (!isWhole) refuseDamaged(path, "xz");
+  return bytes;
+}
+
+Bytes unshuffle(const Bytes& from, std::size_t sampleBytes) {
+  Bytes bytes(from.size());
+  std::size_t count = from.size() / sampleBytes;
+  for (std::size_t part = 0; part < sampleBytes; ++part)
+    for (std::size_t i = 0; i < count; ++i) bytes[i * sampleBytes + part] = from[part * count + i];
+  std::copy(from.begin() + std::ptrdiff_t(count * sampleBytes), from.end(),
+            bytes.begin() + std::ptrdiff_t(count * sampleBytes));  // what is left over is no sample
   return bytes;
 }
 
@@ -82,7 +112,7 @@ Bytes checkCrc(Bytes bytes, const Path& path) {
   return bytes;
 }
 
-Bytes unpack(Codec codec, Bytes packed, std::uint64_t most, const Path& path) {
+Bytes unpack(Codec codec, Bytes packed, std::uint64_t most, const Path& path, std::size_t sampleBytes) {
   switch (codec) {
     case Codec::Inflate:
       return inflateBytes(packed, most, path);
@@ -90,8 +120,18 @@ Bytes unpack(Codec codec, Bytes packed, std::uint64_t most, const Path& path) {
       return unpackZstd(packed, most, path);
     case Codec::Lz4:
       return unpackLz4(packed, most, path);
+    case Codec::Lz4Java:
+      return unpackLz4Java(packed, most, path);
+    case Codec::Lz4Hdf5:
+      return unpackLz4Hdf5(packed, most, path);
     case Codec::Blosc:
       return unpackBlosc(packed, most, path);
+    case Codec::Bzip2:
+      return unpackBzip2(packed, most, path);
+    case Codec::Xz:
+      return unpackXz(packed, most, path);
+    case Codec::Shuffle:
+      return sampleBytes > 1 ? unshuffle(packed, sampleBytes) : std::move(packed);
     case Codec::Crc32c:
       break;
   }
@@ -100,11 +140,12 @@ Bytes unpack(Codec codec, Bytes packed, std::uint64_t most, const Path& path) {
 
 }  // namespace
 
-Bytes unpackBytes(std::span<const Codec> codecs, Bytes packed, std::uint64_t size, const Path& path) {
+Bytes unpackBytes(std::span<const Codec> codecs, Bytes packed, std::uint64_t size, const Path& path,
+                  std::size_t sampleBytes) {
   constexpr std::uint64_t kSlack = 1u << 16;  // what packing may add
   for (std::size_t left = codecs.size(); left-- > 0;) {
     std::uint64_t most = left == 0 ? size : size + size / 8 + kSlack;
-    packed = unpack(codecs[left], std::move(packed), most, path);
+    packed = unpack(codecs[left], std::move(packed), most, path, sampleBytes);
   }
   if (packed.size() != size)
     refuse(path, fmt::format("holds {} bytes of samples, where a chunk has {}", packed.size(), size));

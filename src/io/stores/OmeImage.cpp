@@ -8,6 +8,7 @@
 #include <set>
 
 #include "io/stores/OmeGroup.h"
+#include "io/stores/StoreSource.h"
 
 namespace velum::io {
 
@@ -15,7 +16,7 @@ namespace {
 
 using Role = OmeAxis::Role;
 
-constexpr std::size_t kMostAxes = 5, kMostLevels = 62;
+constexpr std::size_t kMostAxes = 5;
 
 /// Reads one image of a group. Refusals name the file with the group's attributes.
 class ImageReader {

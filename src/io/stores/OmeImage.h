@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/LabelVolume.h"
+#include "io/stores/StoreImage.h"
 #include "io/stores/ZarrArray.h"
 
 /// What OME-Zarr says of the images in a store, versions 0.1 to 0.5, and of 0.6 what is said in the same words.
@@ -43,14 +44,6 @@ struct OmeImage {
 
 /// The image at a key; nothing where there is none. @throw InputError for one that is damaged or breaks the rules
 std::optional<OmeImage> readOmeImage(const Store& store, const std::string& key);
-
-/// One of the images in a store.
-struct StoreImage {
-  std::string key, name;
-  bool isLabels = false;
-  std::string labelsOf;  ///< of labels: the key of their image
-  bool operator==(const StoreImage&) const = default;
-};
 
 /// The images of a store, or of a group of it: the one at its root, series, wells of a plate, and the labels beside
 /// each. Reads metadata only. @throw InputError for metadata that is damaged

@@ -37,7 +37,7 @@ class ImageList {
     auto image = readOmeImage(mStore, key);
     if (!image || images.size() >= kMostImages) return;
     std::string shown = !name.empty() ? name : !image->name.empty() ? image->name : key;
-    images.push_back({key, shown, image->isLabels, ""});
+    images.push_back({key, shown, image->isLabels, "", {}});
     std::string labels = keyBelow(mStore, key, "labels");
     addLabels(labels, memberOf(omeAttributes(mStore, labels), "labels"), key);
   }
@@ -48,7 +48,7 @@ class ImageList {
     for (const Json& name : names) {
       std::string word = wordOf(name);
       if (word.empty() || images.size() >= kMostImages) continue;
-      images.push_back({keyBelow(mStore, key, word), word, true, image});
+      images.push_back({keyBelow(mStore, key, word), word, true, image, {}});
     }
   }
 

@@ -5,16 +5,15 @@
 #include <string_view>
 #include <vector>
 
-#include "io/stores/ZarrSource.h"
+#include "io/stores/ImageStore.h"
 #include "scene/Source.h"
 
-/// Opens stores of chunked volumes: folders, or archives of them, in Zarr.
+/// Opens stores of chunked volumes: Zarr, in folders or archives of them; N5, in folders; HDF5 of Imaris and of
+/// BigDataViewer, whose XML opens it, too.
 namespace velum::io {
 
-/// True for a folder with metadata of Zarr, or an archive of one. Any thread.
+/// True for what openImageStore() opens. Any thread.
 bool isStore(const Path& path);
-/// True for the first bytes of an archive that may hold a store. @param path  its name may tell, too
-bool isStoreArchive(const Path& path, std::string_view head);
 
 /// The images in a store. @throw InputError
 std::vector<StoreImage> imagesIn(const Path& path);
@@ -22,7 +21,7 @@ std::vector<StoreImage> imagesIn(const Path& path);
 /// Opens an image of a store. Metadata is read, and no voxel.
 /// @param image  its key, one of those of imagesIn(); empty: the first
 /// @throw InputError for a store or an image that is missing, damaged or not supported
-std::unique_ptr<ZarrSource> openImage(const Path& path, const std::string& image);
+std::unique_ptr<StoreSource> openImage(const Path& path, const std::string& image);
 
 /// The level that readVolume() reads: the one that is asked for, or else the finest that fits into an eighth of the
 /// machine's memory. @throw InputError when there is no such level, or it is too large

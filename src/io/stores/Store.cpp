@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "io/read/FileBytes.h"
+#include "io/read/FileNames.h"
 #include "io/stores/ZipStore.h"
 
 namespace velum::io {
@@ -31,12 +34,23 @@ class FolderStore : public Store {
     if (!std::filesystem::is_regular_file(path, error)) return nullptr;
     return std::make_unique<FileBlob>(path);
   }
+  std::vector<std::string> folders(const std::string& key) const override {
+    std::vector<std::string> names;
+    std::error_code error;
+    for (const auto& entry : std::filesystem::directory_iterator(pathOf(key), error))
+      if (std::string name = entry.path().filename().string(); !name.starts_with('.') && entry.is_directory(error))
+        names.push_back(std::move(name));
+    std::sort(names.begin(), names.end(), naturalLess);
+    return names;
+  }
 
  private:
   Path mFolder;
 };
 
 }  // namespace
+
+std::vector<std::string> Store::folders(const std::string&) const { return {}; }
 
 std::unique_ptr<Store> openStore(const Path& path) {
   std::error_code error;

@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/Volume.h"
 #include "io/read/Refuse.h"
@@ -29,6 +30,8 @@ class Store {
   virtual Path pathOf(const std::string& key) const = 0;
   /// The bytes of a key; null where the store has none. @throw InputError when they are there and cannot be read
   virtual std::unique_ptr<Blob> open(const std::string& key) const = 0;
+  /// Names of the folders in that of a key, in natural order; none where the store cannot list them.
+  virtual std::vector<std::string> folders(const std::string& key) const;
 };
 
 /// @param path  a folder, or a ZIP archive; of an archive that holds nothing but one folder, that folder is the store

@@ -9,6 +9,7 @@
 
 #include "io/read/Placement.h"
 #include "io/stores/AxisUnits.h"
+#include "io/stores/CopySamples.h"
 #include "io/stores/OmeGroup.h"
 #include "io/stores/OwnAttributes.h"
 
@@ -40,6 +41,7 @@ ZarrSource::ZarrSource(std::shared_ptr<const Store> store, OmeImage image, std::
   describeHead();
   placeLevels();
   takeOwnAttributes();
+  describeFacts();
 }
 
 void ZarrSource::openLevel(const OmeLevel& level) {
@@ -134,7 +136,7 @@ void ZarrSource::placeLevels() {
   if (mHead.isSpacingKnown && !hasUnits)
     mHead.warnings.push_back("the file gives no unit of lengths; millimetres were taken");
   if (hasUnits && smallest <= 1e-3) mHead.modality = Modality::Microscopy;
-  mIsAlignedByBorders = levels.size() > 1 && !hasTranslations && holdsMeansOfBlocks();
+  mFacts.isAlignedByBorders = levels.size() > 1 && !hasTranslations && holdsMeansOfBlocks();
 
   double perMm = unitsPer(LengthUnit::Millimetre, mHead.lengthUnit);
   for (std::size_t i = 0; i < levels.size(); ++i) {
@@ -142,7 +144,7 @@ void ZarrSource::placeLevels() {
     for (int a = 0; a < 3; ++a)
       if (auto axis = axisOf(mImage, kSpace[a])) {
         double unit = millimetresOf(mImage.axes[*axis].unit).value_or(1.0) * perMm;
-        double shift = mIsAlignedByBorders ? (levels[i].scale[*axis] - levels.front().scale[*axis]) / 2 : 0.0;
+        double shift = mFacts.isAlignedByBorders ? (levels[i].scale[*axis] - levels.front().scale[*axis]) / 2 : 0.0;
         spacing[a] = levels[i].scale[*axis] * unit;
         origin[a] = (levels[i].translation[*axis] + shift) * unit;
       }
@@ -171,6 +173,20 @@ void ZarrSource::takeOwnAttributes() {
   mLevels.front().worldFromVoxel = mHead.worldFromVoxel;
 }
 
+void ZarrSource::describeFacts() {
+  for (const OmeAxis& axis : mImage.axes) {
+    mFacts.axes += (mFacts.axes.empty() ? "" : " ") + axis.name;
+    if (mFacts.unit.empty() && axis.role >= Role::Z) mFacts.unit = axis.unit;
+  }
+  mFacts.isLabels = mImage.isLabels;
+  mFacts.structures = mImage.structures;
+  for (const auto& bricks : mArrays) {
+    const ZarrArray& array = bricks->array();
+    mFacts.levels.push_back({array.key, array.type, array.brick, {}, array.packing});
+    if (array.shard) mFacts.levels.back().shard = array.chunk;
+  }
+}
+
 void ZarrSource::read(const BrickAddress& address, const SampleTarget& target) const {
   const ZarrBricks& bricks = *mArrays[std::size_t(address.level)];
   const ZarrArray& array = bricks.array();
@@ -194,25 +210,12 @@ void ZarrSource::read(const BrickAddress& address, const SampleTarget& target) c
     auto axis = axisOf(mImage, role);
     return axis ? steps[*axis] : 0;
   };
-  std::ptrdiff_t stepX = stepAlong(Role::X), stepY = stepAlong(Role::Y), stepZ = stepAlong(Role::Z),
-                 stepC = stepAlong(Role::Channel), stepT = stepAlong(Role::Time);
+  SampleSteps from{stepAlong(Role::X), stepAlong(Role::Y), stepAlong(Role::Z), stepAlong(Role::Channel),
+                   stepAlong(Role::Time)};
   // Copy them, row by row.
   const std::byte* first = bytes ? bytes->data() : array.fill.data();
-  BrickBox box = boxOf(*this, address);
-  RowConverter convert = rowConverter(array.type);
-  bool fits = true;
-  for (int t = 0; t < box.timeSteps; ++t)
-    for (int c = 0; c < box.channels; ++c)
-      for (int z = 0; z < box.size.z; ++z)
-        for (int y = 0; y < box.size.y; ++y)
-          fits = convert(first + t * stepT + c * stepC + z * stepZ + y * stepY, stepX,
-                         target.first + t * target.timeStep + c * target.channel + z * target.z + y * target.y,
-                         target.x, box.size.x) &&
-                 fits;
-  if (!fits)
-    refuse(mStore->pathOf(array.key),
-           fmt::format("holds whole numbers of the type {} that need more than 32 bits, which cannot be held yet",
-                       nameOf(array.type)));
+  if (!copySamples(array.type, first, from, boxOf(*this, address), target))
+    refuseWideNumbers(array.type, mStore->pathOf(array.key).string());
 }
 
 }  // namespace velum::io

@@ -35,7 +35,11 @@ bool isTiff(const FileHead& h) {
   return holds(h, 0, std::string_view("II*\0", 4)) || holds(h, 0, std::string_view("MM\0*", 4)) ||
          holds(h, 0, std::string_view("II+\0", 4)) || holds(h, 0, std::string_view("MM\0+", 4));
 }
-bool isZarr(const FileHead& h) { return isStoreArchive(h.path, h.bytes); }
+bool isZarr(const FileHead& h) { return storeKindOfFile(h.path, h.bytes) == StoreKind::Zarr; }
+bool isBigDataViewer(const FileHead& h) {
+  StoreKind kind = storeKindOfFile(h.path, h.bytes);
+  return kind == StoreKind::Hdf5 || kind == StoreKind::SpimData;
+}
 bool isVdb(const FileHead& h) { return holds(h, 0, " BDV"); }
 bool isOtherThanDicom(const FileHead& head);
 
@@ -64,7 +68,10 @@ constexpr FormatRow kTable[] = {
     {{"SEG-Y", ".sgy .segy", true, ""}, nullptr, readSegy, nullptr},
     {{"TIFF", ".tif .tiff", true, ""}, isTiff, readTiff, nullptr},
     {{"OpenVDB", ".vdb", true, ".vdb"}, isVdb, readVdb, writeVdb},
-    {{"OME-Zarr", ".zarr .ozx .zarr.zip", true, ".zarr .ozx"}, isZarr, readZarr, nullptr, writeZarr},
+    {{"OME-Zarr", ".zarr .ozx .zarr.zip", true, ".zarr .ozx"}, isZarr, readStore, nullptr, writeZarr},
+    {{"Imaris", ".ims", true, ""}, nullptr, readStore, nullptr},
+    {{"BigDataViewer", ".xml .h5 .hdf5", true, ""}, isBigDataViewer, readStore, nullptr},
+    {{"N5", ".n5", true, ""}, nullptr, readStore, nullptr},
     {{"InVesalius project", ".inv3", true, ""}, nullptr, readInvesalius, nullptr},
     {{"Raw", ".raw .bin .img .den .dat .vol .data .raw.gz", true, ""}, nullptr, readRaw, nullptr},
 };

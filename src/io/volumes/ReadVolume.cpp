@@ -32,7 +32,7 @@ bool holdsFiles(const Path& folder, std::initializer_list<std::string_view> exte
 Volume readFolder(const scene::Source& source, Progress& progress) {
   Path folder = source.path;
   if (hasRawLayout(source)) return readRaw(source, progress);
-  if (isStore(folder)) return readZarr(source, progress);
+  if (isStore(folder)) return readStore(source, progress);
   if (holdsDicom(folder, Depth::Folder, progress)) return readDicom(source, progress);
   if (holdsFiles(folder, {".tif", ".tiff", ".png"})) return readTiff(source, progress);
   if (holdsDicom(folder, Depth::AllBelow, progress)) return readDicom(source, progress);

@@ -41,7 +41,7 @@ Volume readTiff(const scene::Source& source, Progress& progress);
 Volume readVdb(const scene::Source& source, Progress& progress);
 std::vector<std::string> writeVdb(const Volume& volume, ReplaceFile& file, Progress& progress);
 Volume readRaw(const scene::Source& source, Progress& progress);
-Volume readZarr(const scene::Source& source, Progress& progress);  // folders and archives
+Volume readStore(const scene::Source& source, Progress& progress);  // of any format
 std::vector<std::string> writeZarr(const Volume& volume, const Path& path, Progress& progress);
 Volume readInvesalius(const scene::Source& source, Progress& progress);  // .inv3
 

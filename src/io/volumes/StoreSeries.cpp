@@ -16,6 +16,9 @@ SeriesInfo seriesOf(const Path& path, const StoreImage& image) {
   series.isSegmentation = image.isLabels;
   series.referencedSeries = image.labelsOf;
   series.middleFile = image.key.empty() ? path : path / image.key;
+  series.size = image.dims;
+  series.imageCount = image.dims.z;
+  if (image.dims.z > 0) return series;
   try {
     auto source = openImage(path, image.key);
     series.imageCount = source->head().dims.z;
@@ -37,8 +40,18 @@ std::vector<SeriesInfo> seriesInStore(const Path& path, Progress& progress) {
   return series;
 }
 
-Volume readStorePicture(const Path& path, Progress& progress) {
-  auto image = openImage(path, "");
+std::optional<StorePlace> placeInStore(const Path& path) {
+  std::error_code error;
+  Path store = path;
+  while (!std::filesystem::exists(store, error) && store.has_relative_path()) store = store.parent_path();
+  if (!isStore(store)) return std::nullopt;
+  std::string key = store == path ? std::string() : path.lexically_relative(store).string();
+  return StorePlace{store, key};
+}
+
+Volume readStorePicture(const StorePlace& place, Progress& progress) {
+  const Path& path = place.store;
+  auto image = openImage(path, place.key);
   int level = int(image->levels().size()) - 1;
   if (levelBytes(*image, level) > kMostOfPicture) refuse(path, "its coarsest level is too large for a small picture");
   Volume volume = readLevel(*image, level, progress);

@@ -1,4 +1,6 @@
 #pragma once
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "io/read/Refuse.h"
@@ -9,7 +11,17 @@ namespace velum::io {
 /// The images and labels in a store, as listSeries() lists them. @throw InputError, Cancelled
 std::vector<SeriesInfo> seriesInStore(const Path& path, Progress& progress);
 
-/// The middle plane of the first image in a store, at its coarsest level. @throw InputError, Cancelled
-Volume readStorePicture(const Path& path, Progress& progress);
+/// An image in a store.
+struct StorePlace {
+  Path store;
+  std::string key;  ///< empty: the first
+};
+
+/// What a path means that leads to an image in a store: into a folder of it, or, of a file, further than there are
+/// folders. Nothing where it leads into no store.
+std::optional<StorePlace> placeInStore(const Path& path);
+
+/// The middle plane of an image in a store, at its coarsest level. @throw InputError, Cancelled
+Volume readStorePicture(const StorePlace& place, Progress& progress);
 
 }  // namespace velum::io

@@ -33,20 +33,20 @@ std::string sizeOf(const VoxelLevel& level) {
   return fmt::format("{} x {} x {}", level.dims.x, level.dims.y, level.dims.z);
 }
 
-void sayLevel(Volume& volume, const ZarrSource& of, const scene::Source& source, int level) {
+void sayLevel(Volume& volume, const StoreSource& of, const scene::Source& source, int level) {
   int count = int(of.levels().size());
   if (level == 0) return;
   volume.warnings.push_back(fmt::format("level {} of 0 to {} was read, {} voxels; the finest has {}{}", level,
                                         count - 1, sizeOf(of.levels()[std::size_t(level)]), sizeOf(of.levels().front()),
                                         source.level < 0 ? ", which is more than an eighth of the memory holds" : ""));
-  if (of.isAlignedByBorders())
+  if (of.facts().isAlignedByBorders)
     volume.warnings.push_back(
         "the file does not say where its coarser levels lie; they were taken as means of blocks, border on border");
 }
 
 }  // namespace
 
-Volume readZarr(const scene::Source& source, Progress& progress) {
+Volume readStore(const scene::Source& source, Progress& progress) {
   progress.report(0.0, "Reading metadata");
   auto image = openImage(source.path, source.series);
   int level = levelToRead(*image, source);

@@ -53,7 +53,8 @@ int makeStore(const SampleOptions& options) {
   fs::path path(options.output);
   if (!path.has_extension()) path = path / (options.name + ".ome.zarr");
   if (!io::isStoreFormat(path))
-    throw ArgumentError(fmt::format("{}: a brain may be larger than memory, and is written as .ome.zarr or .ozx", path.string()));
+    throw ArgumentError(
+        fmt::format("{}: a brain may be larger than memory, and is written as .ome.zarr or .ozx", path.string()));
   io::expectStoreWritable(path);
   if (path.has_parent_path()) fs::create_directories(path.parent_path());
   Progress& progress = consoleProgress();
@@ -105,10 +106,12 @@ Run registerSample(CLI::App& verb) {
   for (const auto& sample : io::samples()) names += fmt::format("{}{}", names.empty() ? "" : ", ", sample.name);
   names += ", virion, brain";
   verb.add_option("name", options->name, names)->required();
-  verb.add_option("-o,--output", options->output,
-                  "volume file (labels go beside it), .cif or .cif.gz of a virion, .ome.zarr or .ozx of a brain, or a folder")
+  verb.add_option(
+          "-o,--output", options->output,
+          "volume file (labels go beside it), .cif or .cif.gz of a virion, .ome.zarr or .ozx of a brain, or a folder")
       ->required();
-  verb.add_option("--voxels", options->size, "voxels along the longest axis, 16 to 1024, of a brain 64 to 65536; default: the phantom's own");
+  verb.add_option("--voxels", options->size,
+                  "voxels along the longest axis, 16 to 1024, of a brain 64 to 65536; default: the phantom's own");
   verb.add_option("--time-steps", options->timeSteps,
                   "time steps of a phantom that moves (heart), 1 to 100; default: 12");
   verb.add_option("--contrast", options->contrast,

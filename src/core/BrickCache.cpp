@@ -160,8 +160,8 @@ Volume BrickCache::read(const VoxelBox& box, int channel, int timeStep) {
           BrickBox held = boxOf(*mSource, address);
           glm::ivec3 from = glm::max(held.origin, low), to = glm::min(held.origin + held.size, high);
           auto step = std::ptrdiff_t(size) * held.channels;  // from voxel to voxel of the brick
-          for (int c = std::max(firstChannel, held.channel); c <= std::min(lastChannel, held.channel + held.channels - 1);
-               ++c)
+          for (int c = std::max(firstChannel, held.channel);
+               c <= std::min(lastChannel, held.channel + held.channels - 1); ++c)
             for (int z = from.z; z < to.z; ++z)
               for (int y = from.y; y < to.y; ++y) {
                 glm::ivec3 in = glm::ivec3(from.x, y, z) - held.origin, out = glm::ivec3(from.x, y, z) - box.origin;
@@ -169,9 +169,9 @@ Volume BrickCache::read(const VoxelBox& box, int channel, int timeStep) {
                 std::size_t source = ((step4 + std::size_t(in.z)) * std::size_t(held.size.y) + std::size_t(in.y)) *
                                          std::size_t(held.size.x) +
                                      std::size_t(in.x);
-                std::size_t target = (std::size_t(out.z) * std::size_t(box.size.y) + std::size_t(out.y)) *
-                                         std::size_t(box.size.x) +
-                                     std::size_t(out.x);
+                std::size_t target =
+                    (std::size_t(out.z) * std::size_t(box.size.y) + std::size_t(out.y)) * std::size_t(box.size.x) +
+                    std::size_t(out.x);
                 const std::byte* a = brick->data() + source * std::size_t(step) + std::size_t(c - held.channel) * size;
                 std::byte* b = volume.voxels.data() +
                                (target * std::size_t(volume.channels) + std::size_t(c - firstChannel)) * size;

@@ -79,9 +79,9 @@ struct Volume {
   std::vector<glm::vec3> channelColors;   ///< As the file gives them, sRGB: empty, or one per channel.
   std::vector<glm::ivec2> gaps;  ///< Planes along z for which the file has no slice, {first, count}; their values are
                                  ///< interpolated linearly.
-  std::vector<std::string> warnings;  ///< What the reader had to assume or mend, one line each.
-  std::shared_ptr<const FinerLevels> finer;  ///< Where the volume is a coarse level of a larger one (core/BrickCache.h);
-                                             ///< else nullptr.
+  std::vector<std::string> warnings;         ///< What the reader had to assume or mend, one line each.
+  std::shared_ptr<const FinerLevels> finer;  ///< Where the volume is a coarse level of a larger one
+                                             ///< (core/BrickCache.h); else nullptr.
 };
 
 std::size_t voxelCount(const Volume& volume);     ///< dims.x * dims.y * dims.z

@@ -58,7 +58,7 @@ struct FrameData {
   bool isSoftware = false;  ///< the driver is a software driver
   // Data on the GPU, filled in by UploadPass.
   const GpuVolume* volume = nullptr;  ///< nullptr: none is drawn.
-  Residency* residency = nullptr;  ///< Of a volume that is streamed; else nullptr.
+  Residency* residency = nullptr;     ///< Of a volume that is streamed; else nullptr.
   VolumeKey volumeKey;
   LabelUse labelUse = LabelUse::None;
   LabelKey labelKey;                       ///< id 0 where no labels are drawn.

@@ -6,10 +6,10 @@
 #include <optional>
 #include <thread>
 
-#include "core/Clock.h"
 #include "render/FrameData.h"
 #include "render/Gbuffer.h"
 #include "render/WorkQueue.h"
+#include "render/passes/BrickPass.h"
 #include "render/passes/CountPass.h"
 #include "render/passes/FinishPass.h"
 #include "render/passes/GhostPass.h"
@@ -30,8 +30,6 @@ namespace {
 
 constexpr double kUploadShare = 0.05;                   // of a picture's progress
 constexpr std::chrono::milliseconds kProgramsPause{1};  // between two questions whether programs are compiled
-constexpr int kCoarseMarks = 8, kFineMarks = 3;         // rays leave marks on pages through one of so many pixels a side
-constexpr std::chrono::milliseconds kBricksPause{1};    // and whether bricks have come
 
 }  // namespace
 
@@ -73,21 +71,16 @@ struct Renderer::Impl {
   /// and those that need to know of their targets.
   Pass* const casting[4] = {&rayCast, &counts, &ghosts, &finish};
   WorkQueue queue;
+  BrickPass bricks{skip, rayCast, inputs, queue};
   Stats stats;
-  bool waits = false;                          ///< Nobody looks on: bricks are waited for before anything is drawn.
-  Clock::time_point drawnAt = Clock::now();  ///< When there was something new to be seen.
 
   void begin(const Frame& frame);
   void setUp();
   void askForPrograms();
   bool hasPrograms();
   void addSamples();
-  void addBricks(int pixelStep);
-  bool takeBricks();
   void addCasting();
-  void checkBricks();
-  bool isPatient() const;
-  Residency::MayShow whatShows() const;
+  void redo();
   void bind() const;
   void noteStats();
   bool look();
@@ -146,74 +139,15 @@ void Renderer::Impl::addSamples() {
   light.addSteps(data, 0, queue);
   states.addSteps(data, 0, queue);
   if (data.residency && !data.frame.isPreview)
-    addBricks(kCoarseMarks);
+    bricks.addSteps(
+        data, [this] { bind(); }, [this] { addCasting(); });
   else
     addCasting();
   queue.countAll();
 }
 
-/// Of a streamed volume: which bricks rays meet, and what is not there of them. First those of few pixels; when these
-/// have what they want, those of more pixels, in each of their samples.
-void Renderer::Impl::addBricks(int pixelStep) {
-  queue.add("Setup", [this] {
-    bind();
-    data.residency->clearSeen();
-  });
-  int samples = pixelStep == kCoarseMarks ? 1 : std::max(1, data.frame.scene.rayCast.samplesPerPixel);
-  for (int sample = samples - 1; sample >= 0; --sample)
-    queue.add(rayCast, [this, sample, pixelStep] {
-      inputs.writeParams(data, sample);
-      rayCast.markPages(data, pixelStep);
-    });
-  queue.add("Bricks", [this] { data.residency->gather(whatShows()); });
-  queue.addUntilDone("Bricks", [this] { return takeBricks(); });
-  queue.add("Bricks", [this, pixelStep] {
-    bool hasNews = data.residency->hasNews();
-    if (hasNews) data.residency->updateCells();
-    skip.addSteps(data, 0, queue);
-    // What has come may have let rays through to others.
-    if (!isPatient() || (!hasNews && pixelStep == kFineMarks))
-      addCasting();
-    else
-      addBricks(hasNews ? pixelStep : kFineMarks);
-  });
-}
-
-/// Waits for bricks, but not longer than somebody who looks on likes to see nothing new.
-bool Renderer::Impl::takeBricks() {
-  constexpr double kPieceMs = 8.0;
-  std::size_t missing = data.residency->receive(kPieceMs, whatShows());
-  if (missing == 0 || !isPatient()) return true;
-  std::this_thread::sleep_for(kBricksPause);
-  queue.rest();
-  return false;
-}
-
-/// Rays stop for all values where they leap over nothing, look for the largest, or a cut shows the data on its face.
-Residency::MayShow Renderer::Impl::whatShows() const {
-  bool isAll = data.frame.scene.rayCast.mode == scene::RenderMode::Mip || (data.params.flags & shared::kFlagFaces) ||
-               !(data.params.flags & shared::kFlagSkipEmpty) || (data.params.flags & shared::kFlagInlays);
-  if (isAll) return [](glm::vec2) { return true; };
-  return skip.whatShows();
-}
-
-bool Renderer::Impl::isPatient() const {
-  constexpr double kMostMs = 500.0;
-  return waits || msSince(drawnAt) < (rayCast.progress().samples > 0 ? kMostMs : 0.0);
-}
-
-/// A sample may have met what the marks of a few pixels had not told.
-void Renderer::Impl::checkBricks() {
-  drawnAt = Clock::now();
-  std::size_t missing = data.residency->gather(whatShows());
-  if (missing == 0 && !data.residency->hasNews()) return;
-  queue.dropRest();
-  queue.addUntilDone("Bricks", [this] { return takeBricks(); });
-  queue.add("Bricks", [this] {
-    if (data.residency->hasNews()) data.residency->updateCells();
-    skip.addSteps(data, 0, queue);
-    addBricks(kFineMarks);
-  });
+/// Draws the first sample once more, over what is there.
+void Renderer::Impl::redo() {
   rayCast.redo();
   finish.restart();
   ghosts.restart();
@@ -221,7 +155,11 @@ void Renderer::Impl::checkBricks() {
 
 /// Each sample: its rays, what is rasterised, what is cast up to there, what an illustrator makes of it.
 void Renderer::Impl::addCasting() {
-  if (data.residency) queue.add("Bricks", [this] { bind(); data.residency->clearSeen(); });
+  if (data.residency)
+    queue.add("Bricks", [this] {
+      bind();
+      data.residency->clearSeen();
+    });
   int samples = std::max(1, data.frame.scene.rayCast.samplesPerPixel);
   for (int sample = 0; sample < samples; ++sample) {
     queue.add("Setup", [this, sample] { inputs.writeParams(data, sample); });
@@ -232,7 +170,7 @@ void Renderer::Impl::addCasting() {
     ghosts.addSteps(data, sample, queue);
     finish.addSteps(data, sample, queue);
     if (data.residency && !data.frame.isPreview && (sample == 0 || sample + 1 == samples))
-      queue.add("Bricks", [this] { checkBricks(); });
+      bricks.addCheck(data, [this] { redo(); });
   }
 }
 
@@ -250,7 +188,9 @@ void Renderer::Impl::noteStats() {
   stats.longestStepMs = queue.longestMs();
   stats.samples = rayCast.progress().samples;
   stats.labelBytes = upload.labelBytes();
-  stats.reduction = isDrawn && data.residency ? data.residency->shortfall() : isDrawn && data.volume && !data.volumeKey.isQuick ? data.volume->reduction : "";
+  stats.reduction = isDrawn && data.residency                           ? data.residency->shortfall()
+                    : isDrawn && data.volume && !data.volumeKey.isQuick ? data.volume->reduction
+                                                                        : "";
   if (queue.isEmpty()) stats.passesMs = queue.timesMs();
 }
 
@@ -296,7 +236,7 @@ bool Renderer::work(const Frame& frame, double budgetMs) {
 }
 
 void Renderer::render(const Frame& frame, Progress& progress) {
-  mImpl->waits = true;
+  mImpl->bricks.setWaits(true);
   while (!work(frame, 100.0)) progress.report(fractionDone(), "rendering");
   mImpl->queue.finish();
   mImpl->noteStats();

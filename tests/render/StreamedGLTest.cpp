@@ -23,9 +23,11 @@ double fieldAt(glm::ivec3 p) {
 
 class StreamedGL : public RenderTest {
  protected:
-  static std::shared_ptr<PyramidSource> makeSource(SampleType type, const glm::dmat4& worldFromVoxel = glm::dmat4(1.0)) {
-    return std::make_shared<PyramidSource>(
-        makeVolume(kDims, type, [](glm::ivec3 p) { return fieldAt(p); }, worldFromVoxel), 3, glm::ivec3(24, 40, 16));
+  static std::shared_ptr<PyramidSource> makeSource(SampleType type,
+                                                   const glm::dmat4& worldFromVoxel = glm::dmat4(1.0)) {
+    return std::make_shared<PyramidSource>(makeVolume(
+                                               kDims, type, [](glm::ivec3 p) { return fieldAt(p); }, worldFromVoxel),
+                                           3, glm::ivec3(24, 40, 16));
   }
   /// @param data  in memory or streamed
   static scene::Scene lookOf(Volume data, scene::RenderMode mode) {
@@ -74,7 +76,8 @@ TEST_F(StreamedGL, ThePictureIsThatOfTheLevelInMemory) {
 
 TEST_F(StreamedGL, CutsAndPlacesAreThoseInMemory) {
   glm::dmat4 turned = glm::dmat4(1.0);
-  turned[0] = {0.8, 0.3, 0.1, 0}, turned[1] = {-0.3, 1.1, 0.2, 0}, turned[2] = {0.1, -0.2, 1.4, 0}, turned[3] = {50, 20, -9, 1};
+  turned[0] = {0.8, 0.3, 0.1, 0}, turned[1] = {-0.3, 1.1, 0.2, 0}, turned[2] = {0.1, -0.2, 1.4, 0},
+  turned[3] = {50, 20, -9, 1};
   for (const glm::dmat4& place : {glm::dmat4(1.0), turned}) {
     auto source = makeSource(SampleType::UInt8, place);
     for (auto shape : {scene::CutShape::Plane, scene::CutShape::Sphere, scene::CutShape::Box})
@@ -88,18 +91,18 @@ TEST_F(StreamedGL, CutsAndPlacesAreThoseInMemory) {
         cut.face = showsData ? scene::CutFace::Section : scene::CutFace::Shaded;
         scene.cuts = {cut};
         Difference found = compare(scene, source->level(0), {240, 240});
-        EXPECT_LE(found.largest, 1.0) << enumName(shape) << (showsData ? " with data" : "") << ", pixel " << found.where.x
-                                      << ' ' << found.where.y;
+        EXPECT_LE(found.largest, 1.0) << enumName(shape) << (showsData ? " with data" : "") << ", pixel "
+                                      << found.where.x << ' ' << found.where.y;
       }
   }
 }
 
 /// What the means of the coarse levels do not show is looked for all the same.
 TEST_F(StreamedGL, AThinWireIsFoundThoughNoCoarseLevelShowsIt) {
-  auto source = std::make_shared<PyramidSource>(
-      makeVolume({100, 100, 100}, SampleType::UInt8,
-                 [](glm::ivec3 p) { return p.y == 50 && p.z == 41 ? 200.0 : 10.0; }),
-      4, glm::ivec3(32));
+  auto source =
+      std::make_shared<PyramidSource>(makeVolume({100, 100, 100}, SampleType::UInt8,
+                                                 [](glm::ivec3 p) { return p.y == 50 && p.z == 41 ? 200.0 : 10.0; }),
+                                      4, glm::ivec3(32));
   scene::Scene scene = lookOf(streamedVolume(source, 3), scene::RenderMode::Volume);
   Image picture;
   scene::Scene whole = scene;

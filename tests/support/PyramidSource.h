@@ -80,7 +80,8 @@ class PyramidSource : public VoxelSource {
 };
 
 /// The volume of a level that knows the finer ones, as a reader makes it.
-inline Volume streamedVolume(std::shared_ptr<const PyramidSource> source, int level, std::size_t cacheBytes = 1u << 28) {
+inline Volume streamedVolume(std::shared_ptr<const PyramidSource> source, int level,
+                             std::size_t cacheBytes = 1u << 28) {
   Volume volume = source->level(level);
   volume.finer = std::make_shared<FinerLevels>(FinerLevels{std::make_shared<BrickCache>(source, cacheBytes), level});
   return volume;

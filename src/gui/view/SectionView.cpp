@@ -139,9 +139,11 @@ void SectionView::drawImage() {
   QElapsedTimer clock;
   clock.start();
   mDrawnCoarse = coarseness();
-  mImage = render::drawSection(mWanted, render::coarserPlane(mWantedPlane, mDrawnCoarse), mSheets);
+  mImage = render::drawSection(mWanted, render::coarserPlane(mWantedPlane, mDrawnCoarse), mSheets,
+                               render::SectionDetail::AtOnce);
   if (mDrawnCoarse == 1) mFullMs = double(clock.nsecsElapsed()) * 1e-6;
   mStale = false;
+  fetchBricks();
 }
 
 /// The circles in which the section meets the instances of the model, in their types' colours.

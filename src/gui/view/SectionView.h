@@ -5,6 +5,7 @@
 #include <QToolButton>
 #include <QWidget>
 
+#include "gui/service/NewestJob.h"
 #include "gui/service/Selection.h"
 #include "gui/tool/Toolbox.h"
 #include "gui/view/SectionOverlay.h"
@@ -75,10 +76,12 @@ class SectionView : public QWidget, public ToolView {
   bool event(QEvent* event) override;
 
  private:
+  static constexpr int kBricksPatienceMs = 20;
   enum class Drag { None, Crosshair, Turn, Pan, Window };
 
   QToolButton* addButton(const char* name, const QString& tip, int fromRight);
   void drawImage();
+  void fetchBricks();
   void drawOutlines();
   int coarseness() const;
   Drag dragFor(const QMouseEvent& event) const;
@@ -101,9 +104,11 @@ class SectionView : public QWidget, public ToolView {
   std::vector<scene::Cut> mCutsShown;
   render::SheetIndices mSheets;
   render::SectionImage mImage;
-  QImage mOutlines;                  ///< Outlines of the model's instances; null where there is no model.
-  std::size_t mOutlinesMissing = 0;  ///< How many outlines there was no time to draw.
-  scene::ModelLayer mModelShown;     ///< the model whose outlines these are
+  NewestJob mBricks{kBricksPatienceMs, this};
+  std::vector<BrickAddress> mAskedBricks;  ///< Those that were missing when some were asked for last.
+  QImage mOutlines;                        ///< Outlines of the model's instances; null where there is no model.
+  std::size_t mOutlinesMissing = 0;        ///< How many outlines there was no time to draw.
+  scene::ModelLayer mModelShown;           ///< the model whose outlines these are
   scene::SectionPlane mOutlinesPlane;
   Selection& mSelection;
   Toolbox& mToolbox;

@@ -20,10 +20,10 @@ namespace {
 constexpr Vec kExtent{10.0f, 13.0f, 7.5f};  ///< mm: across, from back to front, upwards
 constexpr int kCells = 2400;
 constexpr int kBrickSize = 64;
-constexpr int kCoarsest = 160;       ///< voxels along the longest axis of the coarsest level, at most
+constexpr int kCoarsest = 160;  ///< voxels along the longest axis of the coarsest level, at most
 constexpr float kTissue = 420.0f, kCell = 4200.0f, kGround = 90.0f;
-constexpr int kIndexCells = 96;      ///< of the index, along the longest axis
-constexpr int kLattice = 8;          ///< tissue is computed at one of so many voxels along each axis, else between them
+constexpr int kIndexCells = 96;  ///< of the index, along the longest axis
+constexpr int kLattice = 8;      ///< tissue is computed at one of so many voxels along each axis, else between them
 
 /// Distance to the brain's surface, mm, less than 0 inside: two hemispheres, what joins them, the cerebellum, bulbs.
 float outline(Vec p) {
@@ -41,16 +41,17 @@ class NerveCell {
 
   std::vector<Segment> grow() {
     Vec body;
-    do
-      body = Vec(mRandom.uniform(-0.5f, 0.5f), mRandom.uniform(-0.5f, 0.5f), mRandom.uniform(-0.5f, 0.5f)) * kExtent;
+    do body = Vec(mRandom.uniform(-0.5f, 0.5f), mRandom.uniform(-0.5f, 0.5f), mRandom.uniform(-0.5f, 0.5f)) * kExtent;
     while (outline(body) > -0.25f || (outline(body) < -1.3f && mRandom.uniform() < 0.85f));
     float radius = mRandom.uniform(0.011f, 0.016f);
     mSegments.push_back({body, body + 0.6f * radius * mRandom.direction(), radius, 0.8f * radius});
     int dendrites = 5 + int(mRandom.uniform(0.0f, 3.0f));
-    for (int i = 0; i < dendrites; ++i) extend(body, mRandom.direction(), 0.0048f, mRandom.uniform(0.2f, 0.4f), Vec(0.0f), 3);
+    for (int i = 0; i < dendrites; ++i)
+      extend(body, mRandom.direction(), 0.0048f, mRandom.uniform(0.2f, 0.4f), Vec(0.0f), 3);
     // To the other side, or to the middle.
     bool crosses = mRandom.uniform() < 0.4f;
-    Vec goal = crosses ? Vec(-body.x, body.y + mRandom.uniform(-1.5f, 1.5f), body.z) : Vec(0.4f * body.x, mRandom.uniform(-4.0f, 2.0f), -1.0f);
+    Vec goal = crosses ? Vec(-body.x, body.y + mRandom.uniform(-1.5f, 1.5f), body.z)
+                       : Vec(0.4f * body.x, mRandom.uniform(-4.0f, 2.0f), -1.0f);
     extend(body, mRandom.direction(), 0.0042f, mRandom.uniform(2.5f, 7.0f), goal, 4);
     return std::move(mSegments);
   }
@@ -85,7 +86,8 @@ class BrainSource : public VoxelSource {
   BrainSource(int size, Progress& progress) {
     auto longest = std::max(kExtent.x, std::max(kExtent.y, kExtent.z));
     double spacing = double(longest) / size;
-    for (int axis = 0; axis < 3; ++axis) mHead.dims[axis] = std::max(1, int(std::lround(double(kExtent[axis]) / spacing)));
+    for (int axis = 0; axis < 3; ++axis)
+      mHead.dims[axis] = std::max(1, int(std::lround(double(kExtent[axis]) / spacing)));
     mHead.type = SampleType::UInt16;
     mHead.modality = Modality::Microscopy;
     mHead.name = "brain";
@@ -116,7 +118,8 @@ class BrainSource : public VoxelSource {
     return glm::clamp(glm::ivec3(glm::floor((p / kExtent + 0.5f) * Vec(mIndexSize))), glm::ivec3(0), mIndexSize - 1);
   }
   std::size_t indexAt(glm::ivec3 cell) const {
-    return (std::size_t(cell.z) * std::size_t(mIndexSize.y) + std::size_t(cell.y)) * std::size_t(mIndexSize.x) + std::size_t(cell.x);
+    return (std::size_t(cell.z) * std::size_t(mIndexSize.y) + std::size_t(cell.y)) * std::size_t(mIndexSize.x) +
+           std::size_t(cell.x);
   }
 
   Volume mHead;
@@ -167,7 +170,8 @@ class TissueLattice {
     glm::ivec3 base(x / kLattice, y / kLattice, z / kLattice);
     Vec f = Vec(x % kLattice, y % kLattice, z % kLattice) / float(kLattice);
     auto v = [&](int a, int b, int c) {
-      return mValues[(std::size_t(base.z + c) * std::size_t(mSize.y) + std::size_t(base.y + b)) * std::size_t(mSize.x) + std::size_t(base.x + a)];
+      return mValues[(std::size_t(base.z + c) * std::size_t(mSize.y) + std::size_t(base.y + b)) * std::size_t(mSize.x) +
+                     std::size_t(base.x + a)];
     };
     auto mixX = [&](int b, int c) { return glm::mix(v(0, b, c), v(1, b, c), f.x); };
     return glm::mix(glm::mix(mixX(0, 0), mixX(1, 0), f.y), glm::mix(mixX(0, 1), mixX(1, 1), f.y), f.z);
@@ -197,14 +201,18 @@ void BrainSource::read(const BrickAddress& address, const SampleTarget& target) 
           const Segment& tube = mTubes[mListed[n]];
           float radius = std::max(tube.radiusA, tube.radiusB), seen = std::max(radius, 0.6f * spacing);
           float share = (radius / seen) * (radius / seen), wide = seen + 0.5f * spacing;
-          glm::ivec3 from = glm::max(glm::ivec3(glm::floor((glm::min(tube.a, tube.b) - wide - origin) / spacing)), glm::ivec3(0));
-          glm::ivec3 to = glm::min(glm::ivec3(glm::ceil((glm::max(tube.a, tube.b) + wide - origin) / spacing)), box.size - 1);
+          glm::ivec3 from =
+              glm::max(glm::ivec3(glm::floor((glm::min(tube.a, tube.b) - wide - origin) / spacing)), glm::ivec3(0));
+          glm::ivec3 to =
+              glm::min(glm::ivec3(glm::ceil((glm::max(tube.a, tube.b) + wide - origin) / spacing)), box.size - 1);
           for (int z = from.z; z <= to.z; ++z)
             for (int y = from.y; y <= to.y; ++y)
               for (int x = from.x; x <= to.x; ++x) {
                 float d = distance(tube, origin + spacing * Vec(x, y, z)) + radius - seen;
                 float part = share * glm::clamp(0.5f - d / spacing, 0.0f, 1.0f);
-                float& old = shares[(std::size_t(z) * std::size_t(box.size.y) + std::size_t(y)) * std::size_t(box.size.x) + std::size_t(x)];
+                float& old =
+                    shares[(std::size_t(z) * std::size_t(box.size.y) + std::size_t(y)) * std::size_t(box.size.x) +
+                           std::size_t(x)];
                 old = std::max(old, part);
               }
         }
@@ -213,7 +221,8 @@ void BrainSource::read(const BrickAddress& address, const SampleTarget& target) 
   for (int z = 0; z < box.size.z; ++z)
     for (int y = 0; y < box.size.y; ++y)
       for (int x = 0; x < box.size.x; ++x, ++i) {
-        std::uint64_t index = (std::uint64_t(box.origin.z + z) << 40) ^ (std::uint64_t(box.origin.y + y) << 20) ^ std::uint64_t(box.origin.x + x);
+        std::uint64_t index = (std::uint64_t(box.origin.z + z) << 40) ^ (std::uint64_t(box.origin.y + y) << 20) ^
+                              std::uint64_t(box.origin.x + x);
         float value = kGround + tissue.at(x, y, z);
         value += shares[i] * (kCell - value) + float(hash(index) >> 61);
         auto sample = std::uint16_t(glm::clamp(value + 0.5f, 0.0f, 65535.0f));
@@ -226,7 +235,8 @@ void BrainSource::read(const BrickAddress& address, const SampleTarget& target) 
 std::unique_ptr<VoxelSource> makeBrain(int size, Progress& progress) {
   constexpr int kLeast = 64, kMost = 65536;
   if (size < kLeast || size > kMost)
-    throw ArgumentError(fmt::format("a brain of {} voxels along its longest axis: from {} to {} are made", size, kLeast, kMost));
+    throw ArgumentError(
+        fmt::format("a brain of {} voxels along its longest axis: from {} to {} are made", size, kLeast, kMost));
   return std::make_unique<BrainSource>(size, progress);
 }
 

@@ -10,9 +10,9 @@ namespace velum::io {
 
 namespace {
 
-constexpr double kCacheShare = 0.125;       ///< of the memory, that bricks may take
-constexpr double kWholeBytes = 512e6;       ///< volumes up to here are read whole
-constexpr double kCoarseVoxels = 16e6;      ///< of the level that is in memory besides
+constexpr double kCacheShare = 0.125;   ///< of the memory, that bricks may take
+constexpr double kWholeBytes = 512e6;   ///< volumes up to here are read whole
+constexpr double kCoarseVoxels = 16e6;  ///< of the level that is in memory besides
 
 /// The level that is kept in memory of an image that is streamed; 0 where it is read whole.
 int streamedLevel(const VoxelSource& source) {
@@ -57,7 +57,8 @@ Volume readStore(const scene::Source& source, Progress& progress) {
   if (coarse == level && source.level < 0 && level > 0) {
     std::shared_ptr<const VoxelSource> finest = std::move(image);
     auto most = std::size_t(machineBytes() * kCacheShare);
-    volume.finer = std::make_shared<FinerLevels>(FinerLevels{std::make_shared<BrickCache>(std::move(finest), most), level});
+    volume.finer =
+        std::make_shared<FinerLevels>(FinerLevels{std::make_shared<BrickCache>(std::move(finest), most), level});
   }
   return volume;
 }

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <memory>
 #include <glm/gtc/matrix_transform.hpp>
+#include <memory>
 
 #include "core/Parallel.h"
 #include "render/WorkQueue.h"

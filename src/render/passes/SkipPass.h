@@ -33,7 +33,7 @@ class SkipPass : public Pass {
   struct Key {
     Content content = Content::Opacity;
     VolumeKey volume;
-    std::uint64_t cellRanges = 0;  ///< Revision of the ranges of a streamed volume's cells.
+    std::uint64_t cellRanges = 0;           ///< Revision of the ranges of a streamed volume's cells.
     std::uint64_t labelCells = 0;           ///< Revision of the labels' cells; 0: no labels.
     std::uint64_t visible = 0, spared = 0;  ///< Sets of ids mod 64: ids that show; ids that some cut spares.
     std::uint64_t hidden = 0, solid = 0;  ///< Ids that do not show; ids that show whatever the values of their voxels.

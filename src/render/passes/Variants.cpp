@@ -63,8 +63,13 @@ std::vector<DataVariant> allLightVariants() {
           all.push_back({mode, labels, TexelKind::Value, Packing::Bytes, bricks, hasMembranes, {}});
       }
     // Labels alone have no values: there is one mode.
-    all.push_back(
-        {scene::RenderMode::Volume, LabelUse::Alone, TexelKind::Value, Packing::None, BrickUse::None, hasMembranes, {}});
+    all.push_back({scene::RenderMode::Volume,
+                   LabelUse::Alone,
+                   TexelKind::Value,
+                   Packing::None,
+                   BrickUse::None,
+                   hasMembranes,
+                   {}});
   }
   return all;
 }

@@ -95,25 +95,29 @@ void addPairs(const std::vector<float>& half, int count, const RowAt& rowAt, flo
 }
 
 /// Smoothed along all three axes.
-void takeWide(const Numbers& narrow, const Rows& rows, const std::array<std::vector<float>, 3>& halves, Numbers& scratch,
-              Numbers& out) {
+void takeWide(const Numbers& narrow, const Rows& rows, const std::array<std::vector<float>, 3>& halves,
+              Numbers& scratch, Numbers& out) {
   int n = rows.dims.x;
   Numbers line;
   scratch.resize(rows.count());
   out.resize(rows.count());
   rows.each([&](int, int, std::size_t at) {
     const float* p = padded(&narrow[at], n, int(halves[0].size()), line);
-    addPairs(halves[0], n, [&](int k) { return p + k; }, &out[at]);
+    addPairs(
+        halves[0], n, [&](int k) { return p + k; }, &out[at]);
   });
   rows.each([&](int y, int z, std::size_t at) {
-    addPairs(halves[1], n, [&](int k) { return &out[rows.at(y + k, z)]; }, &scratch[at]);
+    addPairs(
+        halves[1], n, [&](int k) { return &out[rows.at(y + k, z)]; }, &scratch[at]);
   });
   rows.each([&](int y, int z, std::size_t at) {
-    addPairs(halves[2], n, [&](int k) { return &scratch[rows.at(y, z + k)]; }, &out[at]);
+    addPairs(
+        halves[2], n, [&](int k) { return &scratch[rows.at(y, z + k)]; }, &out[at]);
   });
 }
 
-/// The direction of the wide gradient, unless it turns away, and the length of the narrow one: GradientPlanes' merged().
+/// The direction of the wide gradient, unless it turns away, and the length of the narrow one: GradientPlanes'
+/// merged().
 void merge(const std::array<Numbers, 3>& narrow, std::array<Numbers, 3>& wide, Numbers& squares) {
   const float kApart = std::cos(glm::radians(20.0f)), kTogether = std::cos(glm::radians(10.0f));
   const float perSpan = 1.0f / (kTogether - kApart);
@@ -166,8 +170,8 @@ struct Scratch {
 
 }  // namespace
 
-Texels8 blockGradients(const std::vector<float>& values, glm::ivec3 dims, glm::dvec3 spacing,
-                                        const TexelBox& box, double longestGradient) {
+Texels8 blockGradients(const std::vector<float>& values, glm::ivec3 dims, glm::dvec3 spacing, const TexelBox& box,
+                       double longestGradient) {
   thread_local Scratch s;
   Rows rows{dims};
   takeNarrow(values, rows, s.narrow);

@@ -22,7 +22,7 @@ struct TexelBox {
 /// @param spacing  of voxels, any unit
 /// @param box      what is wanted of the block; may reach beyond it, where texels repeat
 /// @param longestGradient  the length that a full-length texel stands for, raw values
-Texels8 blockGradients(const std::vector<float>& values, glm::ivec3 dims, glm::dvec3 spacing,
-                                        const TexelBox& box, double longestGradient);
+Texels8 blockGradients(const std::vector<float>& values, glm::ivec3 dims, glm::dvec3 spacing, const TexelBox& box,
+                       double longestGradient);
 
 }  // namespace velum::render

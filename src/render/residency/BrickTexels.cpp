@@ -29,9 +29,7 @@ struct Block {
     return (std::size_t(v.z) * std::size_t(dims.y) + std::size_t(v.y)) * std::size_t(dims.x) + std::size_t(v.x);
   }
   /// Where a row of the slot's begins: its block's first voxel.
-  std::size_t row(int y, int z) const {
-    return at({-slotOrigin.x, y, z});
-  }
+  std::size_t row(int y, int z) const { return at({-slotOrigin.x, y, z}); }
 };
 
 Block readBlock(const TexelRecipe& recipe, const PageGrid& grid, const PageBrick& brick) {
@@ -41,10 +39,11 @@ Block readBlock(const TexelRecipe& recipe, const PageGrid& grid, const PageBrick
   glm::ivec3 low = glm::clamp(origin - margin, glm::ivec3(0), level.dims - 1);
   glm::ivec3 high = glm::clamp(origin + kSlotEdge + margin, low + 1, level.dims);
   VoxelBox box{grid.sourceLevel(brick.level), low, high - low};
-  Volume volume = recipe.bricks->read(box, recipe.isMixed || recipe.bricks->source().head().isColor ? -1 : recipe.channel,
-                                      recipe.timeStep);
+  Volume volume = recipe.bricks->read(
+      box, recipe.isMixed || recipe.bricks->source().head().isColor ? -1 : recipe.channel, recipe.timeStep);
   volume.range = recipe.range;
-  for (int axis = 0; axis < 3; ++axis) volume.worldFromVoxel[axis] = level.worldFromTex[axis] / double(level.dims[axis]);
+  for (int axis = 0; axis < 3; ++axis)
+    volume.worldFromVoxel[axis] = level.worldFromTex[axis] / double(level.dims[axis]);
   Block block;
   block.dims = block.source.dims = volume.dims;
   block.source.isMixed = recipe.isMixed;
@@ -94,7 +93,14 @@ BrickRanges rangesOf(const Block& block, const Texel* texels) {
   constexpr int kFirst = 2, kCell = kPageVoxels / kRangeCells;  // voxels of a slot before its brick, at least
   constexpr int kWide = kCell + 3;
   BrickRanges ranges;
-  for (int i = 0; i < int(ranges.size()); ++i) {
+  ranges.all = glm::vec2(texelValue(texels[block.at(glm::ivec3(0))]));
+  for (int z = 0; z < kSlotEdge; ++z)
+    for (int y = 0; y < kSlotEdge; ++y)
+      for (int x = 0; x < kSlotEdge; ++x) {
+        float value = texelValue(texels[block.at({x, y, z})]);
+        ranges.all = {std::min(ranges.all.x, value), std::max(ranges.all.y, value)};
+      }
+  for (int i = 0; i < int(ranges.cells.size()); ++i) {
     glm::ivec3 cell(i % kRangeCells, i / kRangeCells % kRangeCells, i / (kRangeCells * kRangeCells));
     glm::ivec3 from = cell * kCell + kFirst - 1, v;
     Texel first = texels[block.at(from)];
@@ -106,7 +112,7 @@ BrickRanges rangesOf(const Block& block, const Texel* texels) {
           low = std::min(low, value);
           high = std::max(high, value);
         }
-    ranges[std::size_t(i)] = {low, high};
+    ranges.cells[std::size_t(i)] = {low, high};
   }
   return ranges;
 }
@@ -151,8 +157,9 @@ BrickTexels makeAs(const TexelRecipe& recipe, const Block& block, const IsWorthS
     out.gradients.resize(kCount);
     cutOut(block, gradients.data(), reinterpret_cast<std::byte*>(out.gradients.data()));
   } else {
-    out.gradients = blockGradients(valuesOf(*block.source.volume), block.dims, spacingOf(*block.source.volume),
-                                   {block.slotOrigin, glm::ivec3(kSlotEdge)}, recipe.longestGradient * recipe.plan.scale);
+    out.gradients =
+        blockGradients(valuesOf(*block.source.volume), block.dims, spacingOf(*block.source.volume),
+                       {block.slotOrigin, glm::ivec3(kSlotEdge)}, recipe.longestGradient * recipe.plan.scale);
   }
   return out;
 }

@@ -16,13 +16,16 @@ namespace velum::render {
 /// Cells along an edge of a brick, of each of which the range of texels is known.
 inline constexpr int kRangeCells = 4;
 
-/// Smallest and largest texel in each of a brick's cells, with a halo of one voxel; x fastest.
-using BrickRanges = std::array<glm::vec2, kRangeCells * kRangeCells * kRangeCells>;
+/// Smallest and largest texels.
+struct BrickRanges {
+  std::array<glm::vec2, kRangeCells * kRangeCells * kRangeCells> cells;  ///< With a halo of one voxel; x fastest.
+  glm::vec2 all{0.0f};  ///< Of the whole slot, with what neighbours lend.
+};
 
 /// What goes into a slot.
 struct BrickTexels {
-  Bytes texels;                        ///< of kSlotEdge^3, as the plan says; empty: not worth a slot
-  Texels8 gradients;                   ///< as packGradients() makes them
+  Bytes texels;       ///< of kSlotEdge^3, as the plan says; empty: not worth a slot
+  Texels8 gradients;  ///< as packGradients() makes them
   BrickRanges ranges;
 };
 

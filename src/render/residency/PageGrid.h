@@ -14,6 +14,9 @@ inline constexpr int kPageVoxels = 32;
 inline constexpr double kGroupReach = 2.0;
 inline constexpr int kSlotEdge = 39;
 
+/// A voxel may be so many pixels wide before a finer level is wanted: halfway between two levels.
+inline constexpr double kVoxelsPerPixel = 1.42;
+
 /// A brick of a level, as it lies in a slot.
 struct PageBrick {
   int level = 0;
@@ -21,8 +24,7 @@ struct PageBrick {
   bool operator==(const PageBrick&) const = default;
   /// One number for it. A level has fewer than 2^19 bricks along an axis.
   std::uint64_t key() const {
-    return ((std::uint64_t(level) << 19 | std::uint64_t(at.z)) << 19 | std::uint64_t(at.y)) << 19 |
-           std::uint64_t(at.x);
+    return ((std::uint64_t(level) << 19 | std::uint64_t(at.z)) << 19 | std::uint64_t(at.y)) << 19 | std::uint64_t(at.x);
   }
 };
 
@@ -36,7 +38,7 @@ struct PageLevel {
   glm::dvec3 firstVoxel{0.0};
   glm::dvec3 brickEdge{1.0};  ///< of a brick, box coordinates
   glm::ivec3 bricks{1};
-  glm::ivec3 shift{0};     ///< a brick is 2^shift of the finest level's along each axis
+  glm::ivec3 shift{0};      ///< a brick is 2^shift of the finest level's along each axis
   glm::dvec3 spacing{1.0};  ///< world
   double voxelSize = 1.0;   ///< the smallest of them
 };

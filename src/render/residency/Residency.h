@@ -74,7 +74,7 @@ class Residency {
   /// By what it is chosen which level a page wants.
   struct Eye {
     glm::dvec3 eye{0.0}, forward{0.0, 0.0, 1.0};  ///< world
-    double pixel = 0;                              ///< edge of a pixel: at distance 1, or anywhere if orthographic
+    double pixel = 0;                             ///< edge of a pixel: at distance 1, or anywhere if orthographic
     bool isOrthographic = false;
     double coarser = 0;  ///< powers of two by which all is coarser, where there is no room
   };
@@ -87,7 +87,8 @@ class Residency {
   void writeRow(std::uint32_t slot);
   void refreshPages(const PageBrick& brick);
   std::uint32_t freeSlot();
-  IsWorthSlot worthOf(const MayShow& mayShow) const;
+  void show(std::size_t page, std::uint32_t slot);
+  void showNothing(std::size_t page, const BrickRanges& ranges, const MayShow& mayShow);
   glm::vec2 coarseRange(glm::dvec3 low, glm::dvec3 high) const;
   glm::vec2 brickRange(const PageBrick& brick, const BrickRanges& ranges, glm::dvec3 low, glm::dvec3 high) const;
   glm::vec2 cellRange(glm::ivec3 cell) const;
@@ -100,7 +101,10 @@ class Residency {
   std::unique_ptr<VolumeUpload> mUpload;
   std::vector<glm::vec2> mCoarseRanges;  ///< of the cells of the coarse volume
   CellGrid mCoarseCells;
-  std::vector<Slot> mSlots;  ///< the first is the coarse volume's
+  static constexpr std::uint32_t kEmptySlot = 1, kFirstSlot = 2;
+  std::vector<Slot> mSlots;  ///< the first is the coarse volume's; the next shows nothing
+  float mEmptyTexel = 0;     ///< in all of it
+  bool hasEmptyTexel = false;
   PageTable mTable;
   gpu::Buffer mRows, mSeen;
   gpu::Texture mRowTexels;

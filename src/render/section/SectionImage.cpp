@@ -6,6 +6,7 @@
 
 #include "render/FrameSetup.h"
 #include "render/kept/RowCuts.h"
+#include "render/section/SectionBricks.h"
 #include "render/section/SectionRow.h"
 
 #include "core/Assert.h"
@@ -25,10 +26,12 @@ constexpr float kOutlineGain = 2.5f;
 /// Draws one section row by row. Everything that rows share is made once.
 class SectionDrawing {
  public:
-  SectionDrawing(const scene::Scene& scene, const scene::SectionPlane& plane, const SheetIndices& sheets)
+  SectionDrawing(const scene::Scene& scene, const scene::SectionPlane& plane, const SheetIndices& sheets,
+                 SectionDetail detail)
       : mScene(scene), mFrame(plane), mSize(glm::max(glm::ivec2(glm::ceil(plane.size)), glm::ivec2(1))) {
     const auto& volume = scene.volume;
     if (volume.data && volume.visible) mVolumePath.emplace(plane, volume.data->dims, volume.data->worldFromVoxel);
+    if (mVolumePath && volume.data->finer) prepareBricks(detail);
     if (scene.labels.data) prepareLabels();
     if (scene.sections.showCuts) mCuts.emplace(scene, plane, sheets);
   }
@@ -37,11 +40,13 @@ class SectionDrawing {
  private:
   using Row = std::vector<glm::vec3>;
 
+  void prepareBricks(SectionDetail detail);
+  void sampleChannel(int y, int channel, const GridRow& row, double scale, double offset, float* out) const;
   void prepareLabels();
   void readIds(int y);
   void drawRow(int y, Row& colors, std::vector<float>& samples, std::uint32_t* out) const;
   GridRow addVolume(int y, Row& colors, std::vector<float>& samples) const;
-  void addChannels(const GridRow& row, Row& colors, std::vector<float>& samples) const;
+  void addChannels(int y, const GridRow& row, Row& colors, std::vector<float>& samples) const;
   void addLabels(int y, Row& colors, std::vector<char>& covered) const;
   void dimRemoved(int y, Row& colors) const;
   bool isOutline(glm::ivec2 pixel) const;
@@ -51,12 +56,33 @@ class SectionDrawing {
   const scene::SectionPlane& mFrame;
   glm::ivec2 mSize;
   std::optional<GridPath> mVolumePath, mLabelPath;
+  std::optional<SectionBricks> mBricks;  ///< Of a streamed volume.
   std::shared_ptr<const StructureField> mField;
   std::vector<std::uint16_t> mIds;     ///< Label of each pixel.
   std::vector<glm::vec4> mStructures;  ///< Colour and opacity on the section by id; nothing where it is not shown.
   bool mShowsLabels = false;
   std::optional<RowCuts> mCuts;
 };
+
+void SectionDrawing::prepareBricks(SectionDetail detail) {
+  const auto& layer = mScene.volume;
+  std::vector<int> channels{scene::shownChannel(layer)};
+  if (layer.data->isColor || scene::mixesChannels(layer)) {
+    channels.clear();
+    for (int channel = 0; channel < layer.data->channels; ++channel)
+      if (layer.data->isColor || layer.channels[std::size_t(channel)].visible) channels.push_back(channel);
+  }
+  mBricks.emplace(*layer.data, channels, scene::shownTimeStep(layer), mFrame, mSize, detail == SectionDetail::Whole);
+}
+
+/// What is in memory, and over it what is finer.
+void SectionDrawing::sampleChannel(int y, int channel, const GridRow& row, double scale, double offset,
+                                   float* out) const {
+  const auto& layer = mScene.volume;
+  bool interpolates = mScene.sections.interpolate;
+  sampleRow(*layer.data, channel, scene::shownTimeStep(layer), row, interpolates, scale, offset, out);
+  if (mBricks) mBricks->sampleRow(y, channel, interpolates, scale, offset, out);
+}
 
 void SectionDrawing::prepareLabels() {
   const auto& labels = mScene.labels;
@@ -84,10 +110,9 @@ void SectionDrawing::readIds(int y) {
 }
 
 /// Colours of several channels: added where channels are mixed, as they are where the volume has colours.
-void SectionDrawing::addChannels(const GridRow& row, Row& colors, std::vector<float>& samples) const {
+void SectionDrawing::addChannels(int y, const GridRow& row, Row& colors, std::vector<float>& samples) const {
   const auto& layer = mScene.volume;
   const Volume& v = *layer.data;
-  int timeStep = scene::shownTimeStep(layer);
   bool mixes = scene::mixesChannels(layer);
   std::fill(colors.begin() + row.first, colors.begin() + row.last, glm::vec3(0.0f));
   for (int channel = 0; channel < (mixes ? v.channels : 3); ++channel) {
@@ -103,7 +128,7 @@ void SectionDrawing::addChannels(const GridRow& row, Row& colors, std::vector<fl
     } else {
       color[channel] = 1.0f;
     }
-    sampleRow(v, channel, timeStep, row, mScene.sections.interpolate, scale, offset, samples.data());
+    sampleChannel(y, channel, row, scale, offset, samples.data());
     for (int x = row.first; x < row.last; ++x) {
       float share = samples[std::size_t(x)];
       colors[std::size_t(x)] += color * (share > 0.0f ? std::min(share, 1.0f) : 0.0f);
@@ -117,12 +142,12 @@ GridRow SectionDrawing::addVolume(int y, Row& colors, std::vector<float>& sample
   const Volume& v = *layer.data;
   GridRow row = mVolumePath->row(y, mSize.x);
   if (v.isColor || scene::mixesChannels(layer)) {
-    addChannels(row, colors, samples);
+    addChannels(y, row, colors, samples);
     return row;
   }
   glm::dvec2 window = scene::effectiveWindow(layer);
-  sampleRow(v, scene::shownChannel(layer), scene::shownTimeStep(layer), row, mScene.sections.interpolate,
-            v.scale / window.y, (v.offset - window.x) / window.y + 0.5, samples.data());
+  sampleChannel(y, scene::shownChannel(layer), row, v.scale / window.y, (v.offset - window.x) / window.y + 0.5,
+                samples.data());
   for (int x = row.first; x < row.last; ++x) colors[std::size_t(x)] = glm::vec3(samples[std::size_t(x)]);
   return row;
 }
@@ -181,7 +206,8 @@ void SectionDrawing::drawRow(int y, Row& colors, std::vector<float>& samples, st
 }
 
 SectionImage SectionDrawing::draw() {
-  SectionImage image{mSize, std::vector<std::uint32_t>(std::size_t(mSize.x) * std::size_t(mSize.y))};
+  SectionImage image{mSize, std::vector<std::uint32_t>(std::size_t(mSize.x) * std::size_t(mSize.y)), {}};
+  if (mBricks) image.missing = mBricks->missing();
   constexpr int kRows = 16;
   if (mLabelPath) parallelFor(0, mSize.y, [&](int y) { readIds(y); });
   parallelForRanges(0, mSize.y, kRows, [&](int first, int end) {
@@ -194,8 +220,9 @@ SectionImage SectionDrawing::draw() {
 
 }  // namespace
 
-SectionImage drawSection(const scene::Scene& scene, const scene::SectionPlane& plane, const SheetIndices& sheets) {
-  return SectionDrawing(scene, plane, sheets).draw();
+SectionImage drawSection(const scene::Scene& scene, const scene::SectionPlane& plane, const SheetIndices& sheets,
+                         SectionDetail detail) {
+  return SectionDrawing(scene, plane, sheets, detail).draw();
 }
 
 SectionImage drawSection(const scene::Scene& scene, scene::SectionKind kind, glm::ivec2 size) {
@@ -207,6 +234,28 @@ scene::SectionPlane coarserPlane(scene::SectionPlane plane, int n) {
   plane.lengthPerPixel *= double(n);
   return plane;
 }
+
+namespace {
+
+/// The values of the finest voxel there, as far as it is in memory: who moves a pointer waits for no disk.
+void takeFinest(const Volume& volume, glm::dvec3 world, int firstChannel, int timeStep, std::vector<double>& values) {
+  BrickCache& bricks = *volume.finer->bricks;
+  for (int level = 0; level < volume.finer->level; ++level) {
+    const VoxelLevel& its = bricks.source().levels()[std::size_t(level)];
+    glm::dvec3 place = glm::inverse(worldFromLevel(volume, level)) * glm::dvec4(world, 1.0);
+    glm::ivec3 voxel = glm::clamp(glm::ivec3(glm::floor(place + 0.5)), glm::ivec3(0), its.dims - 1);
+    bool isThere = true;
+    for (std::size_t i = 0; i < values.size() && isThere; ++i) {
+      int channel = firstChannel + int(i);
+      isThere =
+          bool(bricks.find({level, voxel / its.brickSize, channel / its.brickChannels, timeStep / its.brickTimeSteps}));
+      if (isThere) values[i] = valueAt(bricks.read({level, voxel, glm::ivec3(1)}, channel, timeStep), glm::ivec3(0));
+    }
+    if (isThere) return;
+  }
+}
+
+}  // namespace
 
 Probe probe(const scene::Scene& scene, glm::dvec3 world) {
   Probe out;
@@ -233,6 +282,7 @@ Probe probe(const scene::Scene& scene, glm::dvec3 world) {
   int last = all ? v.channels : first + 1, timeStep = scene::shownTimeStep(scene.volume);
   for (int channel = first; channel < last; ++channel)
     out.values.push_back(valueAt(v, glm::ivec3(voxel), channel, timeStep));
+  if (v.finer) takeFinest(v, world, first, timeStep, out.values);
   return out;
 }
 

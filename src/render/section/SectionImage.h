@@ -3,6 +3,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
+#include "core/VoxelSource.h"
 #include "render/SheetIndices.h"
 #include "scene/SectionPlane.h"
 
@@ -13,15 +14,22 @@ namespace velum::render {
 struct SectionImage {
   glm::ivec2 size{0};
   std::vector<std::uint32_t> pixels;  ///< 0xAARRGGBB, sRGB, straight alpha, top row first
+  std::vector<BrickAddress> missing;  ///< of a streamed volume: bricks without which parts of it are coarse
 };
+
+/// Whether a section of a streamed volume waits for its bricks, or is drawn of what is in memory.
+enum class SectionDetail { Whole, AtOnce };
 
 /// Draws a section on the processor, all cores, no GL. Any thread.
 ///
 /// Beyond the data's end the lower colour of the scene's background shows. Voxels are interpolated or drawn as blocks,
 /// as the scene says. Structures are drawn by the nearest label of their own grid, at its place in the world, with an
 /// outline one pixel wide.
+/// Of a volume that knows finer levels that one is drawn whose voxels are as large as the section's pixels.
 /// @param plane  the part of the world that is drawn; its size is rounded up to whole pixels
-SectionImage drawSection(const scene::Scene& scene, const scene::SectionPlane& plane, const SheetIndices& sheets = {});
+/// @throw InputError when a brick of a streamed volume cannot be read
+SectionImage drawSection(const scene::Scene& scene, const scene::SectionPlane& plane, const SheetIndices& sheets = {},
+                         SectionDetail detail = SectionDetail::Whole);
 /// Draws one of the scene's sections as its view shows it. @param size  pixels, positive
 SectionImage drawSection(const scene::Scene& scene, scene::SectionKind kind, glm::ivec2 size);
 

@@ -37,8 +37,7 @@ glm::dvec3 gradientWidths(glm::dvec3 spacing, glm::ivec3 dims) {
   for (int axis = 0; axis < 3; ++axis) {
     double ratio = std::clamp(coarsest / spacing[axis], 1.0, 8.0);
     double stretch = kStretch * std::sqrt(ratio * ratio - 1.0);
-    if (dims[axis] > 1)
-      widths[axis] = std::round(1e4 * std::hypot(kWidth * finest / spacing[axis], stretch)) / 1e4;
+    if (dims[axis] > 1) widths[axis] = std::round(1e4 * std::hypot(kWidth * finest / spacing[axis], stretch)) / 1e4;
   }
   return widths;
 }

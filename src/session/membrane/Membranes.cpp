@@ -63,6 +63,7 @@ Volume clippedVolume(const scene::Scene& scene, Progress& progress) {
   if (!scene.volume.data) throw ArgumentError("there is no volume to clip");
   const Volume& volume = *scene.volume.data;
   Volume out = volume;
+  out.finer.reset();
   out.timeSteps = 1;
   std::size_t bytes = timeStepBytes(volume), sample = sampleSize(volume.type) * std::size_t(volume.channels);
   auto first = std::ptrdiff_t(bytes * std::size_t(scene::shownTimeStep(scene.volume)));

@@ -1,0 +1,138 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "render/residency/Residency.h"
+#include "scene/Project.h"
+#include "scene/Scene.h"
+
+// Which level pages want, and in which slot they are.
+
+namespace velum::render {
+
+/// The level whose voxels are about as large as a pixel.
+int Residency::levelFor(double pixelSize) const {
+  int level = mGrid.coarsest();
+  while (level > 0 && mGrid.levels()[std::size_t(level)].voxelSize > kVoxelsPerPixel * pixelSize) --level;
+  return level;
+}
+
+void Residency::look(const Frame& frame) {
+  const scene::Camera& camera = frame.scene.camera;
+  scene::CameraBasis basis = scene::cameraBasis(camera);
+  Eye eye;
+  eye.eye = camera.eye;
+  eye.forward = basis.forward;
+  eye.pixel = 2.0 * scene::halfPictureHeight(camera) / std::max(1, frame.pictureSize.y);
+  eye.isOrthographic = camera.projection == scene::Projection::Orthographic;
+  double nearest = eye.isOrthographic ? 1.0 : std::numeric_limits<double>::max();
+  if (!eye.isOrthographic) {
+    // Where rays of a few pixels enter the data's box.
+    glm::dmat4 texFromWorld = glm::inverse(mGrid.levels().front().worldFromTex);
+    glm::dvec3 from = texFromWorld * glm::dvec4(eye.eye, 1.0);
+    double tall = scene::halfPictureHeight(camera),
+           wide = tall * frame.pictureSize.x / std::max(1, frame.pictureSize.y);
+    constexpr int kRays = 16;
+    for (int i = 0; i <= kRays; ++i)
+      for (int j = 0; j <= kRays; ++j) {
+        glm::dvec3 way =
+            basis.forward + (2.0 * i / kRays - 1.0) * wide * basis.right + (2.0 * j / kRays - 1.0) * tall * basis.up;
+        glm::dvec3 d = texFromWorld * glm::dvec4(way, 0.0);
+        double enter = 0.0, leave = std::numeric_limits<double>::max();
+        for (int axis = 0; axis < 3; ++axis) {
+          if (std::abs(d[axis]) < 1e-300) d[axis] = 1e-300;
+          double a = -from[axis] / d[axis], b = (1.0 - from[axis]) / d[axis];
+          enter = std::max(enter, std::min(a, b));
+          leave = std::min(leave, std::max(a, b));
+        }
+        if (enter < leave) nearest = std::min(nearest, enter);
+      }
+  }
+  mEye = eye;
+  bool isSeen = nearest < std::numeric_limits<double>::max();
+  int level = isSeen ? levelFor(nearest * eye.pixel) : mGrid.coarsest();
+  // While something moves what is there stays, unless it is far from what is wanted.
+  bool isNear = mTable.level() >= 0 && std::abs(level - mTable.level()) <= 1;
+  if (mTable.level() != level && !(frame.isPreview && isNear)) restartTable(level);
+}
+
+void Residency::restartTable(int level) {
+  mTable.reset(mGrid, level);
+  const PageLevel& own = mGrid.levels()[std::size_t(level)];
+  mVolume.dims = own.dims;
+  mVolume.worldFromTex = own.worldFromTex;
+  mVolume.cells = cellGridFor(own.dims);
+  PagePlace pages;
+  pages.grid = mTable.size();
+  pages.perTex = glm::dvec3(own.dims) / own.voxelsPerBox / own.brickEdge;
+  pages.first = -own.firstVoxel / own.voxelsPerBox / own.brickEdge;
+  mVolume.pages = pages;
+  mSeen = gpu::Buffer(
+      "pages seen", (std::size_t(pages.grid.x) * std::size_t(pages.grid.y) * std::size_t(pages.grid.z) + 31) / 32 * 4);
+  for (std::uint32_t slot = 0; slot < mSlots.size(); ++slot)
+    if (slot < kFirstSlot || mSlots[slot].isUsed) writeRow(slot);
+  std::vector<PageBrick> bricks;
+  for (const auto& slot : mSlots)
+    if (slot.isUsed) bricks.push_back(slot.brick);
+  for (const auto& brick : bricks) refreshPages(brick);
+  mVolume.cellRange = gpu::Buffer("cell ranges", std::size_t(mVolume.cells.size.x) * std::size_t(mVolume.cells.size.y) *
+                                                     std::size_t(mVolume.cells.size.z) * sizeof(glm::vec2));
+  updateCells();
+}
+
+/// Where a slot's voxels lie in the frame's texture coordinates.
+void Residency::writeRow(std::uint32_t slot) {
+  const PageLevel& own = mGrid.levels()[std::size_t(mTable.level())];
+  int level = slot == 0 ? mGrid.coarsest() : mSlots[slot].brick.level;
+  const PageLevel& its = mGrid.levels()[std::size_t(level)];
+  glm::dvec3 origin = slot == 0 ? glm::dvec3(0.0) : glm::dvec3(mGrid.slotOrigin(mSlots[slot].brick));
+  // Its voxels = tex * scale + offset.
+  glm::dvec3 scale = glm::dvec3(own.dims) / own.voxelsPerBox * its.voxelsPerBox;
+  glm::dvec3 offset = its.firstVoxel - own.firstVoxel / own.voxelsPerBox * its.voxelsPerBox;
+  if (slot == 0) mVolume.pages->coarseEdge = 0.5 / scale;
+  offset += glm::dvec3(mSlots[slot].place) - origin;
+  glm::dvec3 size(mVolume.storeSize);
+  // Wherever a place is in a page that shows nothing, it is seen in the slot's middle.
+  if (slot == kEmptySlot) scale = glm::dvec3(0.0), offset = glm::dvec3(mSlots[slot].place) + 0.5 * kSlotEdge;
+  glm::vec4 row[2] = {glm::vec4(glm::vec3(scale / size), 0.0f), glm::vec4(glm::vec3(offset / size), 0.0f)};
+  mRows.write(std::size_t(slot) * sizeof(row), sizeof(row), row);
+}
+
+int Residency::wantedAt(glm::ivec3 page) const {
+  double pixel = mEye.pixel;
+  if (!mEye.isOrthographic) {
+    const PageLevel& own = mGrid.levels()[std::size_t(mTable.level())];
+    glm::dvec3 tex = (glm::dvec3(page) + 0.5 - mVolume.pages->first) / mVolume.pages->perTex;
+    glm::dvec3 world = own.worldFromTex * glm::dvec4(tex, 1.0);
+    pixel *= std::max(0.0, glm::dot(world - mEye.eye, mEye.forward));
+  }
+  return std::max(mTable.level(), levelFor(pixel * std::exp2(mEye.coarser)));
+}
+
+/// The slot of the level that a page wants; else of a finer one, else of the least coarse one that is there.
+std::uint32_t Residency::bestSlot(glm::ivec3 page) const {
+  int wanted = wantedAt(page);
+  PageBrick own{mTable.level(), page};
+  auto slotOf = [&](int level) -> std::uint32_t {
+    if (level == mGrid.coarsest()) return 0;
+    auto found = mResident.find(mGrid.parent(own, level).key());
+    return found == mResident.end() ? 0 : found->second;
+  };
+  if (wanted == mGrid.coarsest()) return 0;
+  for (int level = wanted; level >= mTable.level(); --level)
+    if (auto slot = slotOf(level)) return slot;
+  for (int level = wanted + 1; level < mGrid.coarsest(); ++level)
+    if (auto slot = slotOf(level)) return slot;
+  return 0;
+}
+
+/// Chooses anew for the pages that a brick covers, which has come or gone.
+void Residency::refreshPages(const PageBrick& brick) {
+  PageTable::Pages pages = mTable.covered(mGrid, brick);
+  glm::ivec3 page;
+  for (page.z = pages.low.z; page.z < pages.high.z; ++page.z)
+    for (page.y = pages.low.y; page.y < pages.high.y; ++page.y)
+      for (page.x = pages.low.x; page.x < pages.high.x; ++page.x) mTable.set(mTable.indexOf(page), bestSlot(page));
+}
+
+}  // namespace velum::render

@@ -46,14 +46,13 @@ class StreamedGL : public RenderTest {
     return scene;
   }
   /// Of a streamed scene and the same with the volume of a level in memory, seen by the same camera.
-  Difference compare(const scene::Scene& streamed, const Volume& inMemory, glm::ivec2 size, Image* picture = nullptr) {
+  Difference compare(const scene::Scene& streamed, const Volume& inMemory, glm::ivec2 size, double least = 0.05) {
     scene::Scene whole = streamed;
     Volume volume = inMemory;
     volume.range = streamed.volume.data->range;
     whole.volume.data = Shared<Volume>(std::move(volume));
     Image a = draw(streamed, size, kAllLayers), b = draw(whole, size, kAllLayers);
-    EXPECT_GT(coverageOf(b), 0.1);
-    if (picture) *picture = a;
+    EXPECT_GT(coverageOf(b), least);
     return differenceOf(a, b);
   }
 };
@@ -64,12 +63,12 @@ TEST_F(StreamedGL, ThePictureIsThatOfTheLevelInMemory) {
     for (auto mode : {scene::RenderMode::Volume, scene::RenderMode::Mip, scene::RenderMode::Iso}) {
       scene::Scene scene = lookOf(streamedVolume(source, 2), mode);
       Difference finest = compare(scene, source->level(0), {160, 160});
-      EXPECT_LE(finest.largest, 1.0) << enumName(type) << ' ' << enumName(mode) << ", pixel " << finest.where.x << ' '
+      EXPECT_LE(finest.largest, 1.005) << enumName(type) << ' ' << enumName(mode) << ", pixel " << finest.where.x << ' '
                                      << finest.where.y;
       Difference middle = compare(scene, source->level(1), {66, 66});
-      EXPECT_LE(middle.largest, 1.0) << "middle level, " << enumName(type) << ' ' << enumName(mode);
+      EXPECT_LE(middle.largest, 1.005) << "middle level, " << enumName(type) << ' ' << enumName(mode);
       Difference coarse = compare(scene, source->level(2), {30, 30});
-      EXPECT_LE(coarse.largest, 1.0) << "coarse level, " << enumName(type) << ' ' << enumName(mode);
+      EXPECT_LE(coarse.largest, 1.005) << "coarse level, " << enumName(type) << ' ' << enumName(mode);
     }
   }
 }
@@ -91,7 +90,7 @@ TEST_F(StreamedGL, CutsAndPlacesAreThoseInMemory) {
         cut.face = showsData ? scene::CutFace::Section : scene::CutFace::Shaded;
         scene.cuts = {cut};
         Difference found = compare(scene, source->level(0), {240, 240});
-        EXPECT_LE(found.largest, 1.0) << enumName(shape) << (showsData ? " with data" : "") << ", pixel "
+        EXPECT_LE(found.largest, 1.005) << enumName(shape) << (showsData ? " with data" : "") << ", pixel "
                                       << found.where.x << ' ' << found.where.y;
       }
   }
@@ -104,11 +103,8 @@ TEST_F(StreamedGL, AThinWireIsFoundThoughNoCoarseLevelShowsIt) {
                                                  [](glm::ivec3 p) { return p.y == 50 && p.z == 41 ? 200.0 : 10.0; }),
                                       4, glm::ivec3(32));
   scene::Scene scene = lookOf(streamedVolume(source, 3), scene::RenderMode::Volume);
-  Image picture;
-  scene::Scene whole = scene;
   EXPECT_GT(coverageOf(draw(scene, {160, 160}, kAllLayers)), 0.003);
-  whole.volume.data = Shared<Volume>(source->level(0));
-  EXPECT_LE(differenceOf(draw(scene, {160, 160}, kAllLayers), draw(whole, {160, 160}, kAllLayers)).largest, 1.5);
+  EXPECT_LE(compare(scene, source->level(0), {160, 160}, 0.003).largest, 1.005);
 }
 
 TEST_F(StreamedGL, WhatCannotBeReadIsSeenCoarseAndSaid) {
@@ -116,7 +112,7 @@ TEST_F(StreamedGL, WhatCannotBeReadIsSeenCoarseAndSaid) {
   source->damaged = true;
   scene::Scene scene = lookOf(streamedVolume(source, 2), scene::RenderMode::Volume);
   Image image = draw(scene, {160, 160}, kAllLayers);
-  EXPECT_GT(coverageOf(image), 0.2);
+  EXPECT_GT(coverageOf(image), 0.1);
   EXPECT_NE(renderer().stats().reduction.find("could not be read"), std::string::npos) << renderer().stats().reduction;
   EXPECT_NE(renderer().stats().reduction.find("brick is damaged"), std::string::npos);
 }
@@ -133,7 +129,7 @@ TEST_F(StreamedGL, APreviewReadsNothing) {
   frame.scene.camera.target.x += 3.0;
   Progress progress;
   renderer().render(frame, progress);
-  EXPECT_GT(coverageOf(renderer().read(kAllLayers)), 0.2);
+  EXPECT_GT(coverageOf(renderer().read(kAllLayers)), 0.1);
   EXPECT_EQ(source->reads, before);
 }
 

@@ -178,6 +178,8 @@ std::size_t Residency::gather(const MayShow& mayShow) {
             continue;
           }
           ++needed;
+        } else if (mayShow(shownRange(page))) {
+          ++needed;  // most likely
         }
         std::uint32_t shown = mTable.slot(index);
         int shownLevel = shown < kFirstSlot ? mGrid.coarsest() : mSlots[shown].brick.level;

@@ -91,6 +91,7 @@ class Residency {
   void showNothing(std::size_t page, const BrickRanges& ranges, const MayShow& mayShow);
   glm::vec2 coarseRange(glm::dvec3 low, glm::dvec3 high) const;
   glm::vec2 brickRange(const PageBrick& brick, const BrickRanges& ranges, glm::dvec3 low, glm::dvec3 high) const;
+  glm::vec2 shownRange(glm::ivec3 page) const;
   glm::vec2 cellRange(glm::ivec3 cell) const;
 
   Shared<Volume> mCoarse;

@@ -297,12 +297,13 @@ void takeKeyValues(Volume& v, const NrrdHeader& h) {
 
 }  // namespace
 
-Volume readNrrd(const scene::Source& source, Progress& progress) {
+UnreadVolume describeNrrd(const scene::Source& source) {
   NrrdHeader h = readNrrdHeader(source.path);
   auto axes = parseAxes(h);
   AxisRoles roles = rolesOf(h, axes);
   Layout layout = layoutOf(h, axes, roles);
-  Volume v = readSamples(layout, payloadsOf(h, layoutBytes(layout, h.file)), h.file, progress);
+  UnreadVolume unread = promiseSamples(layout, payloadsOf(h, layoutBytes(layout, h.file)), h.file);
+  Volume& v = unread.head;
   std::string kind = axes[0].kind;
   v.isColor = roles.first == 1 && (kind.find("color") != std::string::npos) && (v.channels == 3 || v.channels == 4) &&
               kind.find("hsv") == std::string::npos && kind.find("xyz") == std::string::npos;
@@ -310,7 +311,9 @@ Volume readNrrd(const scene::Source& source, Progress& progress) {
   v.lengthUnit = isInAngstrom(h) ? LengthUnit::Angstrom : LengthUnit::Millimetre;
   haveDirections ? placeByDirections(v, h, axes, roles, mmPerUnit(h)) : placeBySpacings(v, axes, roles, mmPerUnit(h));
   takeKeyValues(v, h);
-  return v;
+  return unread;
 }
+
+Volume readNrrd(const scene::Source& source, Progress& progress) { return readSamples(describeNrrd(source), progress); }
 
 }  // namespace velum::io

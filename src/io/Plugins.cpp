@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "core/Error.h"
+#include "io/images/ImageFormat.h"
 #include "io/stores/OpenStore.h"
 #include "io/volumes/DicomSoundness.h"
 #include "io/volumes/StoreSeries.h"
@@ -25,6 +26,7 @@ Path folderOfPlugins() {
 
 const GdcmPlugin& gdcmPlugin() { return loaded<GdcmPlugin>(); }
 const OiioPlugin& oiioPlugin() { return loaded<OiioPlugin>(); }
+const TiffPlugin& tiffPlugin() { return loaded<TiffPlugin>(); }
 const VdbPlugin& vdbPlugin() { return loaded<VdbPlugin>(); }
 const VtkPlugin& vtkPlugin() { return loaded<VtkPlugin>(); }
 
@@ -79,8 +81,14 @@ void writeImage(const Image& image, const Path& path, const std::string& descrip
   oiioPlugin().writeImage(image, path, description, dpi, attributes, bits);
 }
 Image readImage(const Path& path) { return oiioPlugin().readImage(path); }
-std::string readImageDescription(const Path& path) { return oiioPlugin().readImageDescription(path); }
+std::string readImageDescription(const Path& path) {
+  return isTiffWithoutScene(path) ? std::string() : oiioPlugin().readImageDescription(path);
+}
 Volume readTiff(const scene::Source& source, Progress& progress) { return oiioPlugin().readTiff(source, progress); }
+
+std::unique_ptr<TiffDecoder> openTiffDecoder(std::shared_ptr<const FileBytes> file) {
+  return tiffPlugin().openTiffDecoder(std::move(file));
+}
 
 Volume readVdb(const scene::Source& source, Progress& progress) { return vdbPlugin().readVdb(source, progress); }
 std::vector<std::string> writeVdb(const Volume& volume, ReplaceFile& file, Progress& progress) {

@@ -9,6 +9,7 @@
 #include "io/labels/DicomSegWriter.h"
 #include "io/meshes/ExtractSurface.h"
 #include "io/meshes/VtpWriter.h"
+#include "io/read/TiffDecoder.h"
 #include "io/read/VtkXml.h"
 #include "io/volumes/DicomFile.h"
 #include "io/volumes/ReadVolume.h"
@@ -37,6 +38,8 @@ decltype(io::writeImage) writeImage;
 decltype(io::readImage) readImage;
 decltype(io::readImageDescription) readImageDescription;
 decltype(io::readTiff) readTiff;
+
+decltype(io::openTiffDecoder) openTiffDecoder;
 
 decltype(io::readVdb) readVdb;
 decltype(io::writeVdb) writeVdb;
@@ -70,6 +73,10 @@ struct OiioPlugin {
   decltype(&plugin::readImage) readImage = nullptr;
   decltype(&plugin::readImageDescription) readImageDescription = nullptr;
   decltype(&plugin::readTiff) readTiff = nullptr;
+};
+struct TiffPlugin {
+  static constexpr const char *kName = "tiff", *kWhat = "packed pages of TIFF files";
+  decltype(&plugin::openTiffDecoder) openTiffDecoder = nullptr;
 };
 struct VdbPlugin {
   static constexpr const char *kName = "vdb", *kWhat = "OpenVDB";

@@ -143,13 +143,15 @@ SampleType narrow(Bytes& bytes, std::vector<std::string>& warnings) {
   return SampleType::Int32;
 }
 
-Bytes interleave(const Bytes& planar, std::size_t channels, std::size_t sampleBytes) {
+/// @param run  voxels of a channel that lie one behind the other
+Bytes interleave(const Bytes& planar, std::size_t run, std::size_t channels, std::size_t sampleBytes) {
   Bytes result(planar.size());
   std::size_t count = planar.size() / channels / sampleBytes;
-  for (std::size_t c = 0; c < channels; ++c)
-    for (std::size_t i = 0; i < count; ++i)
-      std::memcpy(result.data() + (i * channels + c) * sampleBytes, planar.data() + (c * count + i) * sampleBytes,
-                  sampleBytes);
+  for (std::size_t first = 0; first < count; first += run)
+    for (std::size_t c = 0; c < channels; ++c)
+      for (std::size_t i = 0; i < run; ++i)
+        std::memcpy(result.data() + ((first + i) * channels + c) * sampleBytes,
+                    planar.data() + (first * channels + c * run + i) * sampleBytes, sampleBytes);
   return result;
 }
 
@@ -193,8 +195,12 @@ Volume readSamples(UnreadVolume unread, Progress& progress) {
   }
   if (layout.type == StoredType::Int64) volume.type = narrow<std::int64_t>(volume.voxels, volume.warnings);
   if (layout.type == StoredType::UInt64) volume.type = narrow<std::uint64_t>(volume.voxels, volume.warnings);
-  if (layout.planarChannels && layout.channels > 1)
-    volume.voxels = interleave(volume.voxels, std::size_t(layout.channels), sampleSize(volume.type));
+  if (layout.channelOrder != ChannelOrder::Together && layout.channels > 1) {
+    std::size_t plane = std::size_t(volume.dims.x) * std::size_t(volume.dims.y);
+    std::size_t all = voxelCount(volume) * std::size_t(volume.timeSteps);
+    volume.voxels = interleave(volume.voxels, layout.channelOrder == ChannelOrder::Planes ? plane : all,
+                               std::size_t(layout.channels), sampleSize(volume.type));
+  }
   return std::move(volume);
 }
 

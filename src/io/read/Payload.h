@@ -36,6 +36,13 @@ struct Payload {
   Packing packing = Packing::Raw;
 };
 
+/// Where the samples of a voxel lie in a file; in volumes they are together.
+enum class ChannelOrder {
+  Together,
+  Planes,  ///< a plane of the first channel, the same of the next ones, the next plane
+  Volumes  ///< channels are the slowest axis of the file
+};
+
 /// What a header promises about the samples.
 struct Layout {
   glm::i64vec3 dims{1};       ///< Voxels along x (fastest), y, z; as the header says, not yet checked.
@@ -43,12 +50,13 @@ struct Layout {
   std::int64_t timeSteps = 1;
   StoredType type = StoredType::UInt8;
   bool bigEndian = false;
-  bool planarChannels = false;  ///< Channels are the slowest axis of the file; they are interleaved here.
+  ChannelOrder channelOrder = ChannelOrder::Together;
 };
 
 /// A volume whose header was read, and whose samples were not.
 struct UnreadVolume {
-  Volume head;  ///< All but the voxels. Where these are stored in 64-bit integers, its type is known once they are read.
+  Volume
+      head;  ///< All but the voxels. Where these are stored in 64-bit integers, its type is known once they are read.
   Layout layout;
   std::vector<Payload> parts;  ///< Equally long, one behind the other.
   Path header;                 ///< The file that messages name.

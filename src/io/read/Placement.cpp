@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "io/read/FileNames.h"
+
 namespace velum::io {
 
 namespace {
@@ -65,6 +67,14 @@ void applySpacing(Volume& volume, const scene::Source& source) {
   }
   if (glm::all(glm::greaterThan(source.spacing, glm::dvec3(0.0)))) volume.isSpacingKnown = true;
   if (!volume.isSpacingKnown) volume.warnings.push_back(noSpacing(volume.lengthUnit));
+}
+
+void completeHead(Volume& volume, const scene::Source& source) {
+  applySpacing(volume, source);
+  // Most readers have placed it so; the rest take any spacing, and so may the user's be.
+  if (!isInvertible(glm::dmat3(volume.worldFromVoxel)))
+    placeInWorld(volume, glm::dmat3(volume.worldFromVoxel), volume.worldFromVoxel[3], spacingOf(volume));
+  if (volume.name.empty()) volume.name = titleOf(source.path);
 }
 
 void placeOn(Volume& volume, const glm::dmat4& worldFromVoxel, LengthUnit unit) {

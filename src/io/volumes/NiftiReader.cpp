@@ -99,7 +99,7 @@ Layout layoutOf(const NiftiHeader& h) {
   layout.dims = {size(1), size(2), size(3)};
   layout.timeSteps = size(4);
   layout.channels = size(5) * type.channels;
-  layout.planarChannels = size(5) > 1;
+  layout.channelOrder = size(5) > 1 ? ChannelOrder::Volumes : ChannelOrder::Together;
   layout.type = type.type;
   layout.bigEndian = h.bigEndian;
   if (size(6) != 1 || size(7) != 1) refuse(h.file, "has more than five dimensions, which is not supported");

@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <cstdio>
-#include <cstring>
 #include <fstream>
 #include <optional>
 
@@ -212,8 +211,6 @@ std::string spaceUnit(const NrrdHeader& h) {
   return first == std::string::npos ? units : units.substr(first + 1, units.find('"', first + 1) - first - 1);
 }
 
-bool isInAngstrom(const NrrdHeader& h) { return spaceUnit(h) == "angstrom"; }
-
 /// Millimetres; angstrom stay angstrom.
 double mmPerUnit(const NrrdHeader& h) {
   std::string unit = spaceUnit(h);
@@ -308,7 +305,7 @@ UnreadVolume describeNrrd(const scene::Source& source) {
   v.isColor = roles.first == 1 && (kind.find("color") != std::string::npos) && (v.channels == 3 || v.channels == 4) &&
               kind.find("hsv") == std::string::npos && kind.find("xyz") == std::string::npos;
   bool haveDirections = !h.field("space directions").empty();
-  v.lengthUnit = isInAngstrom(h) ? LengthUnit::Angstrom : LengthUnit::Millimetre;
+  v.lengthUnit = spaceUnit(h) == "angstrom" ? LengthUnit::Angstrom : LengthUnit::Millimetre;
   haveDirections ? placeByDirections(v, h, axes, roles, mmPerUnit(h)) : placeBySpacings(v, axes, roles, mmPerUnit(h));
   takeKeyValues(v, h);
   return unread;

@@ -1,0 +1,52 @@
+#pragma once
+#include "TestFiles.h"
+#include "core/VoxelSource.h"
+#include "io/volumes/OpenSource.h"
+
+namespace velum::io {
+
+inline scene::Source sourceOf(const std::filesystem::path& path, const scene::RawLayout& raw = {}) {
+  scene::Source source;
+  source.path = path.string();
+  source.raw = raw;
+  return source;
+}
+
+/// All of the head but what needs the voxels.
+inline void expectSameHead(const Volume& a, const Volume& b) {
+  EXPECT_EQ(a.dims, b.dims);
+  EXPECT_EQ(a.type, b.type);
+  EXPECT_EQ(a.channels, b.channels);
+  EXPECT_EQ(a.timeSteps, b.timeSteps);
+  EXPECT_EQ(a.isColor, b.isColor);
+  EXPECT_EQ(a.worldFromVoxel, b.worldFromVoxel);
+  EXPECT_EQ(a.lengthUnit, b.lengthUnit);
+  EXPECT_EQ(a.scale, b.scale);
+  EXPECT_EQ(a.offset, b.offset);
+  EXPECT_EQ(a.unit, b.unit);
+  EXPECT_EQ(a.modality, b.modality);
+  EXPECT_EQ(a.isSpacingKnown, b.isSpacingKnown);
+  EXPECT_EQ(a.isOrientationKnown, b.isOrientationKnown);
+  EXPECT_EQ(a.timeStepSeconds, b.timeStepSeconds);
+  EXPECT_EQ(a.name, b.name);
+  EXPECT_EQ(a.channelNames, b.channelNames);
+  EXPECT_EQ(a.channelColors, b.channelColors);
+  EXPECT_EQ(a.warnings, b.warnings);
+}
+
+/// The file's source gives what the reader of whole files gives, in every voxel and place.
+/// @return whether it has a source
+inline bool expectSameByBricks(const scene::Source& source) {
+  SCOPED_TRACE(source.path);
+  Progress progress;
+  auto opened = openSource(source);
+  if (!opened) return false;
+  Volume whole = readVolume(source, progress);
+  EXPECT_TRUE(opened->head().voxels.empty());
+  expectSameHead(opened->head(), whole);
+  EXPECT_EQ(opened->levels().front().worldFromVoxel, whole.worldFromVoxel);
+  EXPECT_TRUE(readLevel(*opened, 0, progress).voxels == whole.voxels);
+  return true;
+}
+
+}  // namespace velum::io

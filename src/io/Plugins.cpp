@@ -9,6 +9,7 @@
 #include "io/images/ImageFormat.h"
 #include "io/stores/OpenStore.h"
 #include "io/volumes/DicomSoundness.h"
+#include "io/volumes/OpenTiff.h"
 #include "io/volumes/StoreSeries.h"
 
 namespace velum::io {
@@ -84,7 +85,11 @@ Image readImage(const Path& path) { return oiioPlugin().readImage(path); }
 std::string readImageDescription(const Path& path) {
   return isTiffWithoutScene(path) ? std::string() : oiioPlugin().readImageDescription(path);
 }
-Volume readTiff(const scene::Source& source, Progress& progress) { return oiioPlugin().readTiff(source, progress); }
+Volume readTiff(const scene::Source& source, Progress& progress) {
+  // What needs no conversion needs no library of pictures; OpenImageIO's tiles of doubles are rounded to floats, too.
+  auto opened = std::filesystem::is_directory(source.path) ? nullptr : openTiff(source);
+  return opened ? readLevel(*opened, 0, progress) : oiioPlugin().readTiff(source, progress);
+}
 
 std::unique_ptr<TiffDecoder> openTiffDecoder(std::shared_ptr<const FileBytes> file) {
   return tiffPlugin().openTiffDecoder(std::move(file));

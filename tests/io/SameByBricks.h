@@ -34,19 +34,23 @@ inline void expectSameHead(const Volume& a, const Volume& b) {
   EXPECT_EQ(a.warnings, b.warnings);
 }
 
-/// The file's source gives what the reader of whole files gives, in every voxel and place.
+/// A file's source gives the head and the voxels of a volume, in every voxel and place.
+inline void expectGives(const VoxelSource& source, const Volume& whole) {
+  Progress progress;
+  EXPECT_TRUE(source.head().voxels.empty());
+  expectSameHead(source.head(), whole);
+  EXPECT_EQ(source.levels().front().worldFromVoxel, whole.worldFromVoxel);
+  EXPECT_TRUE(readLevel(source, 0, progress).voxels == whole.voxels);
+}
+
+/// The file's source gives what the reader of whole files gives.
 /// @return whether it has a source
 inline bool expectSameByBricks(const scene::Source& source) {
   SCOPED_TRACE(source.path);
-  Progress progress;
   auto opened = openSource(source);
-  if (!opened) return false;
-  Volume whole = readVolume(source, progress);
-  EXPECT_TRUE(opened->head().voxels.empty());
-  expectSameHead(opened->head(), whole);
-  EXPECT_EQ(opened->levels().front().worldFromVoxel, whole.worldFromVoxel);
-  EXPECT_TRUE(readLevel(*opened, 0, progress).voxels == whole.voxels);
-  return true;
+  Progress progress;
+  if (opened) expectGives(*opened, readVolume(source, progress));
+  return opened != nullptr;
 }
 
 }  // namespace velum::io

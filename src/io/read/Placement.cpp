@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "io/read/FileNames.h"
@@ -66,7 +67,9 @@ void applySpacing(Volume& volume, const scene::Source& source) {
     if (isUsableSpacing(wanted) && length > 0) column *= wanted / length;
   }
   if (glm::all(glm::greaterThan(source.spacing, glm::dvec3(0.0)))) volume.isSpacingKnown = true;
-  if (!volume.isSpacingKnown) volume.warnings.push_back(noSpacing(volume.lengthUnit));
+  std::string words = noSpacing(volume.lengthUnit);
+  bool isSaid = std::find(volume.warnings.begin(), volume.warnings.end(), words) != volume.warnings.end();
+  if (!volume.isSpacingKnown && !isSaid) volume.warnings.push_back(words);
 }
 
 void completeHead(Volume& volume, const scene::Source& source) {

@@ -149,6 +149,22 @@ TEST(TiffSource, LevelsOfAPyramidLieOnEachOther) {
     }
 }
 
+TEST(TiffSource, TheLevelThatIsAskedForIsRead) {
+  TempFolder folder;
+  TiffMaking how;
+  how.levels = 3;
+  how.tile = 32;
+  ASSERT_TRUE(writeTiff(folder / "a.tif", {200, 100}, 2, SampleType::UInt8, how, anySamples(SampleType::UInt8, 1)));
+  scene::Source source = sourceOf(folder / "a.tif");
+  Progress progress;
+  source.level = 2;
+  Volume v = readVolume(source, progress);
+  EXPECT_EQ(v.dims, glm::ivec3(50, 25, 2));
+  EXPECT_NE(warningWith(v, "level 2 of 0 to 2"), "");
+  source.level = 3;
+  EXPECT_THROW(readVolume(source, progress), InputError);
+}
+
 TEST(TiffSource, ThumbnailsAreNoLevels) {
   TempFolder folder;
   TiffMaking how;

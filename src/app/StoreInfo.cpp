@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "io/stores/OpenStore.h"
+#include "io/volumes/ReadLevel.h"
 
 namespace velum::app {
 

@@ -10,7 +10,7 @@
 #include "io/stores/OpenStore.h"
 #include "io/volumes/DicomSoundness.h"
 #include "io/volumes/OpenTiff.h"
-#include "io/volumes/ReadPyramid.h"
+#include "io/volumes/ReadLevel.h"
 #include "io/volumes/StoreSeries.h"
 
 namespace velum::io {
@@ -93,8 +93,9 @@ Volume readTiff(const scene::Source& source, Progress& progress) {
   // What needs no conversion needs no library of pictures; OpenImageIO's tiles of doubles are rounded to floats, too.
   auto opened = std::filesystem::is_directory(source.path) ? nullptr : openTiff(source);
   if (!opened) return oiioPlugin().readTiff(source, progress);
-  bool hasLevels = opened->levels().size() > 1;
-  return hasLevels ? readPyramid(*opened, source, true, progress) : readLevel(*opened, 0, progress);
+  if (opened->levels().size() == 1) return readLevel(*opened, 0, progress);
+  constexpr bool kIsAlignedByBorders = true;
+  return readFitting(std::move(opened), source, kIsAlignedByBorders, progress);
 }
 
 std::unique_ptr<TiffDecoder> openTiffDecoder(std::shared_ptr<const FileBytes> file) {

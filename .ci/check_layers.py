@@ -40,7 +40,7 @@ ROOMS = {  # module: {room: rooms of the module it may include (its own is impli
 }
 ONLY_IN = {  # library header: modules that may name it
     r"<Q[A-Z]": "gui",
-    r"<(itk|gdcm|vtk|openvdb|OpenImageIO|gemmi|hdf5)": "io",
+    r"<(itk|gdcm|vtk|openvdb|OpenImageIO|gemmi|hdf5|tiff)": "io",
     r"<(EGL|GL)/": "gpu",
     r"<(tbb|oneapi)/": "core",
     r"<GLFW/": "app",

@@ -11,6 +11,7 @@
 #include "io/labels/WriteLabels.h"
 #include "io/stores/OpenStore.h"
 #include "io/stores/WriteStore.h"
+#include "io/volumes/OpenSource.h"
 #include "io/volumes/ReadVolume.h"
 #include "io/volumes/WriteVolume.h"
 #include "session/document/Open.h"
@@ -79,27 +80,41 @@ std::variant<Volume, LabelVolume> readVoxels(const scene::Source& source, const 
   return voxels;
 }
 
-/// Volumes in stores are never held in memory on their way to another store.
-bool isStreamed(const scene::Source& source, const ConvertOptions& options) {
-  return io::isStoreFormat(options.output) && io::isStore(source.path) && options.structures.empty() &&
-         !options.apart && options.input.spacing.empty();
+/// What becomes a store without being held in memory on its way.
+struct Streamed {
+  std::unique_ptr<VoxelSource> source;
+  io::StoreOptions how;
+};
+
+/// Opens images of stores, and large volumes of files that can be read brick by brick; nothing for all else.
+Streamed openStreamed(const scene::Source& source, const ConvertOptions& options) {
+  Streamed streamed;
+  bool isStored = io::isStore(source.path);
+  if (!io::isStoreFormat(options.output) || !options.structures.empty() || options.apart) return streamed;
+  if (isStored && options.input.spacing.empty()) {
+    auto image = io::openImage(source.path, source.series);
+    streamed.how.isLabels = options.labels || image->facts().isLabels;
+    streamed.how.structures = image->facts().structures;
+    streamed.source = std::move(image);
+  } else if (!isStored && !options.labels && io::kindOf(source) == io::FileKind::Volume) {
+    streamed.source = io::openLargeSource(source);
+  }
+  return streamed;
 }
 
-/// Writes an image of a store, from its finest level or the one that is asked for, as another store.
-Lines streamStore(const scene::Source& source, const ConvertOptions& options, Json& json) {
-  auto image = io::openImage(source.path, source.series);
-  io::StoreOptions how;
-  how.version = options.version();
-  how.level = std::max(source.level, 0);
-  if (how.level >= int(image->levels().size()))
-    throw ArgumentError(fmt::format("--level {}: the levels are 0 to {}", how.level, image->levels().size() - 1));
-  how.isLabels = options.labels || image->facts().isLabels;
-  how.structures = image->facts().structures;
-  printWarnings(source.path, image->head().warnings);
-  glm::ivec3 dims = image->levels()[std::size_t(how.level)].dims;
+/// Writes a store, from the source's finest level or the one that is asked for.
+Lines writeStreamed(Streamed& streamed, int level, const ConvertOptions& options, Json& json) {
+  const VoxelSource& from = *streamed.source;
+  streamed.how.version = options.version();
+  streamed.how.level = std::max(level, 0);
+  if (streamed.how.level >= int(from.levels().size()))
+    throw ArgumentError(
+        fmt::format("--level {}: the levels are 0 to {}", streamed.how.level, from.levels().size() - 1));
+  printWarnings(options.input.inputs.front(), from.head().warnings);
+  glm::ivec3 dims = from.levels()[std::size_t(streamed.how.level)].dims;
   json["dims"] = {dims.x, dims.y, dims.z};
-  json["type"] = std::string(enumName(image->head().type));
-  return io::writeStore(*image, options.output, how, consoleProgress());
+  json["type"] = std::string(enumName(from.head().type));
+  return io::writeStore(from, options.output, streamed.how, consoleProgress());
 }
 
 /// Refuses an output whose format no kind of data is written in, before the input is read and its kind is known.
@@ -137,8 +152,8 @@ int run(const ConvertOptions& options) {
       tell(options.output, writeModel(session, options, json));
     else
       tell(options.output, writeStructures(session.scene(), options, json));
-  } else if (isStreamed(source, options)) {
-    tell(options.output, streamStore(source, options, json));
+  } else if (Streamed streamed = openStreamed(source, options); streamed.source) {
+    tell(options.output, writeStreamed(streamed, source.level, options, json));
   } else {
     auto voxels = readVoxels(source, options, progress);
     std::visit([&](const auto& data) { tell(source.path, data.warnings); }, voxels);

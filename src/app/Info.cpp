@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "app/Inputs.h"
+#include "app/ModelInfo.h"
 #include "app/StoreInfo.h"
 #include "app/Text.h"
 #include "app/Verbs.h"
@@ -15,6 +16,7 @@
 #include "io/models/ReadModel.h"
 #include "io/stores/OpenStore.h"
 #include "io/volumes/Formats.h"
+#include "io/volumes/OpenSource.h"
 #include "io/volumes/ReadVolume.h"
 #include "scene/GreyWindows.h"
 #include "scene/Presets.h"
@@ -31,13 +33,6 @@ struct InfoOptions {
   bool formats = false, presets = false, labels = false;
 };
 
-template <class V>
-Json list(const V& v, int n) {
-  Json out = Json::array();
-  for (int i = 0; i < n; ++i) out.push_back(v[i]);
-  return out;
-}
-
 /// The direction matrix row by row. Its columns are the directions of the voxel axes in the LPS world.
 Json directionRows(const glm::dmat3& d) {
   Json out = Json::array();
@@ -53,16 +48,18 @@ Json listOfGaps(const Volume& v) {
   return gaps;
 }
 
+/// What depends on the voxels is null of a volume whose voxels were not read.
 Json describe(const Volume& v) {
+  bool isRead = !v.voxels.empty();
   Json json = {{"kind", "volume"},
                {"name", v.name},
-               {"dims", list(v.dims, 3)},
+               {"dims", listOf(v.dims, 3)},
                {"type", std::string(enumName(v.type))},
-               {"spacingMm", list(spacingOf(v) * unitsPer(v.lengthUnit, LengthUnit::Millimetre), 3)},
-               {"originMm", list(glm::dvec3(worldFromVoxelIn(LengthUnit::Millimetre, v)[3]), 3)},
+               {"spacingMm", listOf(spacingOf(v) * unitsPer(v.lengthUnit, LengthUnit::Millimetre), 3)},
+               {"originMm", listOf(glm::dvec3(worldFromVoxelIn(LengthUnit::Millimetre, v)[3]), 3)},
                {"lengthUnit", std::string(enumName(v.lengthUnit))},
                {"direction", directionRows(direction(v))},
-               {"range", list(v.range, 2)},
+               {"range", isRead ? listOf(v.range, 2) : Json()},
                {"channels", v.channels},
                {"frames", v.timeSteps},
                {"frameSeconds", v.timeStepSeconds},
@@ -75,7 +72,7 @@ Json describe(const Volume& v) {
                {"orientationKnown", v.isOrientationKnown},
                {"channelNames", v.channelNames},
                {"gaps", listOfGaps(v)},
-               {"preset", std::string(scene::choosePreset(v))},
+               {"preset", isRead ? Json(std::string(scene::choosePreset(v))) : Json()},
                {"warnings", v.warnings}};
   return json;
 }
@@ -89,7 +86,7 @@ Json describeStructures(const LabelVolume& labels) {
     const session::StructureSize& size = sizes[info.id];
     structures.push_back({{"id", info.id},
                           {"name", info.name},
-                          {"color", list(info.color, 3)},
+                          {"color", listOf(info.color, 3)},
                           {"opacity", info.opacity},
                           {"voxels", size.voxels},
                           {"volumeMl", size.volume * mm * mm * mm},
@@ -105,9 +102,9 @@ Json describe(const LabelVolume& labels) {
   double mm = unitsPer(labels.lengthUnit(), LengthUnit::Millimetre);
   return {{"kind", "labels"},
           {"name", labels.name},
-          {"dims", list(labels.dims(), 3)},
-          {"spacingMm", list(spacing * mm, 3)},
-          {"originMm", list(glm::dvec3(labels.worldFromVoxel()[3]) * mm, 3)},
+          {"dims", listOf(labels.dims(), 3)},
+          {"spacingMm", listOf(spacing * mm, 3)},
+          {"originMm", listOf(glm::dvec3(labels.worldFromVoxel()[3]) * mm, 3)},
           {"lengthUnit", std::string(enumName(labels.lengthUnit()))},
           {"direction", directionRows(unit)},
           {"storedBytes", labels.storedBytes()},
@@ -136,66 +133,8 @@ Json describe(const Mesh& mesh) {
                {"vertices", mesh.positions.size()},
                {"triangles", mesh.indices.size() / 3},
                {"warnings", mesh.warnings}};
-  if (mesh.color) json["color"] = list(*mesh.color, 3);
+  if (mesh.color) json["color"] = listOf(*mesh.color, 3);
   return json;
-}
-
-Json describe(const Model& model, const MoleculeType& type) {
-  std::size_t atoms = 0, beads = 0;
-  for (std::uint32_t m = type.firstMolecule; m < type.firstMolecule + type.moleculeCount; ++m) {
-    const Molecule& molecule = model.molecules[m];
-    atoms = std::max(atoms, molecule.atoms.size());
-    if (!molecule.beads.empty()) beads = std::max(beads, molecule.beads.front().size());
-  }
-  Json json = {{"name", type.name},
-               {"path", pathOf(model, type)},
-               {"kind", std::string(enumName(type.kind))},
-               {"function", type.function},
-               {"instances", type.instanceCount},
-               {"atoms", atoms},
-               {"beads", beads},
-               {"atomsInAll", atomCount(model, type)},
-               {"mass", type.mass},
-               {"massFrom", std::string(enumName(type.massSource))},
-               {"structure", type.structure}};
-  if (type.moleculeCount > 1) json["molecules"] = type.moleculeCount;
-  return json;
-}
-
-/// Counts what the files hold; molecules that were made from curves, or to complete them, are listed apart.
-Json describe(const Model& model) {
-  std::size_t types = 0;
-  std::uint64_t instances = 0, atoms = 0, beads = 0;
-  Json perType = Json::array(), added = Json::array(), fibres = Json::array();
-  for (std::size_t i = 0; i < model.types.size(); ++i) {
-    const MoleculeType& type = model.types[i];
-    std::size_t curves = 0, points = 0;
-    for (const Fibre& fibre : model.fibres)
-      if (fibre.type == i) ++curves, points += fibre.points.size();
-    if (curves > 0)
-      fibres.push_back(
-          {{"name", type.name}, {"curves", curves}, {"points", points}, {"instances", type.instanceCount}});
-    if (type.origin == Origin::Added) added.push_back(describe(model, type));
-    if (type.origin != Origin::File) continue;
-    ++types;
-    instances += type.instanceCount;
-    atoms += atomCount(model, type);
-    beads += beadCount(model, type);
-    perType.push_back(describe(model, type));
-  }
-  return {{"kind", "model"},
-          {"name", model.name},
-          {"types", types},
-          {"instances", instances},
-          {"atoms", atoms},
-          {"beads", beads},
-          {"bounds", {list(model.low, 3), list(model.high, 3)}},
-          {"lengthUnit", std::string(enumName(LengthUnit::Angstrom))},
-          {"perType", perType},
-          {"fibres", fibres},
-          {"added", added},
-          {"completed", model.added},
-          {"warnings", model.warnings}};
 }
 
 Json listTables(const InfoOptions& options) {
@@ -237,6 +176,19 @@ Json describeAll(const LabelVolume& labels, const InfoOptions& options) {
   return describe(labels);
 }
 
+/// A volume of which the header tells enough to leave its many voxels alone.
+std::unique_ptr<VoxelSource> openLarge(const scene::Source& source, io::FileKind kind, const InfoOptions& options) {
+  bool isAlone = kind == io::FileKind::Volume && !options.labels && options.input.inputs.size() == 1;
+  return isAlone ? io::openLargeSource(source) : nullptr;
+}
+
+Json describeLarge(const VoxelSource& source) {
+  Json json = describe(source.head());
+  for (int level = 0; level < int(source.levels().size()); ++level)
+    json["levels"].push_back(describeLevel(source, level));
+  return json;
+}
+
 int run(const InfoOptions& options) {
   Json json;
   if (options.formats || options.presets) {
@@ -259,9 +211,11 @@ int run(const InfoOptions& options) {
     if (kind == io::FileKind::Surface)
       json = describe(io::readMesh(path, progress));
     else if (kind == io::FileKind::Model && !options.labels)
-      json = describe(io::readModel(path, progress));
+      json = describeModel(io::readModel(path, progress));
     else if (io::isStore(path) && !options.labels && options.input.inputs.size() == 1)
       json = describeStore(source);
+    else if (auto large = openLarge(source, kind, options))
+      json = describeLarge(*large);
     else if (options.labels)
       json = describe(io::readLabels(source, progress));
     else
@@ -275,7 +229,7 @@ int run(const InfoOptions& options) {
                                 {"modality", s.modality},
                                 {"segmentation", s.isSegmentation},
                                 {"images", s.imageCount},
-                                {"size", list(s.size, 2)}});
+                                {"size", listOf(s.size, 2)}});
   }
   if (options.common.json)
     printJson(json);

@@ -2,33 +2,20 @@
 
 #include <filesystem>
 
-#include "core/VoxelSource.h"
 #include "io/stores/OpenStore.h"
+#include "io/volumes/ReadLevel.h"
 
 namespace velum::app {
 
 namespace {
 
-Json listOf(const auto& vector, int count) {
-  Json list = Json::array();
-  for (int i = 0; i < count; ++i) list.push_back(vector[i]);
-  return list;
-}
-
-Json describeLevel(const io::StoreSource& source, int number) {
-  const VoxelLevel& level = source.levels()[std::size_t(number)];
+Json describeStored(const io::StoreSource& source, int number) {
   const io::StoredLevel& stored = source.facts().levels[std::size_t(number)];
-  double mm = unitsPer(source.head().lengthUnit, LengthUnit::Millimetre);
-  glm::dmat3 axes(level.worldFromVoxel);
-  glm::dvec3 spacing(glm::length(axes[0]), glm::length(axes[1]), glm::length(axes[2]));
-  Json json = {{"path", stored.key},
-               {"dims", listOf(level.dims, 3)},
-               {"spacingMm", listOf(spacing * mm, 3)},
-               {"originMm", listOf(glm::dvec3(level.worldFromVoxel[3]) * mm, 3)},
-               {"bytes", levelBytes(source, number)},
-               {"storedType", io::nameOf(stored.type)},
-               {"chunk", stored.chunk},
-               {"codec", stored.packing}};
+  Json json = describeLevel(source, number);
+  json["path"] = stored.key;
+  json["storedType"] = io::nameOf(stored.type);
+  json["chunk"] = stored.chunk;
+  json["codec"] = stored.packing;
   if (!stored.shard.empty()) json["shard"] = stored.shard;
   return json;
 }
@@ -47,11 +34,22 @@ Json describeChannels(const io::StoreSource& source) {
 
 }  // namespace
 
+Json describeLevel(const VoxelSource& source, int number) {
+  const VoxelLevel& level = source.levels()[std::size_t(number)];
+  double mm = unitsPer(source.head().lengthUnit, LengthUnit::Millimetre);
+  glm::dmat3 axes(level.worldFromVoxel);
+  glm::dvec3 spacing(glm::length(axes[0]), glm::length(axes[1]), glm::length(axes[2]));
+  return {{"dims", listOf(level.dims, 3)},
+          {"spacingMm", listOf(spacing * mm, 3)},
+          {"originMm", listOf(glm::dvec3(level.worldFromVoxel[3]) * mm, 3)},
+          {"bytes", levelBytes(source, number)}};
+}
+
 Json describeStore(const scene::Source& source) {
   auto image = io::openImage(source.path, source.series);
   const Volume& head = image->head();
   Json levels = Json::array();
-  for (int i = 0; i < int(image->levels().size()); ++i) levels.push_back(describeLevel(*image, i));
+  for (int i = 0; i < int(image->levels().size()); ++i) levels.push_back(describeStored(*image, i));
   Json json = {{"kind", image->facts().isLabels ? "labels" : "volume"},
                {"name", head.name.empty() ? std::filesystem::path(source.path).filename().string() : head.name},
                {"dims", listOf(head.dims, 3)},
@@ -68,7 +66,9 @@ Json describeStore(const scene::Source& source) {
                {"channelList", describeChannels(*image)}};
   std::vector<std::string> warnings = head.warnings;
   try {
-    json["levelRead"] = io::levelToRead(*image, source);
+    io::LevelPlan plan = io::planLevel(*image, source);
+    json["levelRead"] = plan.level;
+    json["isStreamed"] = plan.isStreamed;
   } catch (const InputError& error) {
     warnings.push_back(error.what());
   }

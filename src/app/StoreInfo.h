@@ -1,8 +1,12 @@
 #pragma once
 #include "app/Text.h"
+#include "core/VoxelSource.h"
 #include "scene/Source.h"
 
 namespace velum::app {
+
+/// Size, spacing, place and bytes of a level.
+Json describeLevel(const VoxelSource& source, int number);
 
 /// What is known of a store of chunked voxels without reading any of them: all levels and how they are stored.
 /// @throw InputError

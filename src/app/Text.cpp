@@ -52,13 +52,21 @@ void printVoxels(const Json& json) {
   if (isKnown) line("size", lengths(size));
 }
 
+std::string productOf(const Json& sizes) {
+  std::vector<double> numbers = sizes.get<std::vector<double>>();
+  return fmt::format("{}", fmt::join(numbers, " x "));
+}
+
 void printVolume(const Json& json) {
   std::string modality = textIn(json, "modality");
   fmt::print("{}: {}\n", textIn(json, "name"), modality == "unknown" ? "volume" : modality + " volume");
   printVoxels(json);
   std::string unit = textIn(json, "unit");
-  line("values", fmt::format("{}, {} to {}{}{}", textIn(json, "type"), tidyNumber(json["range"][0].get<double>()),
-                             tidyNumber(json["range"][1].get<double>()), unit.empty() ? "" : " ", unit));
+  if (json["range"].is_null())
+    line("values", fmt::format("{}; they were not read, so their range is not known", textIn(json, "type")));
+  else
+    line("values", fmt::format("{}, {} to {}{}{}", textIn(json, "type"), tidyNumber(json["range"][0].get<double>()),
+                               tidyNumber(json["range"][1].get<double>()), unit.empty() ? "" : " ", unit));
   int channels = json["channels"].get<int>(), frames = json["frames"].get<int>();
   if (json["color"].get<bool>()) {
     line("channels", "colour");
@@ -73,11 +81,10 @@ void printVolume(const Json& json) {
          fmt::format("{}{}", frames, seconds > 0 ? fmt::format(", {} s apart", tidyNumber(seconds)) : ""));
   if (!json["orientationKnown"].get<bool>()) line("patient", "how it lay is not in the file");
   line("first look", textIn(json, "preset"));
-}
-
-std::string productOf(const Json& sizes) {
-  std::vector<double> numbers = sizes.get<std::vector<double>>();
-  return fmt::format("{}", fmt::join(numbers, " x "));
+  if (!json.contains("levels") || json["levels"].size() < 2) return;
+  for (std::size_t i = 0; i < json["levels"].size(); ++i)
+    line(fmt::format("level {}", i), fmt::format("{}, {}", productOf(json["levels"][i]["dims"]),
+                                                 lengths(json["levels"][i]["spacingMm"].get<std::vector<double>>())));
 }
 
 /// A store of levels, of which no voxel was read.
@@ -105,7 +112,11 @@ void printStore(const Json& json) {
   if (json["levelsAlignedByBorders"].get<bool>())
     line("levels", "their places are not in the file; they are taken as means of blocks, border on border");
   if (json.contains("levelRead") && levels.size() > 1)
-    line("to be read", fmt::format("level {}; --level says another", json["levelRead"].get<int>()));
+    line("to be read",
+         fmt::format(fmt::runtime(json.value("isStreamed", false)
+                                      ? "level {}, over which finer ones are streamed; --level says another"
+                                      : "level {}; --level says another"),
+                     json["levelRead"].get<int>()));
 }
 
 void printLabels(const Json& json) {
@@ -180,7 +191,7 @@ Json valuesJson(const session::StructureValues& values) {
 void printForPeople(const Json& report) {
   std::string kind = textIn(report, "kind");
   if (kind.empty()) return printTables(report);
-  bool isStore = report.contains("levels");
+  bool isStore = report.contains("axes");
   if (isStore) printStore(report);
   if (kind == "volume" && !isStore) printVolume(report);
   if (kind == "labels" && !isStore) printLabels(report);

@@ -8,6 +8,13 @@ namespace velum::app {
 /// input, with units and sensible digits. Programs read the JSON.
 void printForPeople(const Json& report);
 
+/// The first elements of a vector.
+Json listOf(const auto& vector, int count) {
+  Json list = Json::array();
+  for (int i = 0; i < count; ++i) list.push_back(vector[i]);
+  return list;
+}
+
 /// The values that a scan measured in a structure, as reports have them.
 Json valuesJson(const session::StructureValues& values);
 

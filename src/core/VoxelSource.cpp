@@ -66,7 +66,10 @@ void copySamples(const BrickBox& box, const SampleTarget& from, const SampleTarg
         for (int y = 0; y < box.size.y; ++y) {
           const std::byte* a = from.first + t * from.timeStep + c * from.channel + z * from.z + y * from.y;
           std::byte* b = to.first + t * to.timeStep + c * to.channel + z * to.z + y * to.y;
-          for (int x = 0; x < box.size.x; ++x) std::memcpy(b + x * to.x, a + x * from.x, sizeof(Sample));
+          if (from.x == std::ptrdiff_t(sizeof(Sample)) && to.x == from.x)
+            std::memcpy(b, a, std::size_t(box.size.x) * sizeof(Sample));
+          else
+            for (int x = 0; x < box.size.x; ++x) std::memcpy(b + x * to.x, a + x * from.x, sizeof(Sample));
         }
 }
 
@@ -98,6 +101,19 @@ BrickBox boxOf(const VoxelSource& source, const BrickAddress& address) {
   box.timeStep = address.timeStep * level.brickTimeSteps;
   box.timeSteps = std::min(level.brickTimeSteps, source.head().timeSteps - box.timeStep);
   return box;
+}
+
+void copySamples(const BrickBox& box, std::size_t sampleBytes, const SampleTarget& from, const SampleTarget& to) {
+  switch (sampleBytes) {
+    case 1:
+      return copySamples<std::uint8_t>(box, from, to);
+    case 2:
+      return copySamples<std::uint16_t>(box, from, to);
+    case 4:
+      return copySamples<std::uint32_t>(box, from, to);
+    default:
+      return copySamples<std::uint64_t>(box, from, to);
+  }
 }
 
 double levelBytes(const VoxelSource& source, int level) {
@@ -134,24 +150,14 @@ Volume readLevel(const VoxelSource& source, int level, Progress& progress) {
 VolumeSource::VolumeSource(Shared<Volume> volume) : VolumeSource(*volume) { mKept = std::move(volume); }
 
 VolumeSource::VolumeSource(const Volume& volume) : mVolume(&volume) {
-  mLevels = {
-      {volume.dims, glm::min(volume.dims, glm::ivec3(kBrickSize)), volume.channels, 1, volume.worldFromVoxel}};
+  mLevels = {{volume.dims, glm::min(volume.dims, glm::ivec3(kBrickSize)), volume.channels, 1, volume.worldFromVoxel}};
 }
 
 void VolumeSource::read(const BrickAddress& address, const SampleTarget& target) const {
   BrickBox box = boxOf(*this, address);
   // It is only read from: a target has no other kind of pointer.
   SampleTarget from = targetIn(const_cast<Volume&>(*mVolume), box);
-  switch (sampleSize(mVolume->type)) {
-    case 1:
-      return copySamples<std::uint8_t>(box, from, target);
-    case 2:
-      return copySamples<std::uint16_t>(box, from, target);
-    case 4:
-      return copySamples<std::uint32_t>(box, from, target);
-    default:
-      return copySamples<std::uint64_t>(box, from, target);
-  }
+  copySamples(box, sampleSize(mVolume->type), from, target);
 }
 
 }  // namespace velum

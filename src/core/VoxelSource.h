@@ -68,6 +68,10 @@ class VoxelSource {
   /// Smallest and largest value of a brick, where they are known without reading it. Any thread.
   virtual std::optional<glm::dvec2> range(const BrickAddress& address) const;
 
+  /// What tells these voxels from others without reading them: of files, their sizes and when they were changed. Empty
+  /// where nothing does.
+  virtual std::string identity() const { return {}; }
+
  protected:
   VoxelSource() = default;
   std::vector<VoxelLevel> mLevels;
@@ -81,6 +85,10 @@ int timeBricksOf(const VoxelSource& source, int level);
 
 /// What a brick holds.
 BrickBox boxOf(const VoxelSource& source, const BrickAddress& address);
+
+/// Copies samples of `sampleBytes` (1, 2, 4 or 8) from one layout to another.
+/// @param from  nothing is written to what it points to
+void copySamples(const BrickBox& box, std::size_t sampleBytes, const SampleTarget& from, const SampleTarget& to);
 
 /// Bytes of all voxels, channels and time steps of a level, as a Volume holds them. A double, for a level may have more
 /// than any whole number of ours.

@@ -6,8 +6,11 @@
 #include <filesystem>
 
 #include "core/Error.h"
+#include "io/images/ImageFormat.h"
 #include "io/stores/OpenStore.h"
 #include "io/volumes/DicomSoundness.h"
+#include "io/volumes/OpenTiff.h"
+#include "io/volumes/ReadLevel.h"
 #include "io/volumes/StoreSeries.h"
 
 namespace velum::io {
@@ -26,6 +29,7 @@ Path folderOfPlugins() {
 const GdcmPlugin& gdcmPlugin() { return loaded<GdcmPlugin>(); }
 const Hdf5Plugin& hdf5Plugin() { return loaded<Hdf5Plugin>(); }
 const OiioPlugin& oiioPlugin() { return loaded<OiioPlugin>(); }
+const TiffPlugin& tiffPlugin() { return loaded<TiffPlugin>(); }
 const VdbPlugin& vdbPlugin() { return loaded<VdbPlugin>(); }
 const VtkPlugin& vtkPlugin() { return loaded<VtkPlugin>(); }
 
@@ -82,8 +86,21 @@ void writeImage(const Image& image, const Path& path, const std::string& descrip
   oiioPlugin().writeImage(image, path, description, dpi, attributes, bits);
 }
 Image readImage(const Path& path) { return oiioPlugin().readImage(path); }
-std::string readImageDescription(const Path& path) { return oiioPlugin().readImageDescription(path); }
-Volume readTiff(const scene::Source& source, Progress& progress) { return oiioPlugin().readTiff(source, progress); }
+std::string readImageDescription(const Path& path) {
+  return isTiffWithoutScene(path) ? std::string() : oiioPlugin().readImageDescription(path);
+}
+Volume readTiff(const scene::Source& source, Progress& progress) {
+  // What needs no conversion needs no library of pictures; OpenImageIO's tiles of doubles are rounded to floats, too.
+  auto opened = std::filesystem::is_directory(source.path) ? nullptr : openTiff(source);
+  if (!opened) return oiioPlugin().readTiff(source, progress);
+  if (opened->levels().size() == 1) return readLevel(*opened, 0, progress);
+  constexpr bool kIsAlignedByBorders = true;
+  return readFitting(std::move(opened), source, kIsAlignedByBorders, progress);
+}
+
+std::unique_ptr<TiffDecoder> openTiffDecoder(std::shared_ptr<const FileBytes> file) {
+  return tiffPlugin().openTiffDecoder(std::move(file));
+}
 
 Volume readVdb(const scene::Source& source, Progress& progress) { return vdbPlugin().readVdb(source, progress); }
 std::vector<std::string> writeVdb(const Volume& volume, ReplaceFile& file, Progress& progress) {

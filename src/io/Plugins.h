@@ -9,6 +9,7 @@
 #include "io/labels/DicomSegWriter.h"
 #include "io/meshes/ExtractSurface.h"
 #include "io/meshes/VtpWriter.h"
+#include "io/read/TiffDecoder.h"
 #include "io/read/VtkXml.h"
 #include "io/stores/Hdf5File.h"
 #include "io/volumes/DicomFile.h"
@@ -40,6 +41,8 @@ decltype(io::readImageDescription) readImageDescription;
 decltype(io::readTiff) readTiff;
 
 decltype(io::openHdf5) openHdf5;
+
+decltype(io::openTiffDecoder) openTiffDecoder;
 
 decltype(io::readVdb) readVdb;
 decltype(io::writeVdb) writeVdb;
@@ -77,6 +80,10 @@ struct OiioPlugin {
   decltype(&plugin::readImage) readImage = nullptr;
   decltype(&plugin::readImageDescription) readImageDescription = nullptr;
   decltype(&plugin::readTiff) readTiff = nullptr;
+};
+struct TiffPlugin {
+  static constexpr const char *kName = "tiff", *kWhat = "packed pages of TIFF files";
+  decltype(&plugin::openTiffDecoder) openTiffDecoder = nullptr;
 };
 struct VdbPlugin {
   static constexpr const char *kName = "vdb", *kWhat = "OpenVDB";

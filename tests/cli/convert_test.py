@@ -1,5 +1,6 @@
 """velum-batch convert: what goes in comes out."""
 import json
+import resource
 import shutil
 import struct
 import unittest
@@ -70,6 +71,19 @@ class Convert(CliTest):
             self.close(written[key], direct[key], key)
         self.assertEqual(direct["range"], [0, 1919])
         self.run_batch("render", "a.n5", "-o", "a.png", "--size", "40x30")
+
+    def test_a_large_file_becomes_a_store_and_is_never_held(self):
+        with open(self.folder / "large.raw", "wb") as file:
+            file.truncate(1024 * 1024 * 1500)  # nothing is on the disk of what is not written
+            file.seek(1024 * 1024 * 1499 + 5)
+            file.write(b"!")
+        before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss
+        self.run_batch("convert", "large.raw", "large.zarr", "--raw", "1024x1024x1500:uint8", "--spacing", "1,1,2")
+        most = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss
+        self.assertLess(most, max(before, 1_000_000), "KiB")
+        report = self.report("info", "large.zarr")
+        self.assertEqual(report["dims"], [1024, 1024, 1500])
+        self.close(report["spacingMm"], [1, 1, 2], "spacing")
 
     def test_there_and_back_draws_the_same_picture(self):
         path = self.sample("vessels", 32)

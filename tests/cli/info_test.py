@@ -28,6 +28,16 @@ class Info(CliTest):
             self.assertEqual(report["channels"], channels)
             self.assertTrue(report["color"])
 
+    def test_a_large_file_is_described_and_not_read(self):
+        with open(self.folder / "large.raw", "wb") as file:
+            file.truncate(1 << 36)
+        report = self.report("info", "large.raw", "--raw", "4096x4096x2048:uint16")
+        self.assertEqual(report["dims"], [4096, 4096, 2048])
+        self.assertIsNone(report["range"])
+        self.assertEqual(report["levels"][0]["bytes"], 1 << 36)
+        said = self.run_batch("info", "large.raw", "--raw", "4096x4096x2048:uint16").stdout.decode()
+        self.assertIn("range is not known", said)
+
     def test_labels_and_their_names(self):
         self.sample("torso", 48)
         report = self.report("info", "torso_labels.seg.nrrd")

@@ -6,7 +6,7 @@ import unittest
 from velum_cli import PROGRAM, CliTest
 
 LIBRARIES = pathlib.Path(PROGRAM).resolve().parents[1] / "lib"
-HEAVY = ("libOpenImageIO", "libgdcm", "libvelum-io-hdf5", "libopenvdb", "libvtk")
+HEAVY = ("libOpenImageIO", "libgdcm", "libvelum-io-hdf5", "libvelum-io-tiff", "libopenvdb", "libvtk")
 
 
 class Plugins(CliTest):

@@ -1,12 +1,11 @@
 // fuzz-seeds FOLDER: sound files for each fuzz target to begin with, in a folder of its name: corners of phantoms.
 #include <cstdio>
-#include <cstring>
 #include <fstream>
-#include <functional>
 
 #include "../io/BinaryCifParts.h"
 #include "../io/SegyBytes.h"
 #include "../support/DicomParts.h"
+#include "SourceSeeds.h"
 #include "StoreSeeds.h"
 #include "core/Error.h"
 #include "core/ModelBuilder.h"
@@ -409,6 +408,7 @@ int main(int count, char** words) {
   try {
     velum::io::root = words[1];
     velum::io::putAll();
+    velum::io::writeSourceSeeds(words[1]);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "fuzz-seeds: %s\n", error.what());
     return 2;

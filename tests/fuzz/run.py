@@ -44,7 +44,7 @@ class Target:
 
     def run(self):
         end = time.monotonic() + self.seconds
-        words = DICTIONARIES / f"{self.name}.dict"
+        words = DICTIONARIES / f"{self.name.removesuffix('-source')}.dict"
         options = [f"-dict={words}"] if words.exists() else []
         prefix = HOME / "findings" / f"{self.name}-"
         while (left := end - time.monotonic()) >= 1 and len(self.findings) < MOST_FINDINGS:

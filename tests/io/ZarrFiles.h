@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <glm/gtc/packing.hpp>
 #include <nlohmann/json.hpp>
 #include <numeric>
 #include <span>
@@ -49,8 +50,7 @@ inline std::string sampleBytes(const std::string& type, double value, bool isBig
   if (type == "int64") return bytesOfNumber(std::int64_t(value), isBigEndian);
   if (type == "float32") return bytesOfNumber(float(value), isBigEndian);
   if (type == "float64") return bytesOfNumber(value, isBigEndian);
-  _Float16 half = _Float16(value);
-  return bytesOfNumber(half, isBigEndian);
+  return bytesOfNumber(std::uint16_t(glm::packHalf1x16(float(value))), isBigEndian);
 }
 
 /// "<u2" for "uint16"

@@ -33,7 +33,6 @@ namespace {
 using Path = std::filesystem::path;
 constexpr const char* kDescriptionKey = "velum:scene";
 /// TIFF has no named texts, so ours stands in ImageDescription behind this line.
-constexpr std::string_view kTiffPrefix = "velum:scene\n";
 constexpr int kMaxSide = 65535;
 
 void check(const Image& image, const Path& path) {
@@ -115,7 +114,7 @@ OIIO::ImageSpec specFor(const Image& image, const std::string& format, OIIO::Typ
   }
   if (description.empty()) return spec;
   if (format == "tiff")
-    spec.attribute("ImageDescription", std::string(kTiffPrefix) + description);
+    spec.attribute("ImageDescription", std::string(kTiffScenePrefix) + description);
   else
     spec.attribute(kDescriptionKey, description);
   return spec;
@@ -202,7 +201,7 @@ std::unique_ptr<OIIO::ImageInput> openPicture(const Path& path) {
 /// The library reads a TIFF that was cut short without a word.
 void refuseTruncatedTiff(const Path& path) {
   std::ifstream file(path, std::ios::binary);
-  auto pages = scanTiff(file, path.string());
+  auto pages = scanTiff(file, path.string(), 1);
   if (!pages.pages[0].isDataInside) throw InputError(fmt::format("{}: the picture is cut short", path.string()));
 }
 
@@ -272,8 +271,8 @@ std::string plugin::readImageDescription(const Path& path) {
   if (std::string_view(in->format_name()) != "tiff")
     return std::string(in->spec().get_string_attribute(kDescriptionKey));
   std::ifstream file(path, std::ios::binary);
-  std::string text = scanTiff(file, path.string()).description;
-  return text.starts_with(kTiffPrefix) ? text.substr(kTiffPrefix.size()) : std::string{};
+  std::string text = scanTiff(file, path.string(), 1).description;
+  return text.starts_with(kTiffScenePrefix) ? text.substr(kTiffScenePrefix.size()) : std::string{};
 }
 
 }  // namespace velum::io

@@ -21,6 +21,14 @@ std::uint64_t sizeOfFile(const Path& file) {
   return size;
 }
 
+std::string stampOf(const Path& file) {
+  std::uint64_t size = sizeOfFile(file);
+  std::error_code error;
+  auto changed = std::filesystem::last_write_time(file, error);
+  if (error) refuse(file, error.message());
+  return fmt::format("{} {}", size, changed.time_since_epoch().count());
+}
+
 FileBytes::FileBytes(const Path& path) : mPath(path), mSize(sizeOfFile(path)) {
   // A pipe that took the file's place meanwhile must not hold us up.
   mFile = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);

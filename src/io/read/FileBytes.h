@@ -10,6 +10,9 @@ namespace velum::io {
 /// Size of a regular file. @throw InputError when it is missing or not a regular file
 std::uint64_t sizeOfFile(const Path& file);
 
+/// The size of a regular file and when it was last changed, to the nanosecond. @throw InputError as sizeOfFile() does
+std::string stampOf(const Path& file);
+
 /// A file from which bytes are read at any offset. The file is never mapped into memory, so that a file that shrinks
 /// meanwhile leads to an error and not to a crash.
 class FileBytes {

@@ -143,19 +143,21 @@ SampleType narrow(Bytes& bytes, std::vector<std::string>& warnings) {
   return SampleType::Int32;
 }
 
-Bytes interleave(const Bytes& planar, std::size_t channels, std::size_t sampleBytes) {
+/// @param run  voxels of a channel that lie one behind the other
+Bytes interleave(const Bytes& planar, std::size_t run, std::size_t channels, std::size_t sampleBytes) {
   Bytes result(planar.size());
   std::size_t count = planar.size() / channels / sampleBytes;
-  for (std::size_t c = 0; c < channels; ++c)
-    for (std::size_t i = 0; i < count; ++i)
-      std::memcpy(result.data() + (i * channels + c) * sampleBytes, planar.data() + (c * count + i) * sampleBytes,
-                  sampleBytes);
+  for (std::size_t first = 0; first < count; first += run)
+    for (std::size_t c = 0; c < channels; ++c)
+      for (std::size_t i = 0; i < run; ++i)
+        std::memcpy(result.data() + ((first + i) * channels + c) * sampleBytes,
+                    planar.data() + (first * channels + c * run + i) * sampleBytes, sampleBytes);
   return result;
 }
 
 }  // namespace
 
-Volume readSamples(const Layout& layout, std::span<const Payload> parts, const Path& header, Progress& progress) {
+UnreadVolume promiseSamples(const Layout& layout, std::vector<Payload> parts, const Path& header) {
   // Refuse what the files cannot justify before anything is allocated.
   bool isText = !parts.empty() && parts[0].packing == Packing::Text;
   std::size_t sample = storedSize(layout.type);
@@ -163,33 +165,43 @@ Volume readSamples(const Layout& layout, std::span<const Payload> parts, const P
   std::size_t bytes =
       checkedBytes(header, layout.dims, double(layout.channels), double(layout.timeSteps), sample, most);
   if (bytes % parts.size()) refuse(header, "the data files do not divide the volume evenly");
+  UnreadVolume unread;
+  unread.head.dims = glm::ivec3(layout.dims);
+  unread.head.channels = int(layout.channels);
+  unread.head.timeSteps = int(layout.timeSteps);
+  bool isWide = layout.type == StoredType::Int64 || layout.type == StoredType::UInt64;
+  unread.head.type = isWide ? SampleType::Float64 : static_cast<SampleType>(layout.type);
+  unread.layout = layout;
+  unread.parts = std::move(parts);
+  unread.header = header;
+  return unread;
+}
 
-  Volume volume;
-  volume.dims = glm::ivec3(layout.dims);
-  volume.channels = int(layout.channels);
-  volume.timeSteps = int(layout.timeSteps);
+Volume readSamples(UnreadVolume unread, Progress& progress) {
+  const Layout& layout = unread.layout;
+  Volume& volume = unread.head;
+  std::size_t bytes = layoutBytes(layout, unread.header), each = bytes / unread.parts.size();
   try {
     volume.voxels.resize(bytes);
   } catch (const std::bad_alloc&) {
-    refuse(header, fmt::format("there is no memory for {} bytes", bytes));
+    refuse(unread.header, fmt::format("there is no memory for {} bytes", bytes));
   }
-  std::size_t each = bytes / parts.size();
-  for (std::size_t i = 0; i < parts.size(); ++i) {
+  for (std::size_t i = 0; i < unread.parts.size(); ++i) {
+    const Payload& part = unread.parts[i];
     auto to = std::span(volume.voxels).subspan(i * each, each);
-    double share = 1.0 / double(parts.size());
-    isText ? readText(parts[i], to, layout, progress)
-           : readBinary(parts[i], to, layout, progress, double(i) * share, share);
+    double share = 1.0 / double(unread.parts.size());
+    part.packing == Packing::Text ? readText(part, to, layout, progress)
+                                  : readBinary(part, to, layout, progress, double(i) * share, share);
   }
-  if (layout.type == StoredType::Int64) {
-    volume.type = narrow<std::int64_t>(volume.voxels, volume.warnings);
-  } else if (layout.type == StoredType::UInt64) {
-    volume.type = narrow<std::uint64_t>(volume.voxels, volume.warnings);
-  } else {
-    volume.type = static_cast<SampleType>(layout.type);
+  if (layout.type == StoredType::Int64) volume.type = narrow<std::int64_t>(volume.voxels, volume.warnings);
+  if (layout.type == StoredType::UInt64) volume.type = narrow<std::uint64_t>(volume.voxels, volume.warnings);
+  if (layout.channelOrder != ChannelOrder::Together && layout.channels > 1) {
+    std::size_t plane = std::size_t(volume.dims.x) * std::size_t(volume.dims.y);
+    std::size_t all = voxelCount(volume) * std::size_t(volume.timeSteps);
+    volume.voxels = interleave(volume.voxels, layout.channelOrder == ChannelOrder::Planes ? plane : all,
+                               std::size_t(layout.channels), sampleSize(volume.type));
   }
-  if (layout.planarChannels && layout.channels > 1)
-    volume.voxels = interleave(volume.voxels, std::size_t(layout.channels), sampleSize(volume.type));
-  return volume;
+  return std::move(volume);
 }
 
 }  // namespace velum::io

@@ -2,6 +2,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "core/Task.h"
 #include "core/Volume.h"
@@ -35,6 +36,13 @@ struct Payload {
   Packing packing = Packing::Raw;
 };
 
+/// Where the samples of a voxel lie in a file; in volumes they are together.
+enum class ChannelOrder {
+  Together,
+  Planes,  ///< a plane of the first channel, the same of the next ones, the next plane
+  Volumes  ///< channels are the slowest axis of the file
+};
+
 /// What a header promises about the samples.
 struct Layout {
   glm::i64vec3 dims{1};       ///< Voxels along x (fastest), y, z; as the header says, not yet checked.
@@ -42,14 +50,25 @@ struct Layout {
   std::int64_t timeSteps = 1;
   StoredType type = StoredType::UInt8;
   bool bigEndian = false;
-  bool planarChannels = false;  ///< Channels are the slowest axis of the file; they are interleaved here.
+  ChannelOrder channelOrder = ChannelOrder::Together;
+};
+
+/// A volume whose header was read, and whose samples were not.
+struct UnreadVolume {
+  Volume
+      head;  ///< All but the voxels. Where these are stored in 64-bit integers, its type is known once they are read.
+  Layout layout;
+  std::vector<Payload> parts;  ///< Equally long, one behind the other.
+  Path header;                 ///< The file that messages name.
 };
 
 /// How many bytes the samples take in the file. @throw InputError, naming @p header, for numbers that no volume can
 /// have
 std::uint64_t layoutBytes(const Layout& layout, const Path& header);
-/// A volume with the samples of @p layout, read from equally long @p parts in turn. Geometry is left to the caller.
-/// @throw InputError for sizes that the files cannot justify, and for missing or damaged data; Cancelled
-Volume readSamples(const Layout& layout, std::span<const Payload> parts, const Path& header, Progress& progress);
+/// What a header promises, with the shape of @p layout in its head. Geometry is left to the caller.
+/// @throw InputError for sizes that the files cannot justify
+UnreadVolume promiseSamples(const Layout& layout, std::vector<Payload> parts, const Path& header);
+/// The volume with its samples. @throw InputError for missing or damaged data; Cancelled
+Volume readSamples(UnreadVolume unread, Progress& progress);
 
 }  // namespace velum::io

@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+
+#include "io/read/FileNames.h"
 
 namespace velum::io {
 
@@ -64,7 +67,17 @@ void applySpacing(Volume& volume, const scene::Source& source) {
     if (isUsableSpacing(wanted) && length > 0) column *= wanted / length;
   }
   if (glm::all(glm::greaterThan(source.spacing, glm::dvec3(0.0)))) volume.isSpacingKnown = true;
-  if (!volume.isSpacingKnown) volume.warnings.push_back(noSpacing(volume.lengthUnit));
+  std::string words = noSpacing(volume.lengthUnit);
+  bool isSaid = std::find(volume.warnings.begin(), volume.warnings.end(), words) != volume.warnings.end();
+  if (!volume.isSpacingKnown && !isSaid) volume.warnings.push_back(words);
+}
+
+void completeHead(Volume& volume, const scene::Source& source) {
+  applySpacing(volume, source);
+  // Most readers have placed it so; the rest take any spacing, and so may the user's be.
+  if (!isInvertible(glm::dmat3(volume.worldFromVoxel)))
+    placeInWorld(volume, glm::dmat3(volume.worldFromVoxel), volume.worldFromVoxel[3], spacingOf(volume));
+  if (volume.name.empty()) volume.name = titleOf(source.path);
 }
 
 void placeOn(Volume& volume, const glm::dmat4& worldFromVoxel, LengthUnit unit) {

@@ -32,4 +32,8 @@ void placeOn(Volume& volume, const glm::dmat4& worldFromVoxel, LengthUnit unit);
 /// Uses the user's spacing (Source::spacing) where it is positive, then warns when the spacing is still unknown.
 void applySpacing(Volume& volume, const scene::Source& source);
 
+/// What readers leave to be done when all but the voxels is known: the user's spacing, a place that can be drawn where
+/// the file gives none, and a name. Nothing changes when it is done again.
+void completeHead(Volume& volume, const scene::Source& source);
+
 }  // namespace velum::io

@@ -13,7 +13,7 @@ namespace velum::io {
 
 namespace {
 
-constexpr std::size_t kMaxPages = 1'000'000;
+constexpr std::uint64_t kMostSubPages = 64;
 constexpr std::uint64_t kMaxDescription = 64u << 20;
 
 struct Entry {
@@ -30,16 +30,18 @@ class Scanner {
     mSize = std::uint64_t(std::max<std::streamoff>(0, mFile.tellg()));
   }
 
-  TiffPages scan() {
+  TiffPages scan(std::size_t mostPages) {
     std::uint64_t next = readHeader();
     std::unordered_set<std::uint64_t> seen;
-    while (next != 0 && mResult.pages.size() < kMaxPages) {
+    while (next != 0 && mResult.pages.size() < mostPages) {
       if (!seen.insert(next).second) {  // a chain that bites its tail
         mResult.isTruncated = true;
         break;
       }
-      mLeftFile = false;
-      next = readDirectory(next);
+      TiffPage page;
+      page.at = next;
+      next = readPage(page);
+      if (isUsable(page)) mResult.pages.push_back(page);
       if (mLeftFile) {
         mResult.isTruncated = true;
         break;
@@ -48,7 +50,32 @@ class Scanner {
     return std::move(mResult);
   }
 
+  std::vector<TiffPage> scanBelow(const TiffPage& above) {
+    readHeader();
+    std::vector<TiffPage> pages;
+    for (std::uint64_t at : above.subPages) {
+      TiffPage page;
+      page.at = at;
+      readPage(page);
+      if (!isUsable(page)) break;
+      pages.push_back(page);
+    }
+    return pages;
+  }
+
  private:
+  bool isUsable(const TiffPage& page) const { return page.width > 0 && (!mLeftFile || page.isDataInside); }
+
+  std::uint64_t readPage(TiffPage& page) {
+    mLeftFile = false;
+    std::uint64_t next = readDirectory(page);
+    if (page.width == 0 || page.height == 0) {
+      mLeftFile = true;
+      page.width = 0;
+    }
+    return next;
+  }
+
   std::uint64_t number(std::uint64_t at, std::size_t bytes) {
     if (at > mSize || mSize - at < bytes) {
       mLeftFile = true;
@@ -136,75 +163,53 @@ class Scanner {
     std::vector<std::uint64_t> bytes(std::size_t(strips), 0);
     for (std::uint64_t i = 0; i < strips; ++i)
       page.dataBytes += bytes[std::size_t(i)] = std::min(value(counts, i), mSize);
+    std::uint64_t next = page.firstStrip;
     for (std::uint64_t i = 0; i < strips; ++i) {
       std::uint64_t at = value(offsets, i);
       if (at > mSize || bytes[std::size_t(i)] > mSize - at) page.isDataInside = false;
+      page.isOneStretch = page.isOneStretch && at == next;
+      next = at + bytes[std::size_t(i)];
     }
   }
 
-  std::uint64_t readDirectory(std::uint64_t at) {
-    std::uint64_t count = number(at, mIsBig ? 8 : 2);
-    std::uint64_t first = at + (mIsBig ? 8 : 2);
+  std::uint64_t readDirectory(TiffPage& page) {
+    std::uint64_t count = number(page.at, mIsBig ? 8 : 2);
+    std::uint64_t first = page.at + (mIsBig ? 8 : 2);
     std::uint64_t entrySize = mIsBig ? 20 : 12;
     if (mLeftFile || count == 0 || count > 4096 || !spend(count * entrySize)) {
       mLeftFile = true;
       return 0;
     }
-    TiffPage page;
     Entry offsets, counts;
     for (std::uint64_t i = 0; i < count; ++i) {
       Entry e = entryAt(first + i * entrySize);
-      switch (e.tag) {
-        case 254:
-          page.isReduced = value(e) & 1;
-          break;
-        case 256:
-          page.width = value(e);
-          break;
-        case 257:
-          page.height = value(e);
-          break;
-        case 258:
-          page.bits = value(e);
-          break;
-        case 259:
-          page.compression = value(e);
-          break;
-        case 270:
-          if (mResult.pages.empty()) mResult.description = text(e);
-          break;
-        case 273:
-        case 324:
-          offsets = e;
-          break;
-        case 277:
-          page.samples = value(e);
-          break;
-        case 279:
-        case 325:
-          counts = e;
-          break;
-        case 282:
-          page.xResolution = rational(e);
-          break;
-        case 283:
-          page.yResolution = rational(e);
-          break;
-        case 296:
-          page.resolutionUnit = value(e);
-          break;
-        case 339:
-          page.sampleFormat = value(e);
-          break;
-        default:
-          break;
-      }
+      if (e.tag == 273 || e.tag == 324) offsets = e;
+      if (e.tag == 279 || e.tag == 325) counts = e;
+      takeEntry(e, page);
     }
     addStrips(page, offsets, counts);
-    std::uint64_t next = number(first + count * entrySize, mIsBig ? 8 : 4);
-    if (page.width == 0 || page.height == 0) mLeftFile = true;
-    if (!mLeftFile || page.isDataInside) mResult.pages.push_back(page);
-    return next;
+    return number(first + count * entrySize, mIsBig ? 8 : 4);
+  }
+
+  void takeEntry(const Entry& e, TiffPage& page) {
+    struct Field {
+      std::uint64_t tag;
+      std::uint64_t TiffPage::*value;
+    };
+    static constexpr Field kFields[] = {
+        {256, &TiffPage::width},          {257, &TiffPage::height},      {258, &TiffPage::bits},
+        {259, &TiffPage::compression},    {262, &TiffPage::photometric}, {266, &TiffPage::fillOrder},
+        {277, &TiffPage::samples},        {278, &TiffPage::tileHeight},  {284, &TiffPage::planar},
+        {296, &TiffPage::resolutionUnit}, {322, &TiffPage::tileWidth},   {323, &TiffPage::tileHeight},
+        {339, &TiffPage::sampleFormat}};
+    for (const Field& field : kFields)
+      if (e.tag == field.tag) page.*field.value = value(e);
+    if (e.tag == 254) page.isReduced = value(e) & 1;
+    if (e.tag == 270 && mResult.pages.empty()) mResult.description = text(e);
+    if (e.tag == 282) page.xResolution = rational(e);
+    if (e.tag == 283) page.yResolution = rational(e);
+    if (e.tag == 330)
+      for (std::uint64_t i = 0; i < std::min(e.count, kMostSubPages); ++i) page.subPages.push_back(value(e, i));
   }
 
   std::istream& mFile;
@@ -218,8 +223,12 @@ class Scanner {
 
 }  // namespace
 
-TiffPages scanTiff(std::istream& file, const std::string& name) {
-  TiffPages result = Scanner(file, name).scan();
+std::vector<TiffPage> scanSubPages(std::istream& file, const std::string& name, const TiffPage& page) {
+  return Scanner(file, name).scanBelow(page);
+}
+
+TiffPages scanTiff(std::istream& file, const std::string& name, std::size_t mostPages) {
+  TiffPages result = Scanner(file, name).scan(mostPages);
   if (result.pages.empty()) throw InputError(fmt::format("{}: the TIFF file is damaged: no page can be read", name));
   return result;
 }

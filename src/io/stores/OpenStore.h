@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "io/stores/ImageStore.h"
-#include "scene/Source.h"
 
 /// Opens stores of chunked volumes: Zarr, in folders or archives of them; N5, in folders; HDF5 of Imaris and of
 /// BigDataViewer, whose XML opens it, too.
@@ -22,10 +21,6 @@ std::vector<StoreImage> imagesIn(const Path& path);
 /// @param image  its key, one of those of imagesIn(); empty: the first
 /// @throw InputError for a store or an image that is missing, damaged or not supported
 std::unique_ptr<StoreSource> openImage(const Path& path, const std::string& image);
-
-/// The level that readVolume() reads: the one that is asked for, or else the finest that fits into an eighth of the
-/// machine's memory. @throw InputError when there is no such level, or it is too large
-int levelToRead(const VoxelSource& of, const scene::Source& source);
 
 /// True for a store whose image of that key (empty: the first) has ids for samples. False for what is no store, or
 /// cannot be read. Any thread.

@@ -1,10 +1,10 @@
 #include "io/stores/PlaceLevels.h"
 
-#include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "io/read/Placement.h"
 #include "io/stores/AxisUnits.h"
+#include "io/stores/PyramidPlan.h"
 
 namespace velum::io {
 
@@ -12,11 +12,7 @@ glm::dmat4 finestFromLevel(glm::dvec3 factor) { return gridMatrix(factor, 0.5 * 
 
 glm::dvec3 factorFromDims(glm::ivec3 finest, glm::ivec3 level) {
   glm::dvec3 factor;
-  for (int axis = 0; axis < 3; ++axis) {
-    double size = finest[axis], ratio = size / level[axis], whole = std::round(ratio);
-    bool isWhole = whole >= 1 && std::floor(size / whole) <= level[axis] && level[axis] <= std::ceil(size / whole);
-    factor[axis] = isWhole ? whole : ratio;
-  }
+  for (int axis = 0; axis < 3; ++axis) factor[axis] = blockFactor(finest[axis], level[axis]);
   return factor;
 }
 

@@ -55,6 +55,12 @@ glm::ivec3 factorAfter(const PlannedLevel& level, glm::dvec3 spacing) {
 
 }  // namespace
 
+double blockFactor(double finest, double coarser) {
+  double ratio = finest / coarser, whole = std::round(ratio);
+  bool isWhole = std::floor(finest / whole) <= coarser && coarser <= std::ceil(finest / whole);
+  return isWhole ? whole : ratio;
+}
+
 std::vector<PlannedLevel> planPyramid(glm::ivec3 dims, glm::dvec3 spacing, int edge, std::size_t sampleBytes) {
   std::vector<PlannedLevel> levels;
   PlannedLevel level;

@@ -15,6 +15,10 @@ struct PlannedLevel {
   glm::dvec3 firstCentre{0};  ///< where the centre of its first voxel lies, in voxels of the finest level
 };
 
+/// How many voxels of the finest level one of a coarser level stands for along an axis, by how many there are in each:
+/// a whole number where the coarser one can be of blocks of so many, the last of them cut or left out.
+double blockFactor(double finest, double coarser);
+
 /// The levels for a volume, the finest first. The axes that are halved are those whose voxels are within a factor of
 /// sqrt(2) of the shortest edge, so that voxels become cubes and stay so; the last level has at most 128 voxels along
 /// each axis. Sizes are rounded up.

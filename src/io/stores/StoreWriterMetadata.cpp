@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "core/Parallel.h"
 #include "core/ReplaceFile.h"
 #include "io/read/JsonParts.h"
 #include "io/stores/Crc32c.h"
@@ -18,6 +19,16 @@ std::string textIn(const Path& path) {
   return textOf(*store, path.filename().string());
 }
 
+/// A check sum of all bytes, on all cores.
+std::uint32_t sumOf(std::span<const std::byte> bytes) {
+  constexpr std::size_t kPiece = 4 << 20;
+  std::vector<std::uint32_t> sums((bytes.size() + kPiece - 1) / kPiece);
+  parallelFor(std::size_t(0), sums.size(), [&](std::size_t i) {
+    sums[i] = crc32c(bytes.subspan(i * kPiece, std::min(kPiece, bytes.size() - i * kPiece)));
+  });
+  return crc32c(std::as_bytes(std::span(sums)));
+}
+
 }  // namespace
 
 void makeFolders(const Path& folder) {
@@ -26,15 +37,19 @@ void makeFolders(const Path& folder) {
   if (error) refuse(folder, fmt::format("the folder cannot be made: {}", error.message()));
 }
 
-/// A check sum of some bricks of the source: another source would give another one.
+/// A check sum by which another source is known: of all voxels where they are in memory, else of some bricks and of
+/// what the source says of itself.
 std::uint32_t StoreWriter::fingerprint() const {
+  if (!mSource.head().voxels.empty()) return sumOf(mSource.head().voxels);
   constexpr int kBricks = 7;
   const VoxelLevel& level = mSource.levels()[std::size_t(mOptions.level)];
   glm::ivec3 grid = bricksOf(level);
   int channels = channelBricksOf(mSource, mOptions.level), times = timeBricksOf(mSource, mOptions.level);
-  std::uint32_t sums[kBricks] = {};
+  std::string identity = mSource.identity();
+  std::uint32_t sums[kBricks + 1] = {};
+  sums[kBricks] = crc32c(std::as_bytes(std::span(identity)));
   for (int i = 0; i < kBricks; ++i) {
-    auto part = [&](int count) { return count * i / kBricks; };
+    auto part = [&](int count) { return int(std::int64_t(count) * i / kBricks); };
     BrickAddress address{mOptions.level, {part(grid.x), part(grid.y), part(grid.z)}, part(channels), part(times)};
     BrickBox box = boxOf(mSource, address);
     Bytes samples(bytesOf(box, mHead.type));

@@ -12,6 +12,7 @@
 #include "io/stores/CopySamples.h"
 #include "io/stores/OmeGroup.h"
 #include "io/stores/OwnAttributes.h"
+#include "io/stores/PyramidPlan.h"
 
 namespace velum::io {
 
@@ -100,9 +101,7 @@ void ZarrSource::fillScales() {
     for (Role role : kSpace)
       if (auto axis = axisOf(mImage, role)) {
         double finest = double(stored(0).shape[*axis]), size = double(stored(int(i)).shape[*axis]);
-        double ratio = finest / size, whole = std::round(ratio);
-        bool isWhole = std::floor(finest / whole) <= size && size <= std::ceil(finest / whole);
-        mImage.levels[i].scale[*axis] = mImage.levels.front().scale[*axis] * (isWhole ? whole : ratio);
+        mImage.levels[i].scale[*axis] = mImage.levels.front().scale[*axis] * blockFactor(finest, size);
       }
 }
 

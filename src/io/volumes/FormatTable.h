@@ -1,13 +1,18 @@
 #pragma once
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "core/VoxelSource.h"
 #include "io/read/Refuse.h"
 #include "io/volumes/Formats.h"
 #include "io/volumes/Readers.h"
 
 namespace velum::io {
+
+/// True where the source says how the samples of a headerless file lie.
+bool hasRawLayout(const scene::Source& source);
 
 /// What is known of a file before its format is chosen.
 struct FileHead {
@@ -26,6 +31,8 @@ struct FormatRow {
   std::vector<std::string> (*write)(const Volume&, ReplaceFile&, Progress&);
   /// Writes a format of many files, or of one that is made of many, in its own safe way; null: `write` does.
   std::vector<std::string> (*writeAlone)(const Volume&, const Path&, Progress&) = nullptr;
+  /// Opens a file to read it brick by brick, or gives nothing for one that is read whole; null: all are.
+  std::unique_ptr<VoxelSource> (*open)(const scene::Source&) = nullptr;
 
   bool isWritten() const { return write || writeAlone; }
 };

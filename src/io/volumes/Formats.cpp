@@ -10,6 +10,8 @@
 #include "io/stores/OpenStore.h"
 
 #include "io/volumes/FormatTable.h"
+#include "io/volumes/OpenTiff.h"
+#include "io/volumes/RawSource.h"
 
 namespace velum::io {
 
@@ -56,17 +58,32 @@ bool isDicom(const FileHead& head) {
   return isElement && (isExplicit || isShortImplicit);
 }
 
+template <UnreadVolume (*describe)(const scene::Source&)>
+std::unique_ptr<VoxelSource> openDescribed(const scene::Source& source) {
+  return openSamples(describe(source), source);
+}
+
 // First all contents are tried, in this order, then all extensions. A new format is one row.
 constexpr FormatRow kTable[] = {
     {{"DICOM", ".dcm .ima .dicom DICOMDIR", true, ""}, isDicom, readDicom, nullptr},
-    {{"NIfTI", ".nii .nii.gz .hdr .hdr.gz .img .img.gz", true, ".nii.gz .nii"}, isNifti, readNifti, writeNifti},
-    {{"NRRD", ".nrrd .nhdr", true, ".nrrd"}, isNrrd, readNrrd, writeNrrd},
-    {{"MetaImage", ".mha .mhd", true, ""}, isMetaImage, readMetaImage, nullptr},
-    {{"MRC", ".mrc .map .rec .ccp4", true, ""}, isMrc, readMrc, nullptr},
+    {{"NIfTI", ".nii .nii.gz .hdr .hdr.gz .img .img.gz", true, ".nii.gz .nii"},
+     isNifti,
+     readNifti,
+     writeNifti,
+     nullptr,
+     openDescribed<describeNifti>},
+    {{"NRRD", ".nrrd .nhdr", true, ".nrrd"}, isNrrd, readNrrd, writeNrrd, nullptr, openDescribed<describeNrrd>},
+    {{"MetaImage", ".mha .mhd", true, ""},
+     isMetaImage,
+     readMetaImage,
+     nullptr,
+     nullptr,
+     openDescribed<describeMetaImage>},
+    {{"MRC", ".mrc .map .rec .ccp4", true, ""}, isMrc, readMrc, nullptr, nullptr, openDescribed<describeMrc>},
     {{"VTK image data", ".vti", true, ".vti"}, isVti, readVti, writeVti},
     {{"VTK legacy structured points", ".vtk", true, ""}, isVtkLegacy, readVtkLegacy, nullptr},
     {{"SEG-Y", ".sgy .segy", true, ""}, nullptr, readSegy, nullptr},
-    {{"TIFF", ".tif .tiff", true, ""}, isTiff, readTiff, nullptr},
+    {{"TIFF", ".tif .tiff", true, ""}, isTiff, readTiff, nullptr, nullptr, openTiff},
     {{"OpenVDB", ".vdb", true, ".vdb"}, isVdb, readVdb, writeVdb},
     {{"OME-Zarr", ".zarr .ozx .zarr.zip", true, ".zarr .ozx"}, isZarr, readStore, nullptr, writeZarr},
     {{"Imaris", ".ims", true, ""}, nullptr, readStore, nullptr},
@@ -94,6 +111,10 @@ bool isAmong(std::string_view extensions, std::string_view extension) {
 }
 
 }  // namespace
+
+bool hasRawLayout(const scene::Source& source) {
+  return source.raw.dims.x > 0 && source.raw.dims.y > 0 && source.raw.dims.z > 0;
+}
 
 std::span<const Format> formats() { return kFormats; }
 std::span<const FormatRow> formatTable() { return kTable; }

@@ -170,13 +170,14 @@ Modality modalityOf(const MetaHeader& h) {
 
 }  // namespace
 
-Volume readMetaImage(const scene::Source& source, Progress& progress) {
+UnreadVolume describeMetaImage(const scene::Source& source) {
   MetaHeader h = parseHeader(source.path);
   int dimensions = std::atoi(h.field({"NDims"}).c_str());
   if (dimensions < 2 || dimensions > 4)
     refuse(h.file, fmt::format("{} dimensions are not supported", inQuotes(h.field({"NDims"}))));
   Layout layout = layoutOf(h, dimensions);
-  Volume v = readSamples(layout, payloadsOf(h, layoutBytes(layout, h.file)), h.file, progress);
+  UnreadVolume unread = promiseSamples(layout, payloadsOf(h, layoutBytes(layout, h.file)), h.file);
+  Volume& v = unread.head;
   place(v, h, std::size_t(dimensions));
   auto slope = h.numbers({"ElementToIntensityFunctionSlope"}),
        intercept = h.numbers({"ElementToIntensityFunctionOffset"});
@@ -186,7 +187,11 @@ Volume readMetaImage(const scene::Source& source, Progress& progress) {
   v.modality = modalityOf(h);
   if (h.fields.contains("Seq_Frame0000_ProbeToTrackerTransform") || h.fields.contains("Seq_Frame0000_Timestamp"))
     v.warnings.push_back("the slices are frames of a tracked sweep, not planes of one volume");
-  return v;
+  return unread;
+}
+
+Volume readMetaImage(const scene::Source& source, Progress& progress) {
+  return readSamples(describeMetaImage(source), progress);
 }
 
 }  // namespace velum::io

@@ -83,7 +83,7 @@ void place(Volume& v, const HeaderFields& f) {
 }  // namespace
 
 /// MRC and CCP4 maps, modes 0, 1, 2 and 6. The cell is in angstrom, and so is the world.
-Volume readMrc(const scene::Source& source, Progress& progress) {
+UnreadVolume describeMrc(const scene::Source& source) {
   Path file = source.path;
   std::string bytes = readHead(file, 1024);
   if (bytes.size() < 1024) refuse(file, "is too short for an MRC header");
@@ -95,10 +95,13 @@ Volume readMrc(const scene::Source& source, Progress& progress) {
   bool isPacked = isGzip(file);
   part.packing = isPacked ? Packing::Deflate : Packing::Raw;
   (isPacked ? part.skip : part.offset) = 1024 + std::uint64_t(extended);
-  Volume v = readSamples(layoutOf(f, file), std::span(&part, 1), file, progress);
+  UnreadVolume unread = promiseSamples(layoutOf(f, file), {part}, file);
+  Volume& v = unread.head;
   v.modality = Modality::Microscopy;
   place(v, f);
-  return v;
+  return unread;
 }
+
+Volume readMrc(const scene::Source& source, Progress& progress) { return readSamples(describeMrc(source), progress); }
 
 }  // namespace velum::io

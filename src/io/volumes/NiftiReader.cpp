@@ -99,7 +99,7 @@ Layout layoutOf(const NiftiHeader& h) {
   layout.dims = {size(1), size(2), size(3)};
   layout.timeSteps = size(4);
   layout.channels = size(5) * type.channels;
-  layout.planarChannels = size(5) > 1;
+  layout.channelOrder = size(5) > 1 ? ChannelOrder::Volumes : ChannelOrder::Together;
   layout.type = type.type;
   layout.bigEndian = h.bigEndian;
   if (size(6) != 1 || size(7) != 1) refuse(h.file, "has more than five dimensions, which is not supported");
@@ -230,13 +230,14 @@ std::vector<std::string> readNiftiExtensions(const NiftiHeader& h) {
   return texts;
 }
 
-Volume readNifti(const scene::Source& source, Progress& progress) {
+UnreadVolume describeNifti(const scene::Source& source) {
   NiftiHeader h = readNiftiHeader(source.path);
   Payload part{h.image, 0, 0, Packing::Raw};
   bool isPacked = isGzip(h.image);
   part.packing = isPacked ? Packing::Deflate : Packing::Raw;
   (isPacked ? part.skip : part.offset) = std::uint64_t(h.dataOffset);
-  Volume v = readSamples(layoutOf(h), std::span(&part, 1), h.file, progress);
+  UnreadVolume unread = promiseSamples(layoutOf(h), {part}, h.file);
+  Volume& v = unread.head;
   v.isColor = typeOf(h).channels > 1;
   if (!v.isColor && std::isfinite(h.slope) && std::isfinite(h.intercept) && h.slope != 0.0) {
     v.scale = h.slope;
@@ -244,7 +245,11 @@ Volume readNifti(const scene::Source& source, Progress& progress) {
   }
   if (v.timeSteps > 1 && std::isfinite(h.pixdim[4])) v.timeStepSeconds = std::abs(h.pixdim[4]) * secondsPerUnit(h);
   place(v, h);
-  return v;
+  return unread;
+}
+
+Volume readNifti(const scene::Source& source, Progress& progress) {
+  return readSamples(describeNifti(source), progress);
 }
 
 }  // namespace velum::io

@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <cstdio>
-#include <cstring>
 #include <fstream>
 #include <optional>
 
@@ -212,8 +211,6 @@ std::string spaceUnit(const NrrdHeader& h) {
   return first == std::string::npos ? units : units.substr(first + 1, units.find('"', first + 1) - first - 1);
 }
 
-bool isInAngstrom(const NrrdHeader& h) { return spaceUnit(h) == "angstrom"; }
-
 /// Millimetres; angstrom stay angstrom.
 double mmPerUnit(const NrrdHeader& h) {
   std::string unit = spaceUnit(h);
@@ -297,20 +294,23 @@ void takeKeyValues(Volume& v, const NrrdHeader& h) {
 
 }  // namespace
 
-Volume readNrrd(const scene::Source& source, Progress& progress) {
+UnreadVolume describeNrrd(const scene::Source& source) {
   NrrdHeader h = readNrrdHeader(source.path);
   auto axes = parseAxes(h);
   AxisRoles roles = rolesOf(h, axes);
   Layout layout = layoutOf(h, axes, roles);
-  Volume v = readSamples(layout, payloadsOf(h, layoutBytes(layout, h.file)), h.file, progress);
+  UnreadVolume unread = promiseSamples(layout, payloadsOf(h, layoutBytes(layout, h.file)), h.file);
+  Volume& v = unread.head;
   std::string kind = axes[0].kind;
   v.isColor = roles.first == 1 && (kind.find("color") != std::string::npos) && (v.channels == 3 || v.channels == 4) &&
               kind.find("hsv") == std::string::npos && kind.find("xyz") == std::string::npos;
   bool haveDirections = !h.field("space directions").empty();
-  v.lengthUnit = isInAngstrom(h) ? LengthUnit::Angstrom : LengthUnit::Millimetre;
+  v.lengthUnit = spaceUnit(h) == "angstrom" ? LengthUnit::Angstrom : LengthUnit::Millimetre;
   haveDirections ? placeByDirections(v, h, axes, roles, mmPerUnit(h)) : placeBySpacings(v, axes, roles, mmPerUnit(h));
   takeKeyValues(v, h);
-  return v;
+  return unread;
 }
+
+Volume readNrrd(const scene::Source& source, Progress& progress) { return readSamples(describeNrrd(source), progress); }
 
 }  // namespace velum::io

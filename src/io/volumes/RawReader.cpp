@@ -6,6 +6,7 @@
 #include "io/read/ByteSource.h"
 #include "io/read/FileBytes.h"
 #include "io/read/FileNames.h"
+#include "io/read/Payload.h"
 #include "io/read/SampleBytes.h"
 #include "io/volumes/Readers.h"
 
@@ -21,78 +22,82 @@ constexpr const char* kGive =
                            actual));
 }
 
-Volume emptyVolume(const scene::Source& source) {
+Layout layoutOf(const scene::Source& source) {
   const auto& raw = source.raw;
   if (raw.dims.x < 1 || raw.dims.y < 1 || raw.dims.z < 1)
     refuse(source.path, fmt::format("a file without a header: {}", kGive));
   if (raw.channels < 1 || raw.channels > 4 || raw.headerBytes < 0)
     refuse(source.path,
            fmt::format("raw.channels {} or raw.headerBytes {} makes no sense", raw.channels, raw.headerBytes));
-  Volume volume;
-  volume.dims = raw.dims;
-  volume.type = raw.type;
-  volume.channels = raw.channels;
-  volume.isColor = raw.channels >= 3 && raw.type == SampleType::UInt8;
-  volume.isSpacingKnown = volume.isOrientationKnown = false;
-  return volume;
+  Layout layout;
+  layout.dims = raw.dims;
+  layout.channels = raw.channels;
+  layout.type = static_cast<StoredType>(raw.type);
+  layout.bigEndian = raw.bigEndian;
+  return layout;
 }
 
-void readPlain(const scene::Source& source, Volume& volume) {
-  FileBytes file(source.path);
-  double header = source.raw.headerBytes;
-  double wanted =
-      double(volume.dims.x) * volume.dims.y * volume.dims.z * volume.channels * double(sampleSize(volume.type));
-  if (wanted + header != double(file.size())) refuseSize(source.path, wanted + header, double(file.size()));
-  volume.voxels.resize(std::size_t(wanted));
-  file.read(std::uint64_t(header), volume.voxels);
+bool isPacked(const Path& path) { return lowerCase(path.extension().string()) == ".gz"; }
+
+/// Bytes of so many planes, header included.
+double bytesOf(const scene::RawLayout& raw, int planes) {
+  return double(raw.dims.x) * raw.dims.y * planes * raw.channels * double(sampleSize(raw.type)) + raw.headerBytes;
 }
 
-void readGzip(const scene::Source& source, Volume& volume) {
+void expectSize(const Path& path, double wanted) {
+  auto size = double(sizeOfFile(path));
+  if (size != wanted) refuseSize(path, wanted, size);
+}
+
+std::vector<Payload> slicesOf(const scene::Source& source) {
+  auto files = filesInOrder(source.path);
+  if (int(files.size()) != source.raw.dims.z)
+    refuse(source.path, fmt::format("the layout given needs {} slices, but the folder has {} files", source.raw.dims.z,
+                                    files.size()));
+  std::vector<Payload> parts;
+  for (const Path& path : files) {
+    expectSize(path, bytesOf(source.raw, 1));
+    parts.push_back({path, std::uint64_t(source.raw.headerBytes)});
+  }
+  return parts;
+}
+
+std::vector<Payload> wholeOf(const scene::Source& source) {
+  auto header = std::uint64_t(source.raw.headerBytes);
+  if (isPacked(source.path)) return {{source.path, 0, header, Packing::Deflate}};
+  expectSize(source.path, bytesOf(source.raw, source.raw.dims.z));
+  return {{source.path, header}};
+}
+
+/// How much is in a packed file is known at its end: it is read by itself.
+Volume readPacked(const scene::Source& source, UnreadVolume unread) {
+  Volume& volume = unread.head;
   ByteSource file(source.path);
-  double header = source.raw.headerBytes;
-  std::size_t bytes =
-      checkedBytes(source.path, volume.dims, volume.channels, 1, sampleSize(volume.type), double(file.mostBytes()));
-  auto skipped = file.skip(std::uint64_t(header));
-  volume.voxels.resize(bytes);
+  auto skipped = file.skip(unread.parts[0].skip);
+  volume.voxels.resize(layoutBytes(unread.layout, unread.header));
   std::size_t got = file.readSome(volume.voxels);
   double total = double(skipped + got) + double(file.skip(file.mostBytes()));
-  if (total != double(bytes) + header) refuseSize(source.path, double(bytes) + header, total);
-}
-
-void readSlices(const scene::Source& source, Volume& volume, Progress& progress) {
-  auto files = filesInOrder(source.path);
-  if (int(files.size()) != volume.dims.z)
-    refuse(source.path,
-           fmt::format("the layout given needs {} slices, but the folder has {} files", volume.dims.z, files.size()));
-  std::size_t header = std::size_t(source.raw.headerBytes);
-  double slice = double(volume.dims.x) * volume.dims.y * volume.channels * double(sampleSize(volume.type));
-  // Every slice is measured before the volume is allocated.
-  for (const auto& path : files) {
-    auto size = double(std::filesystem::file_size(path));
-    if (size != slice + double(header)) refuseSize(path, slice + double(header), size);
-  }
-  volume.voxels.resize(std::size_t(slice) * files.size());
-  for (std::size_t z = 0; z < files.size(); ++z) {
-    progress.report(double(z) / double(files.size()), "reading slices");
-    FileBytes(files[z]).read(header,
-                             std::span<std::byte>(volume.voxels).subspan(z * std::size_t(slice), std::size_t(slice)));
-  }
+  double wanted = bytesOf(source.raw, source.raw.dims.z);
+  if (total != wanted) refuseSize(source.path, wanted, total);
+  toMachineOrder(volume.voxels, sampleSize(volume.type), source.raw.bigEndian);
+  return std::move(volume);
 }
 
 }  // namespace
 
+UnreadVolume describeRaw(const scene::Source& source) {
+  Layout layout = layoutOf(source);
+  auto parts = std::filesystem::is_directory(source.path) ? slicesOf(source) : wholeOf(source);
+  UnreadVolume unread = promiseSamples(layout, std::move(parts), source.path);
+  unread.head.isColor = unread.head.channels >= 3 && unread.head.type == SampleType::UInt8;
+  unread.head.isSpacingKnown = unread.head.isOrientationKnown = false;
+  return unread;
+}
+
 Volume readRaw(const scene::Source& source, Progress& progress) {
-  progress.report(0, "reading raw voxels");
-  Volume volume = emptyVolume(source);
-  if (std::filesystem::is_directory(source.path))
-    readSlices(source, volume, progress);
-  else if (lowerCase(std::filesystem::path(source.path).extension().string()) == ".gz")
-    readGzip(source, volume);
-  else
-    readPlain(source, volume);
-  toMachineOrder(volume.voxels, sampleSize(volume.type), source.raw.bigEndian);
-  progress.report(1, "reading raw voxels");
-  return volume;
+  UnreadVolume unread = describeRaw(source);
+  bool isOnePacked = unread.parts[0].packing == Packing::Deflate;
+  return isOnePacked ? readPacked(source, std::move(unread)) : readSamples(std::move(unread), progress);
 }
 
 }  // namespace velum::io

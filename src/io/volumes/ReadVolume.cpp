@@ -17,10 +17,6 @@ namespace velum::io {
 
 namespace {
 
-bool hasRawLayout(const scene::Source& source) {
-  return source.raw.dims.x > 0 && source.raw.dims.y > 0 && source.raw.dims.z > 0;
-}
-
 /// Any file of the folder with one of these extensions.
 bool holdsFiles(const Path& folder, std::initializer_list<std::string_view> extensions) {
   std::error_code error;
@@ -71,12 +67,8 @@ Volume readVolume(const scene::Source& source, Progress& progress) {
   if (!std::filesystem::exists(path, error)) refuse(path, "there is no such file or folder");
   bool isFolder = std::filesystem::is_directory(path, error);
   Volume volume = isFolder ? readFolder(source, progress) : readFile(source, progress);
-  applySpacing(volume, source);
-  // Most readers have placed it so; the rest take any spacing, and so may the user's be.
-  if (!isInvertible(glm::dmat3(volume.worldFromVoxel)))
-    placeInWorld(volume, glm::dmat3(volume.worldFromVoxel), volume.worldFromVoxel[3], spacingOf(volume));
+  completeHead(volume, source);
   computeRange(volume);
-  if (volume.name.empty()) volume.name = titleOf(path);
   progress.report(1.0, "Read " + volume.name);
   return volume;
 }

@@ -8,6 +8,7 @@
 #include "core/ReplaceFile.h"
 #include "core/Task.h"
 #include "core/Volume.h"
+#include "io/read/Payload.h"
 #include "io/read/Refuse.h"
 #include "scene/Source.h"
 
@@ -18,7 +19,13 @@
 /// commits, and returns what it could not keep, one line each.
 namespace velum::io {
 
-// Headers of our own
+// Headers of our own: those of volumes whose samples lie behind a header, or of a layout that is given, are read by
+// describeX(), which reads no sample, and readX() is readSamples() of that.
+UnreadVolume describeNifti(const scene::Source& source);
+UnreadVolume describeNrrd(const scene::Source& source);
+UnreadVolume describeMetaImage(const scene::Source& source);
+UnreadVolume describeMrc(const scene::Source& source);
+UnreadVolume describeRaw(const scene::Source& source);
 Volume readNifti(const scene::Source& source, Progress& progress);
 Volume readNrrd(const scene::Source& source, Progress& progress);
 Volume readMetaImage(const scene::Source& source, Progress& progress);

@@ -1,0 +1,27 @@
+#pragma once
+#include <memory>
+
+#include "core/VoxelSource.h"
+#include "scene/Source.h"
+
+namespace velum::io {
+
+/// What readVolume() reads of a pyramid.
+struct LevelPlan {
+  int level = 0;            ///< that is in memory
+  bool isStreamed = false;  ///< finer ones are read brick by brick as they are seen
+};
+
+/// The level that is asked for; or else the finest, where it is small or there is no other; or else one that is read in
+/// a second, over which the finer ones are streamed. VELUM_WHOLE_MB says up to how many megabytes volumes are read
+/// whole.
+/// @throw InputError when there is no such level, or it is too large
+LevelPlan planLevel(const VoxelSource& of, const scene::Source& source);
+
+/// Reads the level that planLevel() chooses, and notes which it was where it is not the finest.
+/// @param isAlignedByBorders  the file does not say where coarser levels lie, which is noted, too
+/// @throw InputError when there is no such level, it is too large or cannot be read; Cancelled
+Volume readFitting(std::unique_ptr<VoxelSource> pyramid, const scene::Source& source, bool isAlignedByBorders,
+                   Progress& progress);
+
+}  // namespace velum::io

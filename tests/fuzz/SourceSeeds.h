@@ -1,0 +1,9 @@
+#pragma once
+#include <filesystem>
+
+namespace velum::io {
+
+/// Writes sound files for the targets of sources into folders of their names.
+void writeSourceSeeds(const std::filesystem::path& root);
+
+}  // namespace velum::io

@@ -27,7 +27,7 @@ ROOMS = {  # module: {room: rooms of the module it may include (its own is impli
            "phantoms": "models", "kinds": "images labels looks meshes models stores volumes"},
     "membrane": {"forces": "", "sheet": "forces"},
     # The module's own folder has both the frame, which all know, and the renderer, which knows all.
-    "render": {"upload": ".", "kept": ". upload", "passes": ". upload", "section": ". kept upload"},
+    "render": {"upload": ".", "kept": ". upload", "residency": ". upload", "passes": ". upload residency", "section": ". kept residency"},
     "session": {"bar": "", "lettering": "model section", "command": ". cut document extrusion growth look membrane model picture section structure", "document": "growth model", "model": ". bar cut", "growth": ".", "section": "", "structure": "", "cut": ".", "look": "document",
                 "extrusion": ". bar cut growth look structure", "membrane": ". cut look model structure",
                 "picture": ". document extrusion growth lettering membrane model"},

@@ -23,38 +23,7 @@ layout(binding = kExtinctionUnit) uniform usamplerBuffer extinctionTexture;  // 
 // By structure: StructureRow. A software driver fetches texels of eight rays at once, rows of a block ray by ray.
 layout(binding = kStructureUnit) uniform samplerBuffer structureTexture;
 
-#if BRICKS
-#include "common/bricks.glsl"
-#else
-/// Where a place of the volume lies in the textures, which are the volume.
-vec3 storedAt(vec3 tex) { return tex; }
-#endif
-
-// A texel is 0..1 of its type, or a float.
-#if PACKED != 0
-float rawTexelIn(vec3 stored) { return packedAt(volumeTexture, frame.storeSize.xyz, stored); }
-const float kRawUnit = kPackedUnit;
-#elif COLOR
-/// COLOR 1: the colours of the data. COLOR 2: of mixed channels, which are kept multiplied by alpha.
-vec3 volumeColorAt(vec3 tex) {
-  vec4 texel = textureLod(volumeTexture, storedAt(tex), 0.0);
-  return COLOR == 2 ? texel.rgb / max(texel.a, 1.0 / 255.0) : texel.rgb;
-}
-float rawTexelIn(vec3 stored) { return textureLod(volumeTexture, stored, 0.0).a; }
-const float kRawUnit = 1.0;
-#else
-float rawTexelIn(vec3 stored) { return textureLod(volumeTexture, stored, 0.0).r; }
-const float kRawUnit = 1.0;
-#endif
-float rawTexelAt(vec3 tex) { return rawTexelIn(storedAt(tex)); }
-float texelAt(vec3 tex) { return rawTexelAt(tex) * kRawUnit; }
-
-/// Position in the transfer table, 0..kTransferSize-1. @param stored  of storedAt()
-float tableIn(vec3 stored) {
-  const float last = float(kTransferSize - 1);
-  return clamp(rawTexelIn(stored) * (frame.tablePerTexel * kRawUnit * last) + frame.tableOffset * last, 0.0, last);
-}
-float tableAt(vec3 tex) { return tableIn(storedAt(tex)); }
+#include "common/texels.glsl"
 
 /// A position among the label voxels, whose corners are at whole numbers.
 vec3 labelVoxelAt(vec3 scenePoint) { return (frame.labelFromScene * vec4(scenePoint, 1.0)).xyz + 0.5; }

@@ -203,12 +203,8 @@ Group groupAt(Walk walk, Ray ray, float lattice, float from, float to, bool spar
   group.from = from;
   group.to = to;
 #if LABELS != 2
-#if BRICKS == 1
-  Brick brick = brickAt(texAt(walk, 0.5 * (timeIn(group, walk, 0) + timeIn(group, walk, kGroup))));
-  for (int i = 0; i <= kGroup; ++i) group.x[i] = tableIn(storedIn(brick, texAt(walk, timeIn(group, walk, i))));
-#else
-  for (int i = 0; i <= kGroup; ++i) group.x[i] = tableAt(texAt(walk, timeIn(group, walk, i)));
-#endif
+  GroupBrick brick = groupBrick(texAt(walk, 0.5 * (timeIn(group, walk, 0) + timeIn(group, walk, kGroup))));
+  for (int i = 0; i <= kGroup; ++i) group.x[i] = tableIn(storedInGroup(brick, texAt(walk, timeIn(group, walk, i))));
 #endif
 #if LABELS != 0
   if (usesShares(sparedOnly)) {
@@ -232,12 +228,10 @@ bool mayShow(Group group) {
 #else
   float low = group.x[0];
   float high = group.x[0];
-  for (int i = 1; i < kGroup; ++i) {
+  for (int i = 1; i <= kGroup; ++i) {
     low = min(low, group.x[i]);
     high = max(high, group.x[i]);
   }
-  low = min(low, group.x[kGroup]);
-  high = max(high, group.x[kGroup]);
   bool shows = high >= frame.shownFrom && low < frame.shownTo;
 #if LABELS == 1
   if (hasSolids())

@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
+#include <unordered_map>
 
 #include "core/BrickCache.h"
+#include "core/Error.h"
 #include "core/Memory.h"
 #include "io/read/Refuse.h"
 
@@ -21,6 +24,44 @@ constexpr double kCacheShare = 0.125;   ///< of the machine's memory, that brick
 /// "1000 x 1000 x 500"
 std::string sizeOf(const VoxelLevel& level) {
   return fmt::format("{} x {} x {}", level.dims.x, level.dims.y, level.dims.z);
+}
+
+/// Where a volume has its largest and smallest values, one brick of the finest level each: of the first time step.
+std::vector<BrickAddress> extremeBricks(const Volume& volume, int channel) {
+  constexpr std::size_t kOfEach = 6;
+  const VoxelLevel& finest = volume.finer->bricks->source().levels().front();
+  glm::dmat4 finestFromVoxel = glm::inverse(worldFromLevel(volume, 0)) * volume.worldFromVoxel;
+  glm::ivec3 grid = bricksOf(finest);
+  std::unordered_map<std::size_t, glm::dvec2> ranges;  // by brick
+  visitSamples(volume, [&](auto* samples) {
+    std::size_t i = 0;
+    for (int z = 0; z < volume.dims.z; ++z)
+      for (int y = 0; y < volume.dims.y; ++y)
+        for (int x = 0; x < volume.dims.x; ++x, ++i) {
+          auto value = double(samples[i * std::size_t(volume.channels) + std::size_t(channel)]);
+          if (!std::isfinite(value)) continue;
+          glm::dvec3 place = finestFromVoxel * glm::dvec4(x, y, z, 1.0);
+          glm::ivec3 at = glm::clamp(glm::ivec3(place + 0.5), glm::ivec3(0), finest.dims - 1) / finest.brickSize;
+          std::size_t brick =
+              (std::size_t(at.z) * std::size_t(grid.y) + std::size_t(at.y)) * std::size_t(grid.x) + std::size_t(at.x);
+          auto [found, isNew] = ranges.emplace(brick, glm::dvec2(value));
+          found->second = {std::min(found->second.x, value), std::max(found->second.y, value)};
+        }
+  });
+  std::vector<std::pair<std::size_t, glm::dvec2>> sorted(ranges.begin(), ranges.end());
+  std::vector<BrickAddress> bricks;
+  auto take = [&](const auto& isBefore) {
+    std::size_t count = std::min(kOfEach, sorted.size());
+    std::partial_sort(sorted.begin(), sorted.begin() + std::ptrdiff_t(count), sorted.end(), isBefore);
+    for (std::size_t i = 0; i < count; ++i) {
+      auto x = std::size_t(grid.x), y = std::size_t(grid.y), brick = sorted[i].first;
+      bricks.push_back(
+          {0, {int(brick % x), int(brick / x % y), int(brick / (x * y))}, channel / finest.brickChannels, 0});
+    }
+  };
+  take([](const auto& a, const auto& b) { return std::pair(-a.second.y, a.first) < std::pair(-b.second.y, b.first); });
+  take([](const auto& a, const auto& b) { return std::pair(a.second.x, a.first) < std::pair(b.second.x, b.first); });
+  return bricks;
 }
 
 }  // namespace
@@ -68,6 +109,21 @@ Volume readFitting(std::unique_ptr<VoxelSource> pyramid, const scene::Source& so
   auto bricks = std::make_shared<BrickCache>(std::move(pyramid), std::size_t(machineBytes() * kCacheShare));
   volume.finer = std::make_shared<FinerLevels>(FinerLevels{std::move(bricks), level});
   return volume;
+}
+
+void widenRange(Volume& volume) {
+  if (!volume.finer || volume.isColor) return;
+  BrickCache& cache = *volume.finer->bricks;
+  for (int channel = 0; channel < volume.channels; ++channel)
+    for (const BrickAddress& address : extremeBricks(volume, channel)) {
+      BrickBox box = boxOf(cache.source(), address);
+      try {
+        Volume brick = cache.read({0, box.origin, box.size}, channel, 0);
+        computeRange(brick);
+        volume.range = {std::min(volume.range.x, brick.range.x), std::max(volume.range.y, brick.range.y)};
+      } catch (const InputError&) {  // a damaged brick is told of where it is looked at
+      }
+    }
 }
 
 }  // namespace velum::io

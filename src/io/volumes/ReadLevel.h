@@ -24,4 +24,9 @@ LevelPlan planLevel(const VoxelSource& of, const scene::Source& source);
 Volume readFitting(std::unique_ptr<VoxelSource> pyramid, const scene::Source& source, bool isAlignedByBorders,
                    Progress& progress);
 
+/// Widens the range of a volume that knows finer levels, whose means show less than there is: by a few bricks of the
+/// finest level, those where the volume has its largest and its smallest values.
+/// @param volume  with its own range
+void widenRange(Volume& volume);
+
 }  // namespace velum::io

@@ -8,6 +8,7 @@
 #include "io/read/FileNames.h"
 #include "io/stores/OpenStore.h"
 #include "io/volumes/DicomFile.h"
+#include "io/volumes/ReadLevel.h"
 
 #include "io/read/Placement.h"
 
@@ -69,6 +70,7 @@ Volume readVolume(const scene::Source& source, Progress& progress) {
   Volume volume = isFolder ? readFolder(source, progress) : readFile(source, progress);
   completeHead(volume, source);
   computeRange(volume);
+  widenRange(volume);
   progress.report(1.0, "Read " + volume.name);
   return volume;
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/Clock.h"
+#include "render/upload/TexelStore.h"
 #include "scene/Scene.h"
 #include "scene/Shown.h"
 
@@ -17,6 +18,7 @@ namespace {
 constexpr double kBudgetBytes = double(std::size_t(2) << 30);  ///< of the textures
 constexpr double kBudgetShare = 0.25;                          ///< of the driver's memory
 constexpr int kSlotsAlong = 16;                                ///< of the texture, along x and y
+constexpr std::size_t kSampled = 192;  ///< bricks by which it is known how many of all will be seen
 constexpr std::size_t kMostKnown = 1u << 18;
 
 /// Writes one value into all texels of a slot, with gradients of no length. @param texel  as a sampler returns it
@@ -35,6 +37,15 @@ void fillSlot(GpuVolume& volume, glm::ivec3 place, const TexelPlan& plan, float 
     write(std::vector<glm::u8vec4>(kCount, glm::u8vec4(0, 0, 0, std::uint8_t(texel * 255.0f + 0.5f))));
   else
     write(std::vector<float>(kCount, texel));
+}
+
+/// A few of many, from all over.
+template <class T>
+std::vector<T> spread(const std::vector<T>& all, std::size_t count) {
+  std::vector<T> some;
+  for (std::size_t i = 0; i < std::min(count, all.size()); ++i)
+    some.push_back(all[i * all.size() / std::min(count, all.size())]);
+  return some;
 }
 
 int roundUp(int size) { return (size + kSlotEdge - 1) / kSlotEdge * kSlotEdge; }
@@ -137,21 +148,37 @@ void Residency::show(std::size_t page, std::uint32_t slot) {
   mTable.set(page, slot);
 }
 
+/// The nearer, and the coarser what stands there, the more urgent: the smaller the number.
+double Residency::urgencyOf(glm::ivec3 page, int level) const {
+  std::uint32_t shown = mTable.slot(mTable.indexOf(page));
+  int shownLevel = shown < kFirstSlot ? mGrid.coarsest() : mSlots[shown].brick.level;
+  glm::dvec3 tex = (glm::dvec3(page) + 0.5 - mVolume.pages->first) / mVolume.pages->perTex;
+  glm::dvec3 world = mGrid.levels()[std::size_t(mTable.level())].worldFromTex * glm::dvec4(tex, 1.0);
+  return glm::dot(world - mEye.eye, mEye.forward) * std::exp2(double(level - shownLevel));
+}
+
+/// What is to be read, which is missing until it comes.
+std::vector<PageBrick> Residency::bricksOf(const std::vector<Wish>& wishes) {
+  std::vector<PageBrick> bricks;
+  mMissing.clear();
+  for (const auto& wish : wishes) {
+    bricks.push_back(wish.brick);
+    mMissing.insert(wish.brick.key());
+  }
+  return bricks;
+}
+
 std::size_t Residency::gather(const MayShow& mayShow) {
   std::vector<std::uint32_t> words(mSeen.bytes() / sizeof(std::uint32_t));
   mSeen.read(0, mSeen.bytes(), words.data());
   if (mKnown.size() > kMostKnown) mKnown.clear();
-  struct Wish {
-    PageBrick brick;
-    double urgency;  ///< the smaller the more urgent
-  };
   std::size_t room = mSlots.size() > kFirstSlot ? mSlots.size() - kFirstSlot : 0;
   IsWorthSlot isWorthSlot = [mayShow](const BrickRanges& ranges) { return mayShow(ranges.all); };
   for (;;) {
     ++mTurn;
-    std::unordered_set<std::uint64_t> wanted;
+    std::unordered_set<std::uint64_t> wanted, emptied;
     std::vector<Wish> wishes;
-    std::size_t needed = 0;
+    std::size_t needed = 0, empty = 0, knownWishes = 0;
     for (std::size_t i = 0; i < words.size(); ++i)
       for (std::uint32_t bits = words[i]; bits != 0; bits &= bits - 1) {
         std::size_t index = i * 32 + std::size_t(std::countr_zero(bits));
@@ -174,33 +201,27 @@ std::size_t Residency::gather(const MayShow& mayShow) {
         if (auto known = mKnown.find(key); known != mKnown.end()) {
           if (!isWorthSlot(known->second)) {
             showNothing(index, known->second, mayShow);
+            if (emptied.insert(key).second) ++empty;
             wanted.erase(key);
             continue;
           }
           ++needed;
-        } else if (mayShow(shownRange(page))) {
-          ++needed;  // most likely
+          ++knownWishes;
         }
-        std::uint32_t shown = mTable.slot(index);
-        int shownLevel = shown < kFirstSlot ? mGrid.coarsest() : mSlots[shown].brick.level;
-        glm::dvec3 tex = (glm::dvec3(page) + 0.5 - mVolume.pages->first) / mVolume.pages->perTex;
-        glm::dvec3 world = mGrid.levels()[std::size_t(mTable.level())].worldFromTex * glm::dvec4(tex, 1.0);
-        wishes.push_back({brick, glm::dot(world - mEye.eye, mEye.forward) * std::exp2(double(level - shownLevel))});
+        wishes.push_back({brick, urgencyOf(page, level)});
       }
-    if (needed > room && room > 0 && mEye.coarser < 16.0) {
+    // Of those that were never read as many will be seen as of the others.
+    std::size_t unread = wishes.size() - knownWishes, read = needed + empty;
+    bool isDoubtful = needed + unread > room;
+    double expected = double(needed) + (read < kSampled ? 0.0 : double(unread) * double(needed) / double(read));
+    if (expected > double(room) && room > 0 && mEye.coarser < 16.0) {
       mEye.coarser += 0.5;
       continue;
     }
     std::sort(wishes.begin(), wishes.end(), [](const Wish& a, const Wish& b) { return a.urgency < b.urgency; });
-    // Of most that was never read nothing will be seen. What will be asks for room once it is known.
+    if (isDoubtful && read < kSampled) wishes = spread(wishes, kSampled);
     if (wishes.size() > room) wishes.resize(room);
-    std::vector<PageBrick> bricks;
-    mMissing.clear();
-    for (const auto& wish : wishes) {
-      bricks.push_back(wish.brick);
-      mMissing.insert(wish.brick.key());
-    }
-    mLoader->ask(std::move(bricks), isWorthSlot);
+    mLoader->ask(bricksOf(wishes), isWorthSlot);
     mTable.upload();
     return mMissing.size();
   }

@@ -79,6 +79,12 @@ class Residency {
     double coarser = 0;  ///< powers of two by which all is coarser, where there is no room
   };
 
+  struct Wish {
+    PageBrick brick;
+    double urgency;
+  };
+  double urgencyOf(glm::ivec3 page, int level) const;
+  std::vector<PageBrick> bricksOf(const std::vector<Wish>& wishes);
   void makeSlots(const gpu::Limits& limits);
   void restartTable(int level);
   int levelFor(double pixelSize) const;
@@ -91,7 +97,6 @@ class Residency {
   void showNothing(std::size_t page, const BrickRanges& ranges, const MayShow& mayShow);
   glm::vec2 coarseRange(glm::dvec3 low, glm::dvec3 high) const;
   glm::vec2 brickRange(const PageBrick& brick, const BrickRanges& ranges, glm::dvec3 low, glm::dvec3 high) const;
-  glm::vec2 shownRange(glm::ivec3 page) const;
   glm::vec2 cellRange(glm::ivec3 cell) const;
 
   Shared<Volume> mCoarse;

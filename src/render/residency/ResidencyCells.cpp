@@ -50,16 +50,6 @@ glm::vec2 Residency::brickRange(const PageBrick& brick, const BrickRanges& range
   return range;
 }
 
-/// Of what stands in a page now.
-glm::vec2 Residency::shownRange(glm::ivec3 page) const {
-  glm::dvec3 edge = mGrid.levels()[std::size_t(mTable.level())].brickEdge;
-  glm::dvec3 low = glm::dvec3(page) * edge, high = low + edge;
-  std::uint32_t slot = mTable.slot(mTable.indexOf(page));
-  if (slot == kEmptySlot) return glm::vec2(mEmptyTexel);
-  auto known = slot == 0 ? mKnown.end() : mKnown.find(mSlots[slot].brick.key());
-  return known == mKnown.end() ? coarseRange(low, high) : brickRange(mSlots[slot].brick, known->second, low, high);
-}
-
 /// Of what is shown in a cell, and of what is wanted there: anything, where that was never read.
 glm::vec2 Residency::cellRange(glm::ivec3 cell) const {
   const PageLevel& own = mGrid.levels()[std::size_t(mTable.level())];

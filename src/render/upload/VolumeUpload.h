@@ -44,20 +44,6 @@ struct GpuVolume {
   std::string reduction;                   ///< In words for people, where the resolution is reduced.
 };
 
-/// How values of one channel are kept on the GPU; integers four to a texel where a software driver has room for that.
-/// @param texels  how many there will be
-TexelPlan storedPlan(const Volume& volume, bool isMixed, const gpu::Limits& limits, double texels);
-
-/// The length, in texels, that no gradient of a volume exceeds. @param plan  of its texels
-double longestGradientOf(const Volume& volume, const TexelPlan& plan, bool isColor);
-
-/// Makes the textures of a volume of so many texels. @throw gpu::GpuError
-void allocateTexels(GpuVolume& volume, const TexelPlan& plan, glm::ivec3 size, bool withGradients);
-
-/// Writes a box of texels, tightly packed, as the volume's plan has them. @param gradients  or nullptr
-void writeTexels(GpuVolume& volume, glm::ivec3 origin, glm::ivec3 size, const void* texels,
-                 const glm::u8vec4* gradients);
-
 /// Brings a volume to the GPU slab by slab, so that the caller can stop in between.
 class VolumeUpload {
  public:

@@ -317,9 +317,7 @@ void clearOutside(Volume& volume, T* samples, const Grid& body, glm::ivec3 cell,
 }  // namespace
 
 Body findBody(const Volume& volume, Progress& progress) {
-  if (volume.channels != 1) throw InputError("the table is known in volumes of one channel only");
-  if (volume.finer)
-    throw InputError("a volume that is streamed keeps its table; read a level of it that fits into memory (--level)");
+  if (volume.channels != 1 || volume.finer) throw InputError("the table is known in whole volumes of one channel only");
   progress.report(0.0, "Finding the body");
   double threshold = thresholdOf(volume);
   glm::ivec3 cell = cellOf(volume);

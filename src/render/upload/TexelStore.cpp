@@ -1,0 +1,69 @@
+#include "render/upload/TexelStore.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace velum::render {
+
+using gpu::Format;
+
+std::size_t product(glm::ivec3 v) { return std::size_t(v.x) * std::size_t(v.y) * std::size_t(v.z); }
+
+std::size_t texelBytes(const TexelPlan& plan) {
+  return gpu::texelBytes(plan.format) * (plan.packing == Packing::None ? 1 : 4);
+}
+
+/// Integers four to a texel, where they are integers.
+std::optional<TexelPlan> packedPlan(TexelPlan plan) {
+  if (plan.format == Format::R8) plan.packing = Packing::Bytes;
+  if (plan.format == Format::R16) plan.packing = Packing::Shorts;
+  if (plan.packing == Packing::None) return std::nullopt;
+  return plan;
+}
+
+TexelPlan storedPlan(const Volume& volume, bool isMixed, const gpu::Limits& limits, double texels) {
+  TexelPlan plan = planFor(volume, isMixed);
+  if (!limits.isSoftware || isMixed || volume.isColor) return plan;
+  auto packed = packedPlan(plan);
+  return packed && texels <= double(limits.textureBuffer) ? *packed : kAsFloats;
+}
+
+void allocateTexels(GpuVolume& volume, const TexelPlan& plan, glm::ivec3 size, bool withGradients) {
+  volume.packing = plan.packing;
+  volume.storeSize = size;
+  if (plan.packing != Packing::None) {
+    volume.packed = gpu::Buffer("volume", product(size) * texelBytes(plan));
+    volume.texture = gpu::Texture::makeOfBuffer(
+        "volume", plan.packing == Packing::Bytes ? Format::R32ui : Format::Rg32ui, volume.packed);
+  } else {
+    volume.texture = gpu::Texture::make3d("volume", plan.format, size);
+  }
+  if (withGradients) volume.gradient = gpu::Texture::make3d("gradients", Format::Rgba8, size);
+}
+
+void writeTexels(GpuVolume& volume, glm::ivec3 origin, glm::ivec3 size, const void* texels,
+                 const glm::u8vec4* gradients) {
+  if (gradients) volume.gradient.write(origin, size, gradients);
+  if (volume.packing == Packing::None) return volume.texture.write(origin, size, texels);
+  glm::ivec3 whole = volume.storeSize;
+  std::size_t texel = volume.packing == Packing::Bytes ? 4 : 8;
+  auto at = [&](int y, int z) {
+    return ((std::size_t(z) * std::size_t(whole.y) + std::size_t(y)) * std::size_t(whole.x) + std::size_t(origin.x)) *
+           texel;
+  };
+  auto* bytes = static_cast<const std::byte*>(texels);
+  std::size_t row = std::size_t(size.x) * texel;
+  if (size.x == whole.x && size.y == whole.y)
+    return volume.packed.write(at(0, origin.z), row * std::size_t(size.y) * std::size_t(size.z), bytes);
+  for (int z = 0; z < size.z; ++z)
+    for (int y = 0; y < size.y; ++y, bytes += row) volume.packed.write(at(origin.y + y, origin.z + z), row, bytes);
+}
+
+double longestGradientOf(const Volume& volume, const TexelPlan& plan, bool isColor) {
+  // No difference is longer than the data's whole range along all three axes. Finer levels have more than means show.
+  double wider = volume.finer ? 2.0 : 1.0;
+  double range = isColor ? 1.0 : (volume.range.y - volume.range.x) / std::abs(plan.scale * volume.scale);
+  return wider * std::sqrt(3.0) * std::max(1e-30, range);
+}
+
+}  // namespace velum::render

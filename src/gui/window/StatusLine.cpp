@@ -3,6 +3,7 @@
 #include <QLocale>
 #include <cmath>
 
+#include "core/BrickCache.h"
 #include "core/Text.h"
 #include "gui/kit/Length.h"
 #include "gui/kit/Text.h"
@@ -77,14 +78,17 @@ void StatusLine::refresh(const session::Session& session) {
                         ? tr("Under the pointer: value, position in patient coordinates (L, P, S), structure")
                         : tr("Under the pointer: position along x, y and z, and what is there"));
   if (const auto& v = scene.volume.data) {
-    glm::dvec3 shown = spacingOf(*v) * Length(scene).shownPerLength();
+    glm::ivec3 size = v->finer ? v->finer->bricks->source().levels().front().dims : v->dims;
+    glm::dmat3 edges(worldFromBox(*v));  // of the finest level's box
+    glm::dvec3 shown = glm::dvec3(glm::length(edges[0]), glm::length(edges[1]), glm::length(edges[2])) /
+                       glm::dvec3(size) * Length(scene).shownPerLength();
     QString times = QString::fromUtf8(" \u00d7 ");
     std::string valueUnit = scene::valueUnit(*v);
     QString unit = valueUnit.empty() ? QString() : " " + QString::fromStdString(valueUnit);
     auto type = enumName(v->type);
     QStringList dims, spacing;
     for (int i = 0; i < 3; ++i) {
-      dims << QString::number(v->dims[i]);
+      dims << QString::number(size[i]);
       spacing << shortNumber(shown[i]);
     }
     QString text = dims.join(times) + "    ";
@@ -92,6 +96,7 @@ void StatusLine::refresh(const session::Session& session) {
     text += QString("    %1    %2 to %3%4")
                 .arg(QString::fromUtf8(type.data(), int(type.size())), shortNumber(v->range.x), shortNumber(v->range.y),
                      unit);
+    if (v->finer) text += "    " + tr("streamed");
     mData->setText(text);
     mData->setToolTip(
         tr("Voxels, spacing, sample type and range of values of %1").arg(QString::fromStdString(v->name)));

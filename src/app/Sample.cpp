@@ -55,8 +55,8 @@ int makeStore(const SampleOptions& options) {
   if (!io::isStoreFormat(path))
     throw ArgumentError(
         fmt::format("{}: a brain may be larger than memory, and is written as .ome.zarr or .ozx", path.string()));
-  io::expectStoreWritable(path);
   if (path.has_parent_path()) fs::create_directories(path.parent_path());
+  io::expectStoreWritable(path);
   Progress& progress = consoleProgress();
   auto brain = io::makeBrain(options.size == 0 ? kUsual : options.size, progress);
   auto warnings = io::writeStore(*brain, path, {}, progress);

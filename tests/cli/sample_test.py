@@ -10,7 +10,7 @@ class Sample(CliTest):
     def names(self):
         said = self.run_batch("sample", "--help").stdout.decode()
         found = re.search(r"((?:[a-z-]+, )+[a-z-]+)", said[said.index("Positionals"):].replace("\n", " "))
-        return [name for name in re.split(r",\s+", found.group(1)) if name != "virion"]  # a model
+        return [name for name in re.split(r",\s+", found.group(1)) if name not in ("virion", "brain")]  # a model, and a store
 
     def test_every_name_makes_a_volume_with_labels(self):
         names = self.names()
@@ -36,6 +36,16 @@ class Sample(CliTest):
         self.assertGreaterEqual(model["instances"] - lipids, 20000)
         self.refuse("sample", "virion", "-o", "a.cif", "--voxels", "32", code=1)
         self.refuse("sample", "virion", "-o", "a.nrrd", code=1)
+
+    def test_a_brain_is_a_store_of_any_size(self):
+        report = self.report("sample", "brain", "-o", "out", "--voxels", "200")
+        self.assertEqual([pathlib.Path(file).name for file in report["files"]], ["brain.ome.zarr"])
+        brain = self.report("info", report["files"][0])
+        self.assertEqual(brain["dims"], [154, 200, 115])
+        self.assertGreaterEqual(len(brain["levels"]), 2)
+        self.refuse("sample", "brain", "-o", "a.nrrd", code=1)
+        self.refuse("sample", "brain", "-o", "a.ome.zarr", "--voxels", "20", code=1)
+        self.refuse("sample", "brain", "-o", "b.ome.zarr", "--time-steps", "2", code=1)
 
     def test_labels_are_nifti_where_the_volume_is(self):
         for suffix, of_labels in ((".nii", ".nii"), (".nii.gz", ".nii.gz"), (".vti", ".seg.nrrd")):

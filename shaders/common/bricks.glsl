@@ -3,7 +3,7 @@
 // level, or of a coarser one that stands in for it; in slot 0 the whole volume lies, coarse.
 //
 // BRICKS 1: the samples of a group are looked for once, by its middle: a brick carries as many voxels of its neighbours as a
-// group reaches (kBrickHalo). BRICKS 2: every sample by itself, for steps longer than that.
+// group reaches (kGroupReach in PageGrid.h). BRICKS 2: every sample by itself, for steps longer than that.
 
 layout(binding = kPageUnit) uniform usamplerBuffer pageTexture;  // by page: its slot
 layout(binding = kSlotRowUnit) uniform samplerBuffer slotTexture;  // two texels a slot: scale and offset of a Brick

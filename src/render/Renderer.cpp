@@ -236,7 +236,12 @@ bool Renderer::work(const Frame& frame, double budgetMs) {
 }
 
 void Renderer::render(const Frame& frame, Progress& progress) {
-  mImpl->bricks.setWaits(true);
+  // Who goes on with this renderer piece by piece looks on again, even where this picture is given up.
+  struct Waiting {
+    BrickPass& bricks;
+    explicit Waiting(BrickPass& of) : bricks(of) { bricks.setWaits(true); }
+    ~Waiting() { bricks.setWaits(false); }
+  } waiting(mImpl->bricks);
   while (!work(frame, 100.0)) progress.report(fractionDone(), "rendering");
   mImpl->queue.finish();
   mImpl->noteStats();

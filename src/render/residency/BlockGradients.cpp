@@ -170,8 +170,8 @@ struct Scratch {
 
 }  // namespace
 
-Texels8 blockGradients(const std::vector<float>& values, glm::ivec3 dims, glm::dvec3 spacing, const TexelBox& box,
-                       double longestGradient) {
+PackedGradients blockGradients(const std::vector<float>& values, glm::ivec3 dims, glm::dvec3 spacing,
+                               const TexelBox& box, double longestGradient) {
   thread_local Scratch s;
   Rows rows{dims};
   takeNarrow(values, rows, s.narrow);
@@ -180,7 +180,7 @@ Texels8 blockGradients(const std::vector<float>& values, glm::ivec3 dims, glm::d
   for (std::size_t axis = 0; axis < 3; ++axis) takeWide(s.narrow[axis], rows, halves, s.spare, s.wide[axis]);
   merge(s.narrow, s.wide, s.squares);
   spreadLargest(s.squares, rows, s.spare);
-  Texels8 out(std::size_t(box.size.x) * std::size_t(box.size.y) * std::size_t(box.size.z));
+  PackedGradients out(std::size_t(box.size.x) * std::size_t(box.size.y) * std::size_t(box.size.z));
   glm::u8vec4* texel = out.data();
   auto toShare = float(1.0 / longestGradient);
   for (int z = box.origin.z; z < box.origin.z + box.size.z; ++z)

@@ -7,8 +7,8 @@
 
 namespace velum::render {
 
-/// Texels of four bytes, unset when they are new.
-using Texels8 = std::vector<glm::u8vec4, UnsetAllocator<glm::u8vec4>>;
+/// Gradients as packGradients() makes them, unset when they are new.
+using PackedGradients = std::vector<glm::u8vec4, UnsetAllocator<glm::u8vec4>>;
 
 /// A box of texels within a block.
 struct TexelBox {
@@ -22,7 +22,7 @@ struct TexelBox {
 /// @param spacing  of voxels, any unit
 /// @param box      what is wanted of the block; may reach beyond it, where texels repeat
 /// @param longestGradient  the length that a full-length texel stands for, raw values
-Texels8 blockGradients(const std::vector<float>& values, glm::ivec3 dims, glm::dvec3 spacing, const TexelBox& box,
-                       double longestGradient);
+PackedGradients blockGradients(const std::vector<float>& values, glm::ivec3 dims, glm::dvec3 spacing,
+                               const TexelBox& box, double longestGradient);
 
 }  // namespace velum::render

@@ -24,8 +24,8 @@ struct BrickRanges {
 
 /// What goes into a slot.
 struct BrickTexels {
-  Bytes texels;       ///< of kSlotEdge^3, as the plan says; empty: not worth a slot
-  Texels8 gradients;  ///< as packGradients() makes them
+  Bytes texels;               ///< of kSlotEdge^3, as the plan says; empty: not worth a slot
+  PackedGradients gradients;  ///< as packGradients() makes them
   BrickRanges ranges;
 };
 

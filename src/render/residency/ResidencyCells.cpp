@@ -102,7 +102,8 @@ void Residency::updateCells() {
     for (cell.y = 0; cell.y < cells.size.y; ++cell.y)
       for (cell.x = 0; cell.x < cells.size.x; ++cell.x) mVolume.cellRanges[i++] = cellRange(cell);
   mVolume.cellRange.write(0, mVolume.cellRanges.size() * sizeof(glm::vec2), mVolume.cellRanges.data());
-  ++mVolume.cellsRevision;
+  static std::uint64_t revisions = 0;  // of all volumes: one that is read anew is not taken for the one before
+  mVolume.cellsRevision = ++revisions;
   mHasNews = false;
 }
 

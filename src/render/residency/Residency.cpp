@@ -262,8 +262,8 @@ std::size_t Residency::receive(double budgetMs, const MayShow& mayShow) {
 std::string Residency::shortfall() const {
   std::string words;
   if (!mFailed.empty())
-    words = fmt::format("{} {} could not be read and is seen coarse: {}", mFailed.size(),
-                        mFailed.size() == 1 ? "brick" : "bricks", mError);
+    words = fmt::format("{} {} could not be read and {} seen coarse: {}", mFailed.size(),
+                        mFailed.size() == 1 ? "brick" : "bricks", mFailed.size() == 1 ? "is" : "are", mError);
   if (mEye.coarser > 0)
     words += fmt::format("{}shown {:.1f} times coarser than pixels: the {} bricks that are seen have no room in {} MiB",
                          words.empty() ? "" : "; ", std::exp2(mEye.coarser), mSlots.size() - kFirstSlot,

@@ -10,16 +10,21 @@ const float kPackedUnit = 1.0 / 65535.0;
 vec4 unpackTexel(uvec2 bits) { return vec4(bits.xxyy >> uvec4(0u, 16u, 0u, 16u) & 65535u); }
 #endif
 
-/// As a sampler would return it that interpolates and repeats the border, in units of the integers.
+/// Interpolated in units of the integers, between a voxel and those after it.
 /// @param texels  by x, y and z, x fastest: values at (y, z), (y + 1, z), (y, z + 1), (y + 1, z + 1)
-/// @param size  voxels
-float packedAt(usamplerBuffer texels, vec3 size, vec3 tex) {
-  vec3 at = clamp(tex * size - 0.5, vec3(0.0), size - 1.0);
-  ivec3 voxel = ivec3(at);  // the last ones, too: what stands behind them is not mixed in
-  vec3 f = at - vec3(voxel);
-  ivec2 rows = ivec2(size.xy);
+/// @param rows  texels along x, rows along y
+/// @param f  0..1, from the voxel to the next along each axis
+float packedIn(usamplerBuffer texels, ivec2 rows, ivec3 voxel, vec3 f) {
   int i = (voxel.z * rows.y + voxel.y) * rows.x + voxel.x;
   vec4 values = mix(unpackTexel(texelFetch(texels, i).rg), unpackTexel(texelFetch(texels, i + 1).rg), f.x);
   vec2 ends = mix(values.xz, values.yw, f.y);
   return mix(ends.x, ends.y, f.z);
+}
+
+/// As a sampler would return it that interpolates and repeats the border.
+/// @param size  voxels
+float packedAt(usamplerBuffer texels, vec3 size, vec3 tex) {
+  vec3 at = clamp(tex * size - 0.5, vec3(0.0), size - 1.0);
+  ivec3 voxel = ivec3(at);  // the last ones, too: what stands behind them is not mixed in
+  return packedIn(texels, ivec2(size.xy), voxel, at - vec3(voxel));
 }

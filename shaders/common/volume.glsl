@@ -283,7 +283,7 @@ vec3 tinted(vec3 albedo, vec3 scenePoint, vec3 outwards, uint structure) {
 /// Looked up in a texture of them, where there is room for one (`GradientPlanes`, which smooth them further); else on demand.
 vec3 gradientAt(vec3 tex) {
 #if GRADIENTS
-  vec4 texel = textureLod(gradientTexture, storedAt(tex), 0.0);
+  vec4 texel = textureLod(gradientTexture, inTexture(storedAt(tex)), 0.0);
   vec3 g = (texel.xyz - 128.0 / 255.0) * (texel.w * texel.w * frame.gradientUnit);
 #else
   vec3 h = 1.0 / frame.volumeSize.xyz;

@@ -9,7 +9,6 @@ layout(std140, binding = kInstanceLightBinding) uniform InstanceLightBlock { Ins
 layout(std140, binding = kInstanceShadeBinding) uniform InstanceShadeBlock { InstanceShade shade; };
 layout(binding = kDepthUnit) uniform usamplerBuffer depthTexture;
 layout(binding = kShadowUnit) uniform usamplerBuffer shadowTexture;
-layout(binding = kNoiseUnit) uniform sampler2D noiseTexture;
 layout(binding = kOpenImage, rgba32f) uniform writeonly image2D openImage;  // openness, share of the light, depth
 
 layout(location = 0) uniform ivec2 corner;  // of this dispatch
@@ -89,7 +88,7 @@ void main() {
     vec3 normal = wideNormal(pixel, depth, hit);
     normal = normalize(normal * sign(dot(normal, toEye) + 1e-9) + toEye);
     ivec2 inPicture = pixel + ivec2(view.shift);
-    float noise = fract(texelFetch(noiseTexture, inPicture & (textureSize(noiseTexture, 0) - 1), 0).r + shade.noise);
+    float noise = noiseAt(inPicture, shade.noise);
     if (frame.occlusionStrength > 0.0) {
       float near = occlusionAt(pixel, depth, hit, normal, 0.15 * shade.radius, noise);
       float far = occlusionAt(pixel, depth, hit, normal, shade.radius, fract(noise + 0.5));

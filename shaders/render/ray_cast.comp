@@ -10,6 +10,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "common/cuts.glsl"
 #include "common/volume.glsl"
 #include "common/shade.glsl"
+#include "common/noise.glsl"
 #include "render/walk.glsl"
 #include "render/hit.glsl"
 #include "render/data_color.glsl"
@@ -30,7 +31,6 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "render/sample.glsl"
 #include "render/calm.glsl"
 
-layout(binding = kNoiseUnit) uniform sampler2D noiseTexture;
 
 // The Gbuffer: see shared/frame.h.
 layout(binding = kColorImage, rgba32f) uniform image2D colorImage;  // premultiplied, the sum of the samples so far
@@ -122,7 +122,7 @@ void main() {
   vec4 surface = texelFetch(surfaceColorTexture, surfacePixel, 0);
   vec4 surfaceAux = texelFetch(surfaceAuxTexture, surfacePixel, 0);
   float stop = surface.a > 0.0 ? surfaceAux.w : kFar;
-  float jitter = hasFlag(kFlagJitter) ? fract(texelFetch(noiseTexture, inPicture & (textureSize(noiseTexture, 0) - 1), 0).r + frame.noise) : 0.5;
+  float jitter = hasFlag(kFlagJitter) ? noiseAt(inPicture, frame.noise) : 0.5;
 
   Hit hit = castRay(ray, jitter, stop);
   if (pixelStep > 1) return;

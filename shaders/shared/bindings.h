@@ -12,6 +12,7 @@ SHARED_CONST uint kInstanceViewBinding = 2u;
 SHARED_CONST uint kInstanceLightBinding = 3u;  // the light's view of them
 SHARED_CONST uint kInstanceShadeBinding = 4u;
 SHARED_CONST uint kFocusViewBinding = 5u;
+SHARED_CONST uint kNoiseBinding = 6u;
 
 // Samplers.
 SHARED_CONST uint kVolumeUnit = 0u;
@@ -19,7 +20,6 @@ SHARED_CONST uint kLabelUnit = 1u;
 SHARED_CONST uint kSkipUnit = 2u;
 SHARED_CONST uint kLightUnit = 3u;
 SHARED_CONST uint kLightExtinctionUnit = 9u;  // while the light grid is made
-SHARED_CONST uint kNoiseUnit = 4u;
 SHARED_CONST uint kSurfaceColorUnit = 5u;
 SHARED_CONST uint kSurfaceAuxUnit = 6u;
 SHARED_CONST uint kTransferUnit = 7u;
@@ -31,8 +31,7 @@ SHARED_CONST uint kStructureUnit = 13u;
 SHARED_CONST uint kShareUnit = 39u;
 SHARED_CONST uint kCoverUnit = 40u;
 SHARED_CONST uint kCoarseShareUnit = 41u;
-SHARED_CONST uint kPageUnit = 47u;     // of a streamed volume: the slot of each page
-SHARED_CONST uint kSlotRowUnit = 48u;  // and where slots lie
+SHARED_CONST uint kPageUnit = 47u;  // of a streamed volume: where its slots lie, and the slot of each page
 
 // Those of the finish.
 SHARED_CONST uint kSampleUnit = 14u;     // what kSampleImage holds

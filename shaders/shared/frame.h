@@ -7,6 +7,9 @@ SHARED_BEGIN
 
 SHARED_CONST int kTransferSize = 4096;  // table positions 0 .. kTransferSize - 1; the sums have one entry more, gradients' factors follow
 SHARED_CONST int kTileGroup = 8;        // threads along x and y of a ray-cast group
+SHARED_CONST int kNoiseEdge = 64;       // of the tile of blue noise, pixels
+SHARED_CONST int kSlotTexels = 3;       // of a slot of a streamed volume, in the table of pages (common/bricks.glsl)
+SHARED_CONST int kPagesOfTexel = 4;     // slots of so many pages are a texel's words
 SHARED_CONST float kFar = 1e30f;
 SHARED_CONST int kMostPlanes = 3;       // so many cuts that are all planes have programs of their own: PLANES
 
@@ -66,10 +69,9 @@ struct FrameParams {
   vec4 forward;         ///< unit
   vec4 volumeSize;      ///< voxels x, y, z of the volume
   vec4 storeSize;       ///< texels x, y, z of the texture that holds them
-  vec4 pageGrid;        ///< of a streamed volume: pages x, y, z;
+  vec4 pageGrid;        ///< of a streamed volume: pages x, y, z; w: where in their table they begin
   vec4 pagesPerTex;     ///< place among the pages = texture coordinates * pagesPerTex + firstPage
   vec4 firstPage;
-  vec4 coarseEdge;      ///< half a voxel of its coarse level, texture coordinates
   vec4 cellGrid;        ///< cells x, y, z
   vec4 cellsPerTex;     ///< cells in a unit of texture coordinates
   vec4 lightGrid;       ///< cells x, y, z of the light grid

@@ -99,10 +99,9 @@ void writePlanes(const std::vector<shared::CutData>& cuts, shared::FrameParams& 
 void writeStore(const GpuVolume& volume, shared::FrameParams& params) {
   params.storeSize = glm::vec4(volume.storeSize, 0.0f);
   if (!volume.pages) return;
-  params.pageGrid = glm::vec4(volume.pages->grid, 0.0f);
+  params.pageGrid = glm::vec4(volume.pages->grid, float(volume.pages->firstTexel));
   params.pagesPerTex = glm::vec4(glm::vec3(volume.pages->perTex), 0.0f);
   params.firstPage = glm::vec4(glm::vec3(volume.pages->first), 0.0f);
-  params.coarseEdge = glm::vec4(glm::vec3(volume.pages->coarseEdge), 0.0f);
 }
 
 }  // namespace
@@ -222,10 +221,7 @@ std::vector<glm::uvec2> pairsOf(const std::vector<std::uint32_t>& values) {
 }  // namespace
 
 void FrameInputs::write(const FrameData& data) {
-  if (!mNoise) {
-    mNoise = gpu::Texture::make2d("blue noise", gpu::Format::R32f, {kBlueNoiseSize, kBlueNoiseSize});
-    mNoise.write({0, 0, 0}, mNoise.size(), makeBlueNoise().data());
-  }
+  if (!mNoise) mNoise = bufferOf("blue noise", makeBlueNoise());
   mTransfer = bufferOf("transfer table", transferTexels(data.table));
   mTransferTexels = gpu::Texture::makeOfBuffer("transfer table", gpu::Format::Rgba32ui, mTransfer);
   mExtinction = bufferOf("extinction table", pairsOf(data.table.extinctionSums));
@@ -263,7 +259,7 @@ void FrameInputs::bind() const {
   mParams.bind(shared::kFrameBinding);
   mTransferTexels.bindSampler(shared::kTransferUnit);
   mExtinctionTexels.bindSampler(shared::kExtinctionUnit);
-  mNoise.bindSampler(shared::kNoiseUnit);
+  mNoise.bindUniform(shared::kNoiseBinding);
   mCuts.bindStorage(shared::kCutBinding);
   mCutTexels.bindSampler(shared::kCutUnit);
   mCutGrid.bindStorage(shared::kCutGridBinding);

@@ -102,11 +102,11 @@ class FrameInputs {
   gpu::UniformBuffer<shared::FrameParams> mParams;
   void writeCuts(const FrameData& data);
 
-  gpu::Buffer mTransfer, mExtinction, mCuts, mCutGrid, mStructures, mSpares;
+  gpu::Buffer mTransfer, mExtinction, mCuts, mCutGrid, mStructures, mSpares, mNoise;
   std::vector<shared::CutData> mGridCuts;  ///< What mCutGrid was made from, with the next two.
   glm::mat4 mGridBox{0.0f};
   bool mGridHasSpares = false;
-  gpu::Texture mCutTexels, mNoise, mTransferTexels, mExtinctionTexels, mStructureTexels, mSpareTexels;
+  gpu::Texture mCutTexels, mTransferTexels, mExtinctionTexels, mStructureTexels, mSpareTexels;
 };
 
 }  // namespace velum::render

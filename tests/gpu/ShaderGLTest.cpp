@@ -56,7 +56,6 @@ const Offset kFrameOffsets[] = {
     VELUM_OFFSET(FrameParams, forward),        VELUM_OFFSET(FrameParams, volumeSize),
     VELUM_OFFSET(FrameParams, storeSize),      VELUM_OFFSET(FrameParams, pageGrid),
     VELUM_OFFSET(FrameParams, pagesPerTex),    VELUM_OFFSET(FrameParams, firstPage),
-    VELUM_OFFSET(FrameParams, coarseEdge),
     VELUM_OFFSET(FrameParams, cellGrid),       VELUM_OFFSET(FrameParams, cellsPerTex),
     VELUM_OFFSET(FrameParams, lightGrid),      VELUM_OFFSET(FrameParams, normalX),
     VELUM_OFFSET(FrameParams, normalY),        VELUM_OFFSET(FrameParams, normalZ),

@@ -45,9 +45,7 @@ class StreamedGL : public RenderTest {
     lookAlong(scene, {0.5, -1.0, 0.4}, 300);
     return scene;
   }
-  /// Compares a streamed scene with the same that has a level in memory, seen by the same camera. Rounding decides now
-  /// and then whether the thin segments of a group are shaded together: one pixel in a thousand may differ by more
-  /// than 1.
+  /// Compares a streamed scene with the same that has a level in memory, seen by the same camera.
   void expectSameAs(const Volume& inMemory, const scene::Scene& streamed, glm::ivec2 size, const std::string& what,
                     double least = 0.05) {
     scene::Scene whole = streamed;
@@ -56,18 +54,8 @@ class StreamedGL : public RenderTest {
     whole.volume.data = Shared<Volume>(std::move(volume));
     Image a = draw(streamed, size, kAllLayers), b = draw(whole, size, kAllLayers);
     EXPECT_GT(coverageOf(b), least) << what;
-    int apart = 0;
-    for (int y = 0; y < size.y; ++y)
-      for (int x = 0; x < size.x; ++x) {
-        glm::vec4 p = colorOf(a, {x, y}), q = colorOf(b, {x, y});
-        glm::vec4 d = glm::abs(p * glm::vec4(glm::vec3(p.a), 1.0f) - q * glm::vec4(glm::vec3(q.a), 1.0f)) * 255.0f;
-        apart += std::max(std::max(d.x, d.y), std::max(d.z, d.w)) > 1.005f;
-      }
     Difference found = differenceOf(a, b);
-    EXPECT_LE(apart, std::max(1, size.x * size.y / 1000))
-        << what << ", pixel " << found.where.x << ' ' << found.where.y;
-    EXPECT_LE(found.largest, 40.0) << what << ", pixel " << found.where.x << ' ' << found.where.y;
-    EXPECT_LE(found.mean, 0.005) << what;
+    EXPECT_LE(found.largest, 1.005) << what << ", pixel " << found.where.x << ' ' << found.where.y;
   }
 };
 

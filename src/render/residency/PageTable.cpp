@@ -1,18 +1,32 @@
 #include "render/residency/PageTable.h"
 
 #include <algorithm>
-#include <span>
 
 namespace velum::render {
 
-void PageTable::reset(const PageGrid& grid, int level) {
+namespace {
+
+constexpr std::size_t kWord = sizeof(std::uint32_t), kTexel = shared::kPagesOfTexel * kWord;
+static_assert(sizeof(SlotRow) == shared::kSlotTexels * kTexel);
+
+}  // namespace
+
+void PageTable::reset(const PageGrid& grid, int level, std::size_t slots) {
+  constexpr std::size_t kPages = shared::kPagesOfTexel;
   mLevel = level;
   mSize = grid.levels()[std::size_t(level)].bricks;
-  mSlots.assign(std::size_t(mSize.x) * std::size_t(mSize.y) * std::size_t(mSize.z), 0);
+  std::size_t pages = std::size_t(mSize.x) * std::size_t(mSize.y) * std::size_t(mSize.z);
+  mSlots.assign((pages + kPages - 1) / kPages * kPages, 0);
+  mFirstTexel = slots * shared::kSlotTexels;
   mTexture = {};
-  mBuffer = gpu::Buffer("pages", std::span<const std::uint32_t>(mSlots));
-  mTexture = gpu::Texture::makeOfBuffer("pages", gpu::Format::R32ui, mBuffer);
-  mFirstChanged = mEndChanged = 0;
+  mBuffer = gpu::Buffer("pages", mFirstTexel * kTexel + mSlots.size() * kWord);
+  mTexture = gpu::Texture::makeOfBuffer("pages", gpu::Format::Rgba32ui, mBuffer);
+  mFirstChanged = 0;
+  mEndChanged = mSlots.size();
+}
+
+void PageTable::setRow(std::uint32_t slot, const SlotRow& row) {
+  mBuffer.write(std::size_t(slot) * sizeof(row), sizeof(row), &row);
 }
 
 glm::ivec3 PageTable::pageAt(std::size_t index) const {
@@ -43,8 +57,8 @@ PageTable::Pages PageTable::covered(const PageGrid& grid, const PageBrick& brick
 
 void PageTable::upload() {
   if (mFirstChanged == mEndChanged) return;
-  constexpr std::size_t kWord = sizeof(std::uint32_t);
-  mBuffer.write(mFirstChanged * kWord, (mEndChanged - mFirstChanged) * kWord, mSlots.data() + mFirstChanged);
+  mBuffer.write(mFirstTexel * kTexel + mFirstChanged * kWord, (mEndChanged - mFirstChanged) * kWord,
+                mSlots.data() + mFirstChanged);
   mFirstChanged = mEndChanged = 0;
 }
 

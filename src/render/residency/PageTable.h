@@ -1,21 +1,32 @@
 #pragma once
 #include <cstdint>
-#include <unordered_map>
 #include <vector>
 
 #include "gpu/Buffer.h"
 #include "gpu/Texture.h"
 #include "render/residency/PageGrid.h"
 #include "shared/bindings.h"
+#include "shared/frame.h"
 
 namespace velum::render {
 
-/// By page of a level: the slot in which its voxels are, those of that level or of a coarser one. The pages are the
-/// bricks of the level. Kept here and on the GPU. GL thread.
+/// Where the voxels of a slot lie, as shaders read it: place among the voxels of a level, whose middles are at whole
+/// numbers = tex * scale + first; texel = voxel + shift.
+struct SlotRow {
+  glm::vec3 scale{0.0f};
+  float lastX = 0;  ///< Last voxel of the level.
+  glm::vec3 first{0.0f};
+  float lastY = 0;
+  glm::ivec3 shift{0};
+  float lastZ = 0;
+};
+
+/// By page of a level: the slot in which its voxels are, those of that level or of a coarser one; and where slots lie.
+/// The pages are the bricks of the level. Kept here and on the GPU. GL thread.
 class PageTable {
  public:
-  /// Makes the table of a level, with all pages in slot 0.
-  void reset(const PageGrid& grid, int level);
+  /// Makes the table of a level, with all pages in slot 0. Where slots lie must then be set anew.
+  void reset(const PageGrid& grid, int level, std::size_t slots);
   int level() const { return mLevel; }
   glm::ivec3 size() const { return mSize; }
 
@@ -26,6 +37,10 @@ class PageTable {
   glm::ivec3 pageAt(std::size_t index) const;
   std::uint32_t slot(std::size_t index) const { return mSlots[index]; }
   void set(std::size_t index, std::uint32_t slot);
+  /// Says where a slot lies; sent at once.
+  void setRow(std::uint32_t slot, const SlotRow& row);
+  /// Where pages begin in the table that shaders read, texels.
+  std::size_t firstTexel() const { return mFirstTexel; }
 
   /// The pages that a brick covers: the first, and one past the last, along each axis. Empty for a brick of a finer
   /// level.
@@ -41,7 +56,8 @@ class PageTable {
  private:
   int mLevel = -1;
   glm::ivec3 mSize{0};
-  std::vector<std::uint32_t> mSlots;
+  std::vector<std::uint32_t> mSlots;  ///< by page; whole texels
+  std::size_t mFirstTexel = 0;
   std::size_t mFirstChanged = 0, mEndChanged = 0;
   gpu::Buffer mBuffer;
   gpu::Texture mTexture;

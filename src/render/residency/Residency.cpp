@@ -92,8 +92,6 @@ void Residency::makeSlots(const gpu::Limits& limits) {
     for (at.y = 0; at.y < size.y; at.y += kSlotEdge)
       for (at.x = 0; at.x < size.x; at.x += kSlotEdge)
         if (glm::any(glm::greaterThanEqual(at, coarse))) mSlots.push_back({.place = at});
-  mRows = gpu::Buffer("slots", mSlots.size() * 2 * sizeof(glm::vec4));
-  mRowTexels = gpu::Texture::makeOfBuffer("slots", gpu::Format::Rgba32f, mRows);
 }
 
 bool Residency::step() {
@@ -112,11 +110,6 @@ bool Residency::step() {
 }
 
 double Residency::fractionDone() const { return mUpload ? mUpload->fractionDone() : 1.0; }
-
-void Residency::bind() const {
-  mTable.bind();
-  mRowTexels.bindSampler(shared::kSlotRowUnit);
-}
 
 /// What no ray meets any more goes first. 0: all of it is seen.
 std::uint32_t Residency::freeSlot() {

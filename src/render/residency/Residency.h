@@ -43,7 +43,7 @@ class Residency {
   void look(const Frame& frame);
   /// The textures, and the volume of the frame's level.
   const GpuVolume& volume() const { return mVolume; }
-  void bind() const;
+  void bind() const { mTable.bind(); }
   /// Binds the marks for a dispatch that casts rays.
   void bindSeen() const { mSeen.bindStorage(shared::kSeenPageBinding); }
   void clearSeen() { mSeen.clear(); }
@@ -112,8 +112,7 @@ class Residency {
   float mEmptyTexel = 0;     ///< in all of it
   bool hasEmptyTexel = false;
   PageTable mTable;
-  gpu::Buffer mRows, mSeen;
-  gpu::Texture mRowTexels;
+  gpu::Buffer mSeen;
   std::unordered_map<std::uint64_t, std::uint32_t> mResident;  ///< slots by bricks
   std::unordered_map<std::uint64_t, BrickRanges> mKnown;       ///< ranges of bricks that were read
   std::unordered_set<std::uint64_t> mMissing, mFailed;

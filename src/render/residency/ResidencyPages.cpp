@@ -57,13 +57,14 @@ void Residency::look(const Frame& frame) {
 }
 
 void Residency::restartTable(int level) {
-  mTable.reset(mGrid, level);
+  mTable.reset(mGrid, level, mSlots.size());
   const PageLevel& own = mGrid.levels()[std::size_t(level)];
   mVolume.dims = own.dims;
   mVolume.worldFromTex = own.worldFromTex;
   mVolume.cells = cellGridFor(own.dims);
   PagePlace pages;
   pages.grid = mTable.size();
+  pages.firstTexel = mTable.firstTexel();
   pages.perTex = glm::dvec3(own.dims) / own.voxelsPerBox / own.brickEdge;
   pages.first = -own.firstVoxel / own.voxelsPerBox / own.brickEdge;
   mVolume.pages = pages;
@@ -75,6 +76,7 @@ void Residency::restartTable(int level) {
   for (const auto& slot : mSlots)
     if (slot.isUsed) bricks.push_back(slot.brick);
   for (const auto& brick : bricks) refreshPages(brick);
+  mTable.upload();
   mVolume.cellRange = gpu::Buffer("cell ranges", std::size_t(mVolume.cells.size.x) * std::size_t(mVolume.cells.size.y) *
                                                      std::size_t(mVolume.cells.size.z) * sizeof(glm::vec2));
   updateCells();
@@ -85,17 +87,19 @@ void Residency::writeRow(std::uint32_t slot) {
   const PageLevel& own = mGrid.levels()[std::size_t(mTable.level())];
   int level = slot == 0 ? mGrid.coarsest() : mSlots[slot].brick.level;
   const PageLevel& its = mGrid.levels()[std::size_t(level)];
-  glm::dvec3 origin = slot == 0 ? glm::dvec3(0.0) : glm::dvec3(mGrid.slotOrigin(mSlots[slot].brick));
-  // Its voxels = tex * scale + offset.
+  glm::ivec3 origin = slot == 0 ? glm::ivec3(0) : mGrid.slotOrigin(mSlots[slot].brick);
+  // Its voxels, whose corners are at whole numbers, = tex * scale + first.
   glm::dvec3 scale = glm::dvec3(own.dims) / own.voxelsPerBox * its.voxelsPerBox;
-  glm::dvec3 offset = its.firstVoxel - own.firstVoxel / own.voxelsPerBox * its.voxelsPerBox;
-  if (slot == 0) mVolume.pages->coarseEdge = 0.5 / scale;
-  offset += glm::dvec3(mSlots[slot].place) - origin;
-  glm::dvec3 size(mVolume.storeSize);
+  glm::dvec3 first = its.firstVoxel - own.firstVoxel / own.voxelsPerBox * its.voxelsPerBox;
+  SlotRow row{scale, 0.0f, first - 0.5, 0.0f, mSlots[slot].place - origin, 0.0f};
+  glm::vec3 last = its.dims - 1;
   // Wherever a place is in a page that shows nothing, it is seen in the slot's middle.
-  if (slot == kEmptySlot) scale = glm::dvec3(0.0), offset = glm::dvec3(mSlots[slot].place) + 0.5 * kSlotEdge;
-  glm::vec4 row[2] = {glm::vec4(glm::vec3(scale / size), 0.0f), glm::vec4(glm::vec3(offset / size), 0.0f)};
-  mRows.write(std::size_t(slot) * sizeof(row), sizeof(row), row);
+  if (slot == kEmptySlot) {
+    last = glm::vec3(0.5f * kSlotEdge);
+    row = {.first = last, .shift = mSlots[slot].place};
+  }
+  row.lastX = last.x, row.lastY = last.y, row.lastZ = last.z;
+  mTable.setRow(slot, row);
 }
 
 int Residency::wantedAt(glm::ivec3 page) const {

@@ -4,11 +4,13 @@
 #include <cmath>
 #include <cstdint>
 
+#include "shared/frame.h"
+
 namespace velum::render {
 
 namespace {
 
-constexpr int kSize = kBlueNoiseSize;
+constexpr int kSize = shared::kNoiseEdge;
 constexpr int kCount = kSize * kSize;
 
 /// Points on a torus and the Gaussian crowding that they make at every place.

@@ -3,9 +3,7 @@
 
 namespace velum::render {
 
-constexpr int kBlueNoiseSize = 64;
-
-/// A tile of blue noise, kBlueNoiseSize^2 ranks mapped to 0..1, by void and cluster [ULICHNEY]. Deterministic;
+/// A tile of blue noise, kNoiseEdge^2 ranks mapped to 0..1, by void and cluster [ULICHNEY]. Deterministic;
 /// about 50 ms.
 std::vector<float> makeBlueNoise();
 

@@ -13,10 +13,6 @@ layout(binding = kVolumeUnit) uniform sampler3D volumeTexture;
 #if GRADIENTS
 layout(binding = kGradientUnit) uniform sampler3D gradientTexture;  // xyz: direction, w: root of the magnitude
 #endif
-layout(binding = kLabelUnit) uniform usampler3D labelTexture;
-layout(binding = kCoverUnit) uniform sampler3D coverTexture;  // cover of a voxel, 0..1
-layout(binding = kShareUnit) uniform sampler3D shareTexture;  // shares of a voxel: r, g: that cuts spare, by class; a: that is shown
-layout(binding = kCoarseShareUnit) uniform sampler3D coarseShareTexture;  // their means over 2 x 2 x 2 voxels
 // Running sums of the transfer table in fixed point: differences of unsigned sums are exact, however long the sum.
 layout(binding = kTransferUnit) uniform usamplerBuffer transferTexture;  // rgb: colour*sigma, a: sigma; then, in r, factors by gradient
 layout(binding = kExtinctionUnit) uniform usamplerBuffer extinctionTexture;  // sigma alone: r up to the entry, g to the next
@@ -25,19 +21,7 @@ layout(binding = kStructureUnit) uniform samplerBuffer structureTexture;
 
 #include "common/texels.glsl"
 
-/// A position among the label voxels, whose corners are at whole numbers.
-vec3 labelVoxelAt(vec3 scenePoint) { return (frame.labelFromScene * vec4(scenePoint, 1.0)).xyz + 0.5; }
-
-/// True outside the grid. A ray enters and leaves exactly on the grid's faces: they belong to it.
-bool isBeyondLabels(vec3 p) {
-  return any(lessThan(p, vec3(-1e-3))) || any(greaterThan(p, vec3(textureSize(labelTexture, 0)) + 1e-3));
-}
-
-/// The label of the voxel there; 0 outside the grid.
-uint labelIn(vec3 p) {
-  return isBeyondLabels(p) ? 0u : texelFetch(labelTexture, clamp(ivec3(p), ivec3(0), textureSize(labelTexture, 0) - 1), 0).r;
-}
-uint labelAt(vec3 scenePoint) { return labelIn(labelVoxelAt(scenePoint)); }
+#include "common/labels.glsl"
 
 vec4 structureRow(uint label) {
   return label < uint(frame.structureCount) ? texelFetch(structureTexture, 2 * int(label)) : vec4(0.6, 0.6, 0.6, 1.0);
@@ -96,14 +80,6 @@ bool hasSolids() { return LABELS == 2 || (LABELS == 1 && (hasFlag(kFlagSolids) |
 bool usesShares(bool sparedOnly) { return hasSolids() || (LABELS == 1 && ((hasFlag(kFlagSpares) && sparedOnly) || hasFlag(kFlagHides))); }
 
 #if LABELS != 0
-/// Interpolated shares, see shareTexture. @param p  label voxels
-vec4 sharesIn(vec3 p) { return textureLod(shareTexture, p / vec3(textureSize(labelTexture, 0)), 0.0); }
-/// Means of them around a place. @param endsHere  beyond the grid there is nothing; else what is at its end goes on
-vec4 coarseSharesIn(vec3 p, bool endsHere) {
-  vec4 means = textureLod(coarseShareTexture, p / (2.0 * vec3(textureSize(coarseShareTexture, 0))), 0.0);
-  return endsHere && isBeyondLabels(p) ? frame.sharesBeyond : means;
-}
-
 bool mayOwn(uint label, int who) {
   int sets = int(structureLook(label).z) & who;
   bool isSpared = (sets & kSetSpared) != 0 || (who & kSetSpared) == 0;
@@ -124,7 +100,7 @@ int sparedOf(vec2 classes) {
 Owner ownerAt(vec3 scenePoint, int who, bool isWorthWhile, vec3 lean) {
   if (hasFlag(kFlagOneSpared) && (who & kSetSpared) != 0) return Owner(uint(frame.spareClasses.z), 1.0);
   vec3 p = labelVoxelAt(scenePoint);
-  ivec3 last = textureSize(labelTexture, 0) - 1;
+  ivec3 last = lastLabel();
   uint nearest = labelIn(p);
   vec3 q = clamp(p - 0.5, vec3(0.0), vec3(last));
   ivec3 base = ivec3(q);
@@ -133,13 +109,14 @@ Owner ownerAt(vec3 scenePoint, int who, bool isWorthWhile, vec3 lean) {
   if (isBeyondLabels(p)) return Owner(nearest, 1.0);
   Votes votes = noVotes();
   // Of a voxel that is wholly inside all eight are its own.
-  int corners = textureLod(coverTexture, p / vec3(last + 1), 0.0).r > 0.9999 && mayOwn(nearest, who) || !isWorthWhile ? 0 : 8;
+  int corners = coverIn(p) > 0.9999 && mayOwn(nearest, who) || !isWorthWhile ? 0 : 8;
+  ivec3 shift = corners == 0 ? ivec3(0) : labelShift(base);
   for (int corner = 0; corner < corners; ++corner) {
     ivec3 step3 = ivec3(corner & 1, corner >> 1 & 1, corner >> 2);
-    ivec3 voxel = min(base + step3, last);
+    ivec3 texel = min(base + step3, last) + shift;
     vec3 w = mix(1.0 - f, f, vec3(step3));
-    uint label = texelFetch(labelTexture, voxel, 0).r;
-    float weight = w.x * w.y * w.z * texelFetch(coverTexture, voxel, 0).r;
+    uint label = texelFetch(labelTexture, texel, 0).r;
+    float weight = w.x * w.y * w.z * texelFetch(coverTexture, texel, 0).r;
     if (mayOwn(label, who)) votes = addVote(votes, label, weight);
   }
   Owner owner = ownerOf(votes);
@@ -207,7 +184,7 @@ vec3 shareSlopeAt(vec3 scenePoint, int what, bool sparedOnly, vec2 classes) {
   const float kReach = 1.0;
   vec3 rise = vec3(0.0);
   // Where the data ends that is solid its surface is the end's.
-  vec3 toEnd = min(p, vec3(textureSize(labelTexture, 0)) - p);
+  vec3 toEnd = min(p, frame.labelSize.xyz - p);
   bool isAtEnd = min(toEnd.x, min(toEnd.y, toEnd.z)) < 0.3;
   int corners = isAtEnd || shareOf(sharesIn(p), what, sparedOnly, classes) < 0.98 ? 4 : 0;
   for (int i = 0; i < corners; ++i) {

@@ -31,6 +31,7 @@ SHARED_CONST uint kStructureUnit = 13u;
 SHARED_CONST uint kShareUnit = 39u;
 SHARED_CONST uint kCoverUnit = 40u;
 SHARED_CONST uint kCoarseShareUnit = 41u;
+SHARED_CONST uint kLabelPageUnit = 48u;  // of labels that lie in bricks: the slot of each
 SHARED_CONST uint kPageUnit = 47u;  // of a streamed volume: where its slots lie, and the slot of each page
 
 // Those of the finish.

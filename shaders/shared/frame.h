@@ -10,6 +10,10 @@ SHARED_CONST int kTileGroup = 8;        // threads along x and y of a ray-cast g
 SHARED_CONST int kNoiseEdge = 64;       // of the tile of blue noise, pixels
 SHARED_CONST int kSlotTexels = 3;       // of a slot of a streamed volume, in the table of pages (common/bricks.glsl)
 SHARED_CONST int kPagesOfTexel = 4;     // slots of so many pages are a texel's words
+SHARED_CONST int kLabelBrick = 32;      // voxels along an edge of a brick of labels,
+SHARED_CONST int kLabelSlotHalo = 2;    // what its slot holds of its neighbours on each side,
+SHARED_CONST int kLabelSlotEdge = kLabelBrick + 2 * kLabelSlotHalo;
+SHARED_CONST int kLabelSlotsAlong = 16; // and slots of the texture along x and along y
 SHARED_CONST float kFar = 1e30f;
 SHARED_CONST int kMostPlanes = 3;       // so many cuts that are all planes have programs of their own: PLANES
 
@@ -61,6 +65,7 @@ struct FrameParams {
   mat4 texFromScene;    ///< volume texture coordinates 0..1
   mat4 sceneFromTex;    ///< the way back
   mat4 labelFromScene;  ///< label voxel indices
+  vec4 labelSize;       ///< label voxels x, y, z
   vec4 sharesBeyond;    ///< what shareTexture would hold beyond the labels' grid
   mat4 clipFromScene;   ///< for what is rasterised; same rays
   vec4 eye;             ///< perspective: the eye; orthographic: middle of the picture plane

@@ -20,6 +20,10 @@ std::size_t inWide(glm::ivec3 at) {
 std::size_t indexIn(glm::ivec3 grid, glm::ivec3 at) {
   return (std::size_t(at.z) * std::size_t(grid.y) + std::size_t(at.y)) * std::size_t(grid.x) + std::size_t(at.x);
 }
+glm::ivec3 cellOf(glm::ivec3 grid, std::size_t index) {
+  auto x = std::size_t(grid.x), y = std::size_t(grid.y);
+  return {int(index % x), int(index / x % y), int(index / (x * y))};
+}
 std::size_t inBrick(glm::ivec3 at) {
   return (std::size_t(at.z) * kSize + std::size_t(at.y)) * kSize + std::size_t(at.x);
 }
@@ -218,7 +222,12 @@ class BrickWork {
   std::vector<Group> mGroups;
 };
 
-/// True when no brick that touches this one has another id.
+std::vector<std::uint16_t> idsAround(const LabelVolume& labels, glm::ivec3 corner) {
+  return readAround(labels, corner - kHalo, glm::ivec3(kWide));
+}
+
+}  // namespace
+
 bool isUniformAround(const LabelVolume& labels, glm::ivec3 index) {
   const LabelVolume::Brick& own = labels.brick(index);
   glm::ivec3 low = glm::max(index - 1, glm::ivec3(0)), high = glm::min(index + 1, labels.brickGrid() - 1), at;
@@ -228,12 +237,6 @@ bool isUniformAround(const LabelVolume& labels, glm::ivec3 index) {
         if (const auto& brick = labels.brick(at); brick.size() > 1 || brick[0] != own[0]) return false;
   return true;
 }
-
-std::vector<std::uint16_t> idsAround(const LabelVolume& labels, glm::ivec3 corner) {
-  return readAround(labels, corner - kHalo, glm::ivec3(kWide));
-}
-
-}  // namespace
 
 std::vector<std::uint16_t> readAround(const LabelVolume& labels, glm::ivec3 origin, glm::ivec3 size) {
   glm::ivec3 low = glm::clamp(origin, glm::ivec3(0), labels.dims() - 1);
@@ -285,8 +288,14 @@ StructureField::StructureField(LabelCover cover, const StructureField* before) :
   mEntries.resize(std::size_t(grid.x) * std::size_t(grid.y) * std::size_t(grid.z));
   std::vector<bool> changed(mEntries.size(), true);
   if (before && before->mCover.borders() == mCover.borders()) changed = changedCovers(*before->mCover.labels(), labels);
+  // Where there is no border there is nothing to be made, and one entry does for all.
+  auto plain = std::make_shared<Entry>();
+  std::call_once(plain->isMade, [&] { plain->cover = {255}; });
+  std::call_once(plain->isLabelledMade, [&] { plain->labelled = {255}; });
   for (std::size_t i = 0; i < mEntries.size(); ++i)
-    mEntries[i] = changed[i] ? std::make_shared<Entry>() : before->mEntries[i];
+    mEntries[i] = !changed[i]                                ? before->mEntries[i]
+                  : isUniformAround(labels, cellOf(grid, i)) ? plain
+                                                             : std::make_shared<Entry>();
 }
 
 StructureField::Entry& StructureField::entryOf(glm::ivec3 index) const {

@@ -29,6 +29,9 @@ struct ValueBorder {
 /// outermost voxels are repeated.
 std::vector<std::uint16_t> readAround(const LabelVolume& labels, glm::ivec3 origin, glm::ivec3 size);
 
+/// True when a brick is of one id, and so are the bricks that touch it, of the same. @param index  in the brick grid
+bool isUniformAround(const LabelVolume& labels, glm::ivec3 index);
+
 /// How far inside its structure each voxel of a label volume lies, the voxel's cover: a byte from 1, next to the
 /// border, to 255, where none of the 26 voxels around belongs to another structure. Label 0 counts as a structure like
 /// any other.

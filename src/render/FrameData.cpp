@@ -187,6 +187,7 @@ DataVariant dataVariantOf(const FrameData& data) {
     if (volume->pages) variant.bricks = isLong ? BrickUse::BySample : BrickUse::ByGroup;
   }
   variant.labels = data.labelUse;
+  variant.hasLabelBricks = data.labelUse != LabelUse::None && data.hasLabelBricks;
   variant.hasMembranes = (data.params.flags & shared::kFlagMembranes) != 0;
   variant.flags = data.params.flags & ~shared::kSwitches;
   bool arePlanes =

@@ -61,6 +61,7 @@ struct FrameData {
   Residency* residency = nullptr;     ///< Of a volume that is streamed; else nullptr.
   VolumeKey volumeKey;
   LabelUse labelUse = LabelUse::None;
+  bool hasLabelBricks = false;             ///< They lie in bricks (LabelBricks).
   LabelKey labelKey;                       ///< id 0 where no labels are drawn.
   const LabelCells* labelCells = nullptr;  ///< nullptr where no labels are drawn.
   std::uint64_t labelCellsRevision = 0;    ///< Revision of the sets in labelCells, see LabelUpload::cellsRevision().

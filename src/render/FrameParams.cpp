@@ -31,6 +31,7 @@ void setSpaces(shared::FrameParams& params, const scene::Scene& scene, const Fra
   if (!scene.labels.data) return;
   glm::dmat4 toWorld = glm::dmat4(glm::dmat3(unit));
   toWorld[3] = glm::dvec4(sceneOrigin(grid) * unit, 1.0);
+  params.labelSize = v4(glm::dvec3(scene.labels.data->dims()));
   params.labelFromScene = glm::mat4(glm::inverse(scene.labels.data->worldFromVoxel()) * toWorld);
 }
 

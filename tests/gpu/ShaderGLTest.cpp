@@ -50,7 +50,8 @@ struct Offset {
 
 const Offset kFrameOffsets[] = {
     VELUM_OFFSET(FrameParams, texFromScene),   VELUM_OFFSET(FrameParams, sceneFromTex),
-    VELUM_OFFSET(FrameParams, labelFromScene), VELUM_OFFSET(FrameParams, sharesBeyond),
+    VELUM_OFFSET(FrameParams, labelFromScene), VELUM_OFFSET(FrameParams, labelSize),
+    VELUM_OFFSET(FrameParams, sharesBeyond),
     VELUM_OFFSET(FrameParams, clipFromScene),  VELUM_OFFSET(FrameParams, eye),
     VELUM_OFFSET(FrameParams, right),          VELUM_OFFSET(FrameParams, up),
     VELUM_OFFSET(FrameParams, forward),        VELUM_OFFSET(FrameParams, volumeSize),

@@ -96,6 +96,60 @@ TEST_F(StreamedGL, CutsAndPlacesAreThoseInMemory) {
   }
 }
 
+/// Labels as fine as the finest level, in bricks of which some are one structure's alone.
+Shared<LabelVolume> labelsOn(const Volume& volume) {
+  LabelVolume labels(volume.dims, volume.worldFromVoxel);
+  std::vector<std::uint16_t> ids;
+  glm::ivec3 p;
+  for (p.z = 0; p.z < volume.dims.z; ++p.z)
+    for (p.y = 0; p.y < volume.dims.y; ++p.y)
+      for (p.x = 0; p.x < volume.dims.x; ++p.x) {
+        bool isBall = glm::length(glm::dvec3(p) - glm::dvec3(30, 40, 30)) < 21.0;
+        double tube = std::hypot(p.y - 45.0 - 20.0 * std::sin(p.x / 14.0), p.z - 38.0 - 15.0 * std::cos(p.x / 11.0));
+        ids.push_back(tube < 4.0 ? 2 : isBall ? 1 : p.x > 66 ? 3 : 0);
+      }
+  labels.write(glm::ivec3(0), volume.dims, ids);
+  return Shared<LabelVolume>(std::move(labels));
+}
+
+/// Structures of the finest level: tinted, hidden, spared by a cut, shown as surfaces.
+TEST_F(StreamedGL, StructuresAreThoseInMemory) {
+  auto source = makeSource(SampleType::UInt8);
+  scene::Scene scene = lookOf(streamedVolume(source, 2), scene::RenderMode::Volume);
+  scene.labels.data = labelsOn(source->level(0));
+  scene.labels.structures = {
+      {1, "ball", {0.9f, 0.3f, 0.2f}}, {2, "tube", {0.2f, 0.7f, 0.9f}}, {3, "rest", {0.6f, 0.8f, 0.3f}}};
+  expectSameAs(source->level(0), scene, {160, 160}, "tinted");
+  scene.labels.structures[2].visible = false;
+  expectSameAs(source->level(0), scene, {160, 160}, "one is hidden");
+  scene::Cut cut;
+  cut.shape = scene::CutShape::Plane;
+  cut.centre = scene.camera.target;
+  cut.axis = {0.2, -1.0, 0.1};
+  cut.spares = {{2}};
+  scene.cuts = {cut};
+  expectSameAs(source->level(0), scene, {160, 160}, "a tube is spared");
+  scene.labels.structures[1].showAs = scene::ShowAs::Solid;
+  expectSameAs(source->level(0), scene, {160, 160}, "as a surface");
+}
+
+/// Slots follow edits: what is drawn after one is what is drawn of the edited labels by themselves.
+TEST_F(StreamedGL, EditedStructuresAreThoseInMemory) {
+  auto source = makeSource(SampleType::UInt8);
+  scene::Scene scene = lookOf(streamedVolume(source, 2), scene::RenderMode::Volume);
+  scene.labels.data = labelsOn(source->level(0));
+  scene.labels.structures = {
+      {1, "ball", {0.9f, 0.3f, 0.2f}}, {2, "tube", {0.2f, 0.7f, 0.9f}}, {3, "rest", {0.6f, 0.8f, 0.3f}}};
+  draw(scene, {160, 160}, kAllLayers);
+  LabelVolume edited = *scene.labels.data;
+  std::vector<std::uint16_t> ids(36 * 34 * 20, 1);
+  edited.write({40, 20, 30}, {36, 34, 20}, ids);
+  std::fill(ids.begin(), ids.end(), 0);
+  edited.write({10, 24, 20}, {36, 34, 20}, ids);
+  scene.labels.data = Shared<LabelVolume>(std::move(edited));
+  expectSameAs(source->level(0), scene, {160, 160}, "edited");
+}
+
 /// What the means of the coarse levels do not show is looked for all the same.
 TEST_F(StreamedGL, AThinWireIsFoundThoughNoCoarseLevelShowsIt) {
   auto source =

@@ -16,6 +16,11 @@ LabelUse labelUseOf(const scene::Scene& scene) {
   return scene.volume.data && scene.volume.visible ? LabelUse::OverVolume : LabelUse::Alone;
 }
 
+/// Labels over a volume that is streamed may be as fine as its finest level.
+bool hasLabelBricks(const scene::Scene& scene) {
+  return labelUseOf(scene) == LabelUse::OverVolume && scene.volume.data->finer;
+}
+
 /// The grid that stands for a frame's data.
 FrameGrid gridOf(const FrameData& data) {
   const scene::Scene& scene = data.frame.scene;
@@ -73,7 +78,10 @@ bool UploadPass::stepWhole() {
 void UploadPass::prepare(FrameData& data) {
   mMsBefore = mMs;
   LabelUse labels = labelUseOf(data.frame.scene);
-  if (labels != LabelUse::None) mShares.begin(data.frame.scene, labels == LabelUse::Alone);
+  if (hasLabelBricks(data.frame.scene))
+    mBricks.begin(data.frame.scene, false);
+  else if (labels != LabelUse::None)
+    mShares.begin(data.frame.scene, labels == LabelUse::Alone);
   const auto& layer = data.frame.scene.volume;
   VolumeKey key = volumeKeyOf(layer);
   if (key.id == 0 || (mWhole && mWhole->key == key)) return;
@@ -86,7 +94,10 @@ void UploadPass::prepare(FrameData& data) {
 }
 
 void UploadPass::addSteps(const FrameData& data, int, WorkQueue& queue) {
-  if (labelUseOf(data.frame.scene) != LabelUse::None) queue.addUntilDone(*this, [this] { return mShares.step(); });
+  if (hasLabelBricks(data.frame.scene))
+    queue.addUntilDone(*this, [this] { return mBricks.step(); });
+  else if (labelUseOf(data.frame.scene) != LabelUse::None)
+    queue.addUntilDone(*this, [this] { return mShares.step(); });
   VolumeKey key = volumeKeyOf(data.frame.scene.volume);
   if (key.id == 0 || (mWhole && mWhole->key == key)) return;
   if (!data.frame.isPreview) {
@@ -114,11 +125,12 @@ void UploadPass::complete(FrameData& data) {
   mLabelBytes = 0;
   if (data.labelUse != LabelUse::None) {
     data.labelKey = {data.frame.scene.labels.data.id(), {data.grid.cells, data.grid.dims, data.grid.worldFromTex}};
-    mLabels.update(data.frame.scene.labels.data, data.labelKey.over);
-    mLabelBytes = mLabels.bytesSent();
+    data.hasLabelBricks = hasLabelBricks(data.frame.scene);
+    mLabels.update(data.frame.scene.labels.data, data.labelKey.over, !data.hasLabelBricks);
+    mLabelBytes = data.hasLabelBricks ? mBricks.bytesSent() : mLabels.bytesSent();
     data.labelCells = &mLabels.cells();
     data.labelCellsRevision = mLabels.cellsRevision();
-    data.sets = mShares.sets();
+    data.sets = data.hasLabelBricks ? mBricks.sets() : mShares.sets();
   }
   mSheets.prepare(data.frame);
   data.sheetPlans = mSheets.plans();
@@ -141,6 +153,7 @@ void UploadPass::bind(const FrameData& data) const {
   if (data.residency) data.residency->bind();
   if (volume && volume->gradient) volume->gradient.bindSampler(shared::kGradientUnit);
   (volume ? volume->cellRange : mNoCells).bindStorage(shared::kCellBinding);
+  if (data.hasLabelBricks) return mSheets.bind(), mBricks.bind();
   (hasLabels ? mLabels.texture() : mNoLabels).bindSampler(shared::kLabelUnit);
   (hasLabels ? mShares.covers() : mNoShares).bindSampler(shared::kCoverUnit);
   (hasLabels ? mShares.shares() : mNoShares).bindSampler(shared::kShareUnit);

@@ -7,6 +7,7 @@
 #include "render/passes/Pass.h"
 #include "render/residency/Residency.h"
 #include "render/upload/CutSheets.h"
+#include "render/upload/LabelBricks.h"
 #include "render/upload/LabelUpload.h"
 #include "render/upload/ShareUpload.h"
 #include "render/upload/VolumeUpload.h"
@@ -17,7 +18,8 @@ namespace velum::render {
 /// membranes. The key of a volume is VolumeKey; labels and sheets keep keys of their own.
 class UploadPass : public Pass {
  public:
-  explicit UploadPass(const gpu::Limits& limits) : Pass("Upload"), mLimits(limits), mLabels(limits), mShares(limits) {}
+  explicit UploadPass(const gpu::Limits& limits)
+      : Pass("Upload"), mLimits(limits), mLabels(limits), mShares(limits), mBricks(limits) {}
 
   void prepare(FrameData& data) override;
   void addSteps(const FrameData& data, int sample, WorkQueue& queue) override;
@@ -49,6 +51,7 @@ class UploadPass : public Pass {
   VolumeKey mUploadKey;
   LabelUpload mLabels;
   ShareUpload mShares;
+  LabelBricks mBricks;  ///< Instead of mShares and the texture of mLabels, where the volume is streamed.
   std::size_t mLabelBytes = 0;
   CutSheets mSheets;
   gpu::Texture mNoVolume, mNoLabels, mNoShares;

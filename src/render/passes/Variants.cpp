@@ -22,6 +22,7 @@ gpu::Defines definesOf(const DataVariant& variant) {
                        {"COLOR", number(variant.texels)},
                        {"PACKED", number(variant.packing)},
                        {"BRICKS", number(variant.bricks)}};
+  if (variant.hasLabelBricks) defines.push_back({"LABEL_BRICKS", "1"});
   if (variant.hasMembranes) defines.push_back({"MEMBRANES", "1"});
   if (variant.planes > 0) defines.push_back({"PLANES", std::to_string(variant.planes)});
   defines.push_back({"FLAGS", fmt::format("{}u", variant.flags)});
@@ -55,12 +56,13 @@ std::vector<DataVariant> allLightVariants() {
     for (auto mode : {scene::RenderMode::Volume, scene::RenderMode::Mip, scene::RenderMode::Iso})
       for (LabelUse labels : {LabelUse::None, LabelUse::OverVolume}) {
         for (TexelKind texels : {TexelKind::Value, TexelKind::Color, TexelKind::Mixed})
-          all.push_back({mode, labels, texels, Packing::None, BrickUse::None, hasMembranes, {}});
+          all.push_back({mode, labels, texels, Packing::None, BrickUse::None, false, hasMembranes, {}});
         for (Packing packing : {Packing::Bytes, Packing::Shorts})
-          all.push_back({mode, labels, TexelKind::Value, packing, BrickUse::None, hasMembranes, {}});
-        // How values lie and how bricks are found have nothing to do with each other.
+          all.push_back({mode, labels, TexelKind::Value, packing, BrickUse::None, false, hasMembranes, {}});
+        // How values lie and how bricks are found have nothing to do with each other. Labels lie as the volume does.
         for (BrickUse bricks : {BrickUse::ByGroup, BrickUse::BySample})
-          all.push_back({mode, labels, TexelKind::Value, Packing::Bytes, bricks, hasMembranes, {}});
+          all.push_back(
+              {mode, labels, TexelKind::Value, Packing::Bytes, bricks, labels != LabelUse::None, hasMembranes, {}});
       }
     // Labels alone have no values: there is one mode.
     all.push_back({scene::RenderMode::Volume,
@@ -68,6 +70,7 @@ std::vector<DataVariant> allLightVariants() {
                    TexelKind::Value,
                    Packing::None,
                    BrickUse::None,
+                   false,
                    hasMembranes,
                    {}});
   }

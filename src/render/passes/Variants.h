@@ -27,6 +27,7 @@ struct DataVariant {
   TexelKind texels = TexelKind::Value;
   Packing packing = Packing::None;  ///< How values are packed, on software drivers.
   BrickUse bricks = BrickUse::None;
+  bool hasLabelBricks = false;  ///< Labels lie in bricks; the shaders' define LABEL_BRICKS.
   bool hasMembranes = false;
   std::uint32_t flags = 0;  ///< The frame's kFlag* bits without those of kSwitches.
   int planes = 0;           ///< Number of cuts where all of them are planes, and few; 0: any other cuts.

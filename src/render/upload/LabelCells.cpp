@@ -11,7 +11,6 @@ namespace velum::render {
 namespace {
 
 constexpr int kEdge = 8;  // label voxels along a block's edge
-constexpr int kPerBrick = LabelVolume::kBrickSize / kEdge;
 
 glm::dmat3 absolute(glm::dmat3 m) {
   for (int i = 0; i < 3; ++i) m[i] = glm::abs(m[i]);
@@ -22,7 +21,6 @@ glm::dmat3 absolute(glm::dmat3 m) {
 /// @param inner  of the block in its brick  @param voxels  of the block that lie in the grid
 std::uint64_t setOfBlock(const LabelVolume::Brick& brick, glm::ivec3 inner, glm::ivec3 voxels) {
   constexpr std::size_t kSize = LabelVolume::kBrickSize;
-  if (brick.size() == 1) return std::uint64_t(1) << (brick[0] % 64);
   std::uint64_t set = 0;
   glm::ivec3 corner = inner * kEdge;
   for (int z = 0; z < voxels.z; ++z)
@@ -37,11 +35,12 @@ std::uint64_t setOfBlock(const LabelVolume::Brick& brick, glm::ivec3 inner, glm:
 }  // namespace
 
 LabelCells::LabelCells(const LabelVolume& labels, const LabelSpace& over)
-    : mOver(over), mDims(labels.dims()), mBlockGrid((mDims + kEdge - 1) / kEdge) {
+    : mOver(over), mDims(labels.dims()), mBlockGrid((mDims + kEdge - 1) / kEdge), mBrickGrid(labels.brickGrid()) {
+  static_assert(kPerBrick * kEdge == LabelVolume::kBrickSize);
   glm::dmat4 texFromVox(1.0);
   for (int axis = 0; axis < 3; ++axis) texFromVox[axis][axis] = 1.0 / over.dims[axis];
   mLabelFromVox = glm::inverse(labels.worldFromVoxel()) * over.worldFromTex * texFromVox;
-  mBlocks.assign(countOf(mBlockGrid), 0);
+  mBricks.resize(countOf(mBrickGrid));
   mSets.assign(countOf(over.cells.size), 0);
   glm::ivec3 grid = labels.brickGrid();
   parallelFor(0, grid.x * grid.y * grid.z, [&](int job) {
@@ -50,22 +49,31 @@ LabelCells::LabelCells(const LabelVolume& labels, const LabelSpace& over)
   recount(std::vector<std::uint8_t>(mSets.size(), 1));
 }
 
-std::uint64_t& LabelCells::block(glm::ivec3 at) { return mBlocks[indexIn(mBlockGrid, at)]; }
+std::uint64_t LabelCells::block(glm::ivec3 at) const {
+  const BrickSets& brick = mBricks[indexIn(mBrickGrid, at / kPerBrick)];
+  return brick.blocks ? (*brick.blocks)[indexIn(glm::ivec3(kPerBrick), at % kPerBrick)] : brick.all;
+}
 
 /// Counts the blocks of a brick anew. @return a box around those whose sets are others now; empty when there are none
 LabelCells::Box LabelCells::collectBlocks(const LabelVolume& labels, glm::ivec3 index) {
   Box changed{mBlockGrid, glm::ivec3(0)};
-  const auto& brick = labels.brick(index);
-  for (int i = 0; i < kPerBrick * kPerBrick * kPerBrick; ++i) {
-    glm::ivec3 inner(i % kPerBrick, i / kPerBrick % kPerBrick, i / (kPerBrick * kPerBrick));
-    glm::ivec3 at = index * kPerBrick + inner;
+  const auto& ids = labels.brick(index);
+  BrickSets now;
+  if (ids.size() == 1)
+    now.all = std::uint64_t(1) << (ids[0] % 64);
+  else
+    now.blocks = std::make_unique<Blocks>();
+  for (int i = 0; i < int(Blocks().size()); ++i) {
+    glm::ivec3 inner = cellIn(glm::ivec3(kPerBrick), std::size_t(i)), at = index * kPerBrick + inner;
     if (glm::any(glm::greaterThanEqual(at, mBlockGrid))) continue;
-    std::uint64_t set = setOfBlock(brick, inner, glm::min(mDims - at * kEdge, glm::ivec3(kEdge)));
+    std::uint64_t set = now.all;
+    if (now.blocks)
+      set = (*now.blocks)[std::size_t(i)] = setOfBlock(ids, inner, glm::min(mDims - at * kEdge, glm::ivec3(kEdge)));
     if (set == block(at)) continue;
-    block(at) = set;
     changed.low = glm::min(changed.low, at);
     changed.high = glm::max(changed.high, at + 1);
   }
+  mBricks[indexIn(mBrickGrid, index)] = std::move(now);
   return changed;
 }
 
@@ -104,7 +112,7 @@ std::uint64_t LabelCells::setOf(glm::ivec3 cell) const {
     glm::ivec3 b1 = glm::ivec3(glm::ceil(glm::clamp(high + 1.0, glm::dvec3(0.0), last))) / kEdge;
     for (int z = b0.z; z <= b1.z; ++z)
       for (int y = b0.y; y <= b1.y; ++y)
-        for (int x = b0.x; x <= b1.x; ++x) set |= mBlocks[indexIn(mBlockGrid, {x, y, z})];
+        for (int x = b0.x; x <= b1.x; ++x) set |= block({x, y, z});
   }
   return set;
 }

@@ -1,6 +1,8 @@
 #pragma once
+#include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -36,13 +38,20 @@ class LabelCells {
   Box cellsTouching(const Box& blocks) const;
   bool recount(const std::vector<std::uint8_t>& isDirty);
   std::uint64_t setOf(glm::ivec3 cell) const;
-  std::uint64_t& block(glm::ivec3 at);
+  std::uint64_t block(glm::ivec3 at) const;
 
   LabelSpace mOver;
   glm::ivec3 mDims;          ///< Label voxels.
   glm::dmat4 mLabelFromVox;  ///< Label voxel indices from voxels of the cells' grid, whose corner is 0.
-  glm::ivec3 mBlockGrid;
-  std::vector<std::uint64_t> mBlocks;
+  glm::ivec3 mBlockGrid, mBrickGrid;
+  static constexpr int kPerBrick = 4;  ///< blocks along an edge of a brick
+  using Blocks = std::array<std::uint64_t, kPerBrick * kPerBrick * kPerBrick>;
+  /// Of a brick: its set, where it is of one id; else those of its blocks.
+  struct BrickSets {
+    std::uint64_t all = 0;
+    std::unique_ptr<Blocks> blocks;
+  };
+  std::vector<BrickSets> mBricks;
   std::vector<std::uint64_t> mSets;
 };
 

@@ -18,8 +18,6 @@ void checkLabelSize(glm::ivec3 dims, std::size_t bytes, const gpu::Limits& limit
 }
 
 void LabelUpload::allocate(glm::ivec3 dims) {
-  mTexture = gpu::Texture();
-  mCells.reset();
   checkLabelSize(dims, 2, mLimits);
   mTexture = gpu::Texture::make3d("labels", gpu::Format::R16ui, dims);
 }
@@ -54,15 +52,19 @@ void LabelUpload::sendBricks(const LabelVolume& labels, const std::vector<glm::i
   }
 }
 
-void LabelUpload::update(const Shared<LabelVolume>& labels, const LabelSpace& over) {
+void LabelUpload::update(const Shared<LabelVolume>& labels, const LabelSpace& over, bool hasTexture) {
   mBytesSent = 0;
-  if (mCells && mId == labels.id() && mOver == over) return;
-  if (!mTexture || mTexture.size() != labels->dims()) {
-    allocate(labels->dims());
+  bool isOther = mDims != labels->dims() || hasTexture != bool(mTexture);
+  if (mCells && !isOther && mId == labels.id() && mOver == over) return;
+  if (isOther) {
+    mTexture = gpu::Texture();
+    mCells.reset();
+    if (hasTexture) allocate(labels->dims());
+    mDims = labels->dims();
     mBrickIds.assign(countOf(labels->brickGrid()), 0);  // no brick has this id
   }
   std::vector<glm::ivec3> changed = takeChanged(*labels);
-  sendBricks(*labels, changed);
+  if (hasTexture) sendBricks(*labels, changed);
   if (!mCells || mOver != over || mWorldFromVoxel != labels->worldFromVoxel()) {
     mCells.emplace(*labels, over);
     ++mCellsRevision;

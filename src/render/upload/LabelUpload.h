@@ -22,7 +22,8 @@ class LabelUpload {
   explicit LabelUpload(const gpu::Limits& limits) : mLimits(limits) {}
   /// Brings the GPU's copy from the labels of the last call to the present labels.
   /// @throw gpu::GpuError when the labels are larger than the driver's 3D textures or memory
-  void update(const Shared<LabelVolume>& labels, const LabelSpace& over);
+  /// @param hasTexture  false: the cells alone are wanted
+  void update(const Shared<LabelVolume>& labels, const LabelSpace& over, bool hasTexture = true);
 
   /// The ids, R16ui, in the labels' own grid.
   const gpu::Texture& texture() const { return mTexture; }
@@ -41,6 +42,7 @@ class LabelUpload {
   gpu::Limits mLimits;
   std::uint64_t mId = 0;
   LabelSpace mOver;
+  glm::ivec3 mDims{0};
   glm::dmat4 mWorldFromVoxel{1.0};
   std::vector<std::uint64_t> mBrickIds;  ///< Ids of the bricks that the texture holds.
   std::optional<LabelCells> mCells;

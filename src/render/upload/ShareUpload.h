@@ -1,13 +1,10 @@
 #pragma once
-#include <array>
-#include <cstdint>
 #include <memory>
 #include <vector>
 
-#include "core/LabelCover.h"
 #include "gpu/Context.h"
 #include "gpu/Texture.h"
-#include "render/upload/StructureSets.h"
+#include "render/upload/ShareTexels.h"
 
 namespace velum::render {
 
@@ -23,9 +20,7 @@ class ShareUpload {
   /// Makes and sends some bricks. @return true when the textures agree with the scene
   bool step();
 
-  /// The textures, in the labels' own grid. Shares reach shaders as r, g: share that cuts spare, by class (or g: share
-  /// of veils), b: share of solid structures, a: share that is shown. Sets that are equal share one component of the
-  /// texture.
+  /// The textures, in the labels' own grid.
   const gpu::Texture& covers() const { return mCovers; }
   const gpu::Texture& shares() const { return mShares; }
   /// Means of the shares: half as many texels along each axis, rounded up.
@@ -34,24 +29,12 @@ class ShareUpload {
   const StructureSets& sets() const { return mSets; }
 
  private:
-  /// What the texture of shares holds.
-  struct Layout {
-    std::vector<std::uint8_t> sets;            ///< a component for each: bits of StructureSets
-    std::array<gpu::Component, 4> components;  ///< which component of the texture shaders get as r, g, b and a
-    bool operator==(const Layout&) const = default;
-  };
-  static Layout layoutOf(const StructureSets& sets);
-  gpu::Format format() const;
-  struct Texels {
-    std::vector<std::uint8_t> covers, shares, coarseShares;
-  };
   void allocate(glm::ivec3 dims);
-  Texels texelsOf(glm::ivec3 index) const;
 
   gpu::Limits mLimits;
   std::shared_ptr<const StructureField> mField;  ///< the field that the textures show, once no brick is stale
   StructureSets mSets;
-  Layout mLayout;
+  ShareLayout mLayout;
   std::vector<bool> mIsStale;  ///< by brick, x fastest
   std::size_t mNext = 0;       ///< no brick before this one is stale
   gpu::Texture mCovers, mShares, mCoarseShares;

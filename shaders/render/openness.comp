@@ -3,6 +3,7 @@
 layout(local_size_x = 8, local_size_y = 8) in;
 
 #include "common/frame.glsl"
+#include "common/noise.glsl"
 #include "model/instances.glsl"
 
 layout(std140, binding = kInstanceLightBinding) uniform InstanceLightBlock { InstanceView light; };

@@ -5,7 +5,7 @@
 #include <cstring>
 #include <type_traits>
 
-#include "render/residency/BlockGradients.h"
+#include "render/upload/BlockGradients.h"
 #include "render/upload/GradientPlanes.h"
 #include "render/upload/GradientTexels.h"
 

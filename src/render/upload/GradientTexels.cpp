@@ -58,11 +58,11 @@ std::vector<float> takeDifferences(const Texel* texels, glm::ivec3 dims, int fir
   return differences;
 }
 
-std::vector<glm::u8vec4> packGradients(const std::vector<float>& differences, glm::ivec3 dims, int z0, int z1,
-                                       double longestGradient) {
+PackedGradients packGradients(const std::vector<float>& differences, glm::ivec3 dims, int z0, int z1,
+                              double longestGradient) {
   auto width = std::size_t(dims.x), height = std::size_t(dims.y);
   int low = std::max(0, z0 - 1), high = std::min(dims.z, z1 + 1);
-  std::vector<glm::u8vec4> gradients(width * height * std::size_t(z1 - z0));
+  PackedGradients gradients(width * height * std::size_t(z1 - z0));
   float toShare = float(1.0 / longestGradient);
   parallelFor(0, (z1 - z0) * dims.y, [&](int job) {
     int z = z0 + job / dims.y, y = job % dims.y;

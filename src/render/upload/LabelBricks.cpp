@@ -55,7 +55,7 @@ void LabelBricks::restart(glm::ivec3 grid) {
   mStaleOnly.clear();
   mFree.clear();
   mUsed = mRoom = 0;
-  mIds = mCovers = mShares = mPageTexels = gpu::Texture();
+  for (gpu::Texture* texture : {&mIds, &mCovers, &mShares, &mPageTexels}) *texture = {};
   mPageBuffer = gpu::Buffer("bricks of labels", mPages.size() * sizeof(std::uint32_t));
   mPageTexels = gpu::Texture::makeOfBuffer("bricks of labels", gpu::Format::R32ui, mPageBuffer);
   mFirstChanged = 0;
@@ -73,7 +73,7 @@ void LabelBricks::makeRoom() {
                     "textures or memory have no room; hide the labels, or reduce them",
                     mRoom));
   glm::ivec3 size(shared::kLabelSlotsAlong * kSlot, shared::kLabelSlotsAlong * kSlot, int(layers) * kSlot);
-  mIds = mCovers = mShares = gpu::Texture();
+  for (gpu::Texture* texture : {&mIds, &mCovers, &mShares}) *texture = {};
   mIds = gpu::Texture::make3d("labels", gpu::Format::R16ui, size);
   mCovers = gpu::Texture::make3d("structure covers", gpu::Format::R8, size, gpu::Filter::Linear);
   mShares = gpu::Texture::make3d("structure shares", mLayout.format(), size, gpu::Filter::Linear, 2);

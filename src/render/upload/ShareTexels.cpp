@@ -43,14 +43,6 @@ std::vector<std::uint8_t> meansOf(const std::vector<std::uint8_t>& texels, glm::
   return means;
 }
 
-/// Bytes as texels of 16 bits.
-std::vector<std::uint8_t> widened(const std::vector<std::uint8_t>& bytes) {
-  std::vector<std::uint8_t> twice;
-  twice.reserve(2 * bytes.size());
-  for (std::uint8_t byte : bytes) twice.insert(twice.end(), {byte, byte});
-  return twice;
-}
-
 /// The covers of a box of voxels.
 std::vector<std::uint8_t> coversOf(const StructureField& field, glm::ivec3 low, glm::ivec3 size) {
   std::vector<std::uint8_t> covers(countOf(size), 255);

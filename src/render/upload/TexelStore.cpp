@@ -60,10 +60,9 @@ void writeTexels(GpuVolume& volume, glm::ivec3 origin, glm::ivec3 size, const vo
 }
 
 double longestGradientOf(const Volume& volume, const TexelPlan& plan, bool isColor) {
-  // No difference is longer than the data's whole range along all three axes. Finer levels have more than means show.
-  double wider = volume.finer ? 2.0 : 1.0;
+  // No difference is longer than the data's whole range along all three axes.
   double range = isColor ? 1.0 : (volume.range.y - volume.range.x) / std::abs(plan.scale * volume.scale);
-  return wider * std::sqrt(3.0) * std::max(1e-30, range);
+  return std::sqrt(3.0) * std::max(1e-30, range);
 }
 
 }  // namespace velum::render

@@ -10,6 +10,7 @@
 #include <type_traits>
 
 #include "gpu/GpuError.h"
+#include "render/upload/BlockGradients.h"
 #include "render/upload/GradientPlanes.h"
 #include "render/upload/GradientTexels.h"
 #include "render/upload/SmoothTexels.h"
@@ -42,13 +43,47 @@ glm::ivec3 finestThatFits(const Volume& volume, double mostBytes, int mostAlong)
   return finer;
 }
 
+/// Gradients of planes z0..z1, block by block.
+PackedGradients gradientsOf(const VolumeTexels& source, int z0, int z1, double longestGradient) {
+  constexpr int kBlock = 64;  // texels along x and y
+  glm::ivec3 dims = source.dims;
+  glm::dvec3 spacing = spacingOf(*source.volume);
+  glm::ivec3 reach = gradientReach(spacing, dims);
+  int low = std::max(0, z0 - reach.z), high = std::min(dims.z, z1 + reach.z);
+  std::vector<float> scratch;
+  const float* planes = source.planes<float>(low, high, scratch);
+  PackedGradients all(std::size_t(dims.x) * std::size_t(dims.y) * std::size_t(z1 - z0));
+  int across = (dims.x + kBlock - 1) / kBlock, down = (dims.y + kBlock - 1) / kBlock;
+  parallelFor(0, across * down, [&](int job) {
+    glm::ivec3 first(job % across * kBlock, job / across * kBlock, z0);
+    glm::ivec3 size = glm::min(glm::ivec3(dims.x, dims.y, z1), first + glm::ivec3(kBlock, kBlock, z1)) - first;
+    glm::ivec3 from = glm::max(first - reach, glm::ivec3(0)), to = glm::min(first + size + reach, dims);
+    glm::ivec3 held = to - from;
+    thread_local std::vector<float> values;
+    values.clear();
+    for (int z = from.z; z < to.z; ++z)
+      for (int y = from.y; y < to.y; ++y) {
+        const float* row = planes + (std::size_t(z - low) * std::size_t(dims.y) + std::size_t(y)) * std::size_t(dims.x);
+        values.insert(values.end(), row + from.x, row + to.x);
+      }
+    PackedGradients block = blockGradients(values, held, spacing, {first - from, size}, longestGradient);
+    auto* texels = block.data();
+    for (int z = first.z; z < first.z + size.z; ++z)
+      for (int y = first.y; y < first.y + size.y; ++y, texels += size.x)
+        std::copy_n(texels, size.x,
+                    &all[(std::size_t(z - z0) * std::size_t(dims.y) + std::size_t(y)) * std::size_t(dims.x) +
+                         std::size_t(first.x)]);
+  });
+  return all;
+}
+
 }  // namespace
 
 struct VolumeUpload::Impl {
   gpu::Limits limits;
   VolumeTexels source;
   glm::ivec3 finer{1};                      ///< Texels per voxel, where they are smooth.
-  std::optional<GradientPlanes> gradients;  ///< Of values; those of colours are narrow.
+  std::optional<GradientPlanes> gradients;  ///< Of smooth texels.
   TexelPlan plan;
   bool wantsGradients = limits.isSoftware;
   GpuVolume out;
@@ -174,7 +209,7 @@ void VolumeUpload::Impl::allocate() {
 
 void VolumeUpload::Impl::prepareGradients() {
   if (!wantsGradients) return;
-  if (!isColor()) gradients.emplace(source, finer);
+  if (finer != glm::ivec3(1)) gradients.emplace(source, finer);
   longestGradient = longestGradientOf(*source.volume, plan, isColor());
   out.gradientScale = longestGradient * 255.0 / 127.0;
 }
@@ -213,7 +248,7 @@ template <class Texel>
 void VolumeUpload::Impl::stepAs() {
   int cz0 = nextCellZ, cz1 = std::min(out.cells.size.z, cz0 + cellLayersPerStep);
   int z0 = cz0 * out.cells.edge, z1 = std::min(out.dims.z, cz1 * out.cells.edge);
-  int halo = wantsGradients && !gradients ? 2 : 1;
+  int halo = wantsGradients && isColor() ? 2 : 1;
   int halo0 = std::max(0, z0 - halo), halo1 = std::min(out.dims.z, z1 + halo);
   std::vector<Texel> scratch;
   const Texel* texels = nullptr;
@@ -232,20 +267,22 @@ void VolumeUpload::Impl::stepAs() {
     writeTexels(target, at, size, texels + planeSize * std::size_t(z0 - halo0), nullptr);
   std::vector<glm::vec2> layerRanges;
   int low = std::max(0, z0 - 1), high = std::min(out.dims.z, z1 + 1);
-  std::vector<float> differences;
-  double unit = plan.scale;  // of the differences
+  PackedGradients packed;
   if constexpr (std::is_same_v<Texel, glm::u8vec4>) {
     std::vector<std::uint8_t> grey(planeSize * std::size_t(halo1 - halo0));
     for (std::size_t i = 0; i < grey.size(); ++i) grey[i] = texels[i].a;
     layerRanges = computeCellRanges(grey.data(), out.dims, out.cells, cz0, cz1, halo0);
-    if (wantsGradients) differences = takeDifferences(grey.data(), out.dims, halo0, low, high);
-    unit = 255.0;
+    if (wantsGradients)
+      packed = packGradients(takeDifferences(grey.data(), out.dims, halo0, low, high), out.dims, z0, z1,
+                             longestGradient * 255.0);
   } else {
     layerRanges = computeCellRanges(texels, out.dims, out.cells, cz0, cz1, halo0);
-    if (wantsGradients) differences = gradients->planes(low, high);
+    if (gradients)
+      packed = packGradients(gradients->planes(low, high), out.dims, z0, z1, longestGradient * plan.scale);
+    else if (wantsGradients)
+      packed = gradientsOf(source, z0, z1, longestGradient * plan.scale);
   }
-  if (wantsGradients)
-    target.gradient.write(at, size, packGradients(differences, out.dims, z0, z1, longestGradient * unit).data());
+  if (wantsGradients) target.gradient.write(at, size, packed.data());
   out.cellRanges.insert(out.cellRanges.end(), layerRanges.begin(), layerRanges.end());
   nextCellZ = cz1;
 }

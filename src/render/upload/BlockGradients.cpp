@@ -1,4 +1,4 @@
-#include "render/residency/BlockGradients.h"
+#include "render/upload/BlockGradients.h"
 
 #include <algorithm>
 #include <array>

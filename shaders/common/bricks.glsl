@@ -5,7 +5,8 @@
 // BRICKS 1: the samples of a group are looked for once, by its middle: a brick carries as many voxels of its neighbours as a
 // group reaches (kGroupReach in PageGrid.h). BRICKS 2: every sample by itself, for steps longer than that.
 
-// A row of kSlotTexels for each slot; then pages, four to a texel: their slots.
+// A row of kSlotWords for each slot; then pages. A page whose slot holds its own brick says where the slot is, by
+// kOwnBrick; others name their slot.
 layout(binding = kPageUnit) uniform usamplerBuffer pageTexture;
 #ifdef SEES_PAGES
 layout(std430, binding = kSeenPageBinding) buffer SeenPageBlock { uint seenPages[]; };  // a bit a page: a ray came through it
@@ -25,11 +26,13 @@ struct Stored {
   vec3 fraction;  ///< towards the next
 };
 
+uvec3 slotWords(int slot, int part) {
+  int at = kSlotWords * slot + 3 * part;
+  return uvec3(texelFetch(pageTexture, at).r, texelFetch(pageTexture, at + 1).r, texelFetch(pageTexture, at + 2).r);
+}
+
 Brick brickOf(int slot) {
-  uvec4 scale = texelFetch(pageTexture, kSlotTexels * slot);
-  uvec4 first = texelFetch(pageTexture, kSlotTexels * slot + 1);
-  uvec4 shift = texelFetch(pageTexture, kSlotTexels * slot + 2);
-  return Brick(uintBitsToFloat(scale.xyz), uintBitsToFloat(first.xyz), uintBitsToFloat(uvec3(scale.w, first.w, shift.w)), ivec3(shift.xyz));
+  return Brick(uintBitsToFloat(slotWords(slot, 0)), uintBitsToFloat(slotWords(slot, 1)), uintBitsToFloat(slotWords(slot, 2)), ivec3(slotWords(slot, 3)));
 }
 
 #ifdef COARSE_ONLY
@@ -43,9 +46,12 @@ Brick brickAt(vec3 tex) {
   uint bit = 1u << (index & 31);
   if ((seenPages[index >> 5] & bit) == 0u) atomicOr(seenPages[index >> 5], bit);
 #endif
-  uvec4 slots = texelFetch(pageTexture, int(frame.pageGrid.w) + (index >> 2));
-  uvec2 pair = (index & 2) == 0 ? slots.xy : slots.zw;
-  return brickOf(int((index & 1) == 0 ? pair.x : pair.y));
+  uint word = texelFetch(pageTexture, int(frame.pageGrid.w) + index).r;
+  uvec3 place = uvec3(word & 255u, word >> 8u & 255u, word >> 16u & 1023u);
+  ivec3 shift = ivec3(place) * kBrickSlotEdge - (page * kPageEdge - kBrickBefore);
+  Brick brick = Brick(frame.volumeSize.xyz, vec3(-0.5), frame.volumeSize.xyz - 1.0, shift);
+  if ((word & kOwnBrick) == 0u) brick = brickOf(int(word));
+  return brick;
 }
 #endif
 

@@ -8,8 +8,13 @@ SHARED_BEGIN
 SHARED_CONST int kTransferSize = 4096;  // table positions 0 .. kTransferSize - 1; the sums have one entry more, gradients' factors follow
 SHARED_CONST int kTileGroup = 8;        // threads along x and y of a ray-cast group
 SHARED_CONST int kNoiseEdge = 64;       // of the tile of blue noise, pixels
-SHARED_CONST int kSlotTexels = 3;       // of a slot of a streamed volume, in the table of pages (common/bricks.glsl)
-SHARED_CONST int kPagesOfTexel = 4;     // slots of so many pages are a texel's words
+// Of a streamed volume (common/bricks.glsl, PageGrid.h): words of a slot in the table of pages; voxels along a page's edge;
+// texels along a slot's; voxels that a slot holds before those of its page; a bit of a page's word.
+SHARED_CONST int kSlotWords = 12;
+SHARED_CONST int kPageEdge = 32;
+SHARED_CONST int kBrickSlotEdge = 39;
+SHARED_CONST int kBrickBefore = 3;
+SHARED_CONST uint kOwnBrick = 2147483648u;
 SHARED_CONST int kLabelBrick = 32;      // voxels along an edge of a brick of labels,
 SHARED_CONST int kLabelSlotHalo = 2;    // what its slot holds of its neighbours on each side,
 SHARED_CONST int kLabelSlotEdge = kLabelBrick + 2 * kLabelSlotHalo;

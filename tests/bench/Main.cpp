@@ -34,7 +34,8 @@ constexpr Section kSections[] = {{"vtk", measureAgainstVtk},
                                  {"equalizer", measureEqualizer},
                                  {"scaling", measureScaling},
                                  {"fetches", measureFetches},
-                                 {"loading", measureLoading}};
+                                 {"loading", measureLoading},
+                                 {"streaming", measureStreaming}};
 
 double load() {
   double averages[1] = {0};
@@ -94,7 +95,7 @@ int parseAndRun(int argc, char** argv) {
                  "sections to measure: vtk, interaction, labels, growing, cross-sections, membrane, drag, fine-sheets, "
                  "kept-whole, families, "
                  "equalizer, scaling, "
-                 "fetches, loading")
+                 "fetches, loading, streaming")
       ->check(CLI::IsMember(names));
   app.add_flag("--quick", options.quick, "smaller data, fewer positions: a look, not a measurement");
   app.add_flag("--tune", options.tune, "families: the half of the planes on which constants may be chosen");

@@ -32,6 +32,9 @@ void measureFetches(const Options& options, Report& report);
 /// Our readers against ITK's and VTK's, time and memory.
 void measureLoading(const Options& options, Report& report);
 
+/// A virtual terabyte: opened, flown through, memory; sections; a volume that fits, streamed and in memory.
+void measureStreaming(const Options& options, Report& report);
+
 /// The membrane: the time of a step and of an edit, and the table that follows.
 void measureMembrane(const Options& options, Report& report);
 /// Pictures a second with volumes, kernels and sheet as large as in the paper's Table 1.

@@ -22,22 +22,28 @@ void BrickPass::addSteps(const FrameData& data, Then bind, Then cast) {
   mData = &data;
   mBind = std::move(bind);
   mCast = std::move(cast);
-  addRound(kCoarseMarks);
+  // The same view with other cuts, light or colours meets mostly what the last one met: drawing it tells.
+  bool isSameView = mHadAll && mView == data.frame.scene.camera && mViewSize == data.frame.pictureSize;
+  mHadAll = false;
+  mView = data.frame.scene.camera;
+  mViewSize = data.frame.pictureSize;
+  if (isSameView)
+    mQueue.add(kBricks, [this] { mCast(); });
+  else
+    addRound(kCoarseMarks);
 }
 
-/// First the bricks that rays of few pixels meet; when these have what they want, those of more pixels, in each of
-/// their samples.
+/// First the bricks that rays of few pixels meet; when these have what they want, those of more pixels. What the rest
+/// of the pixels and samples meet is found by drawing them.
 void BrickPass::addRound(int pixelStep) {
   mQueue.add("Setup", [this] {
     mBind();
     mData->residency->clearSeen();
   });
-  int samples = pixelStep == kCoarseMarks ? 1 : std::max(1, mData->frame.scene.rayCast.samplesPerPixel);
-  for (int sample = samples - 1; sample >= 0; --sample)
-    mQueue.add(mRayCast, [this, sample, pixelStep] {
-      mInputs.writeParams(*mData, sample);
-      mRayCast.markPages(*mData, pixelStep);
-    });
+  mQueue.add(mRayCast, [this, pixelStep] {
+    mInputs.writeParams(*mData, 0);
+    mRayCast.markPages(*mData, pixelStep);
+  });
   mQueue.add(kBricks, [this] { mData->residency->gather(whatShows()); });
   mQueue.addUntilDone(kBricks, [this] { return take(); });
   mQueue.add(kBricks, [this, pixelStep] {
@@ -67,7 +73,8 @@ void BrickPass::takeNews() {
 void BrickPass::addCheck(const FrameData& data, Then again) {
   mQueue.add(kBricks, [this, &data, again = std::move(again)] {
     mDrawnAt = Clock::now();
-    if (data.residency->gather(whatShows()) == 0 && !data.residency->hasNews()) return;
+    mHadAll = data.residency->gather(whatShows()) == 0 && !data.residency->hasNews();
+    if (mHadAll) return;
     mQueue.dropRest();
     mQueue.addUntilDone(kBricks, [this] { return take(); });
     mQueue.add(kBricks, [this] {

@@ -9,9 +9,9 @@
 
 namespace velum::render {
 
-/// Of a streamed volume: finds out by rays which bricks a frame needs, waits for them, and begins the picture again where
-/// drawing it met others. Who looks on sees what is there at least twice a second; a picture that is saved waits for
-/// all. GL thread.
+/// Of a streamed volume: finds out by rays which bricks a frame needs, waits for them, and begins the picture again
+/// where drawing it met others. Who looks on sees what is there at least twice a second; a picture that is saved waits
+/// for all. GL thread.
 class BrickPass {
  public:
   using Then = std::function<void()>;
@@ -40,6 +40,9 @@ class BrickPass {
   const FrameData* mData = nullptr;
   Then mBind, mCast;
   bool mWaits = false;
+  bool mHadAll = false;                       ///< The last picture met no brick that was not there,
+  scene::Camera mView;                        ///< seen like this,
+  glm::ivec2 mViewSize{0};                    ///< on so many pixels.
   Clock::time_point mDrawnAt = Clock::now();  ///< When there was something new to be seen.
 };
 

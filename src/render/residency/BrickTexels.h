@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/BrickCache.h"
-#include "render/upload/BlockGradients.h"
 #include "render/residency/PageGrid.h"
+#include "render/upload/BlockGradients.h"
 #include "render/upload/TransferTable.h"
 #include "render/upload/VolumeTexels.h"
 

@@ -52,6 +52,15 @@ glm::ivec3 PageGrid::slotOrigin(const PageBrick& brick) const {
   return glm::ivec3(glm::floor(low - kGroupReach - 0.5 + 1e-6));
 }
 
+bool PageGrid::hasWholePages(int level) const {
+  const PageLevel& of = mLevels[std::size_t(level)];
+  bool isWhole = true;
+  for (int axis = 0; axis < 3; ++axis)
+    isWhole = isWhole && std::abs(of.brickEdge[axis] * of.voxelsPerBox[axis] - kPageVoxels) * of.bricks[axis] < 1e-6 &&
+              std::abs(of.firstVoxel[axis]) < 1e-6;
+  return isWhole;
+}
+
 PageBrick PageGrid::parent(const PageBrick& brick, int level) const {
   glm::ivec3 shift = mLevels[std::size_t(level)].shift - mLevels[std::size_t(brick.level)].shift;
   PageBrick out{level, {}};

@@ -4,15 +4,16 @@
 #include <vector>
 
 #include "core/Volume.h"
+#include "shared/frame.h"
 
 namespace velum::render {
 
 /// Voxels along an edge of a page's brick, at most; how far a group of samples reaches from its middle, voxels
 /// (march_volume.glsl: eight steps of half a voxel); and texels along an edge of a slot, which holds a brick with what
 /// its neighbours lend: the reach, and what interpolation takes, wherever the levels' grids lie to each other.
-inline constexpr int kPageVoxels = 32;
+inline constexpr int kPageVoxels = shared::kPageEdge;
 inline constexpr double kGroupReach = 2.0;
-inline constexpr int kSlotEdge = 39;
+inline constexpr int kSlotEdge = shared::kBrickSlotEdge;
 
 /// A voxel may be so many pixels wide before a finer level is wanted: halfway between two levels.
 inline constexpr double kVoxelsPerPixel = 1.42;
@@ -57,6 +58,9 @@ class PageGrid {
 
   /// The lowest voxel that the slot of a brick holds; may lie outside the level.
   glm::ivec3 slotOrigin(const PageBrick& brick) const;
+  /// True when the pages of a level are whole voxels of it, so that page * kPageVoxels - shared::kBrickBefore is the
+  /// origin of each one's slot.
+  bool hasWholePages(int level) const;
   /// The brick of another level in which a brick lies. @param level  not finer than its own
   PageBrick parent(const PageBrick& brick, int level) const;
 

@@ -6,27 +6,30 @@ namespace velum::render {
 
 namespace {
 
-constexpr std::size_t kWord = sizeof(std::uint32_t), kTexel = shared::kPagesOfTexel * kWord;
-static_assert(sizeof(SlotRow) == shared::kSlotTexels * kTexel);
+constexpr std::size_t kWord = sizeof(std::uint32_t);
+static_assert(sizeof(SlotRow) == shared::kSlotWords * kWord);
 
 }  // namespace
 
 void PageTable::reset(const PageGrid& grid, int level, std::size_t slots) {
-  constexpr std::size_t kPages = shared::kPagesOfTexel;
   mLevel = level;
   mSize = grid.levels()[std::size_t(level)].bricks;
-  std::size_t pages = std::size_t(mSize.x) * std::size_t(mSize.y) * std::size_t(mSize.z);
-  mSlots.assign((pages + kPages - 1) / kPages * kPages, 0);
-  mFirstTexel = slots * shared::kSlotTexels;
+  mSlots.assign(std::size_t(mSize.x) * std::size_t(mSize.y) * std::size_t(mSize.z), 0);
+  mOwn.assign(slots, 0);
   mTexture = {};
-  mBuffer = gpu::Buffer("pages", mFirstTexel * kTexel + mSlots.size() * kWord);
-  mTexture = gpu::Texture::makeOfBuffer("pages", gpu::Format::Rgba32ui, mBuffer);
+  mBuffer = gpu::Buffer("pages", (firstWord() + mSlots.size()) * kWord);
+  mTexture = gpu::Texture::makeOfBuffer("pages", gpu::Format::R32ui, mBuffer);
   mFirstChanged = 0;
   mEndChanged = mSlots.size();
 }
 
-void PageTable::setRow(std::uint32_t slot, const SlotRow& row) {
+void PageTable::setRow(std::uint32_t slot, const SlotRow& row, std::optional<glm::ivec3> place) {
   mBuffer.write(std::size_t(slot) * sizeof(row), sizeof(row), &row);
+  mOwn[slot] = 0;
+  // As bits hold it.
+  if (place && place->x < 256 && place->y < 256 && place->z < 1024)
+    mOwn[slot] =
+        shared::kOwnBrick | std::uint32_t(place->x) | std::uint32_t(place->y) << 8 | std::uint32_t(place->z) << 16;
 }
 
 glm::ivec3 PageTable::pageAt(std::size_t index) const {
@@ -57,8 +60,13 @@ PageTable::Pages PageTable::covered(const PageGrid& grid, const PageBrick& brick
 
 void PageTable::upload() {
   if (mFirstChanged == mEndChanged) return;
-  mBuffer.write(mFirstTexel * kTexel + mFirstChanged * kWord, (mEndChanged - mFirstChanged) * kWord,
-                mSlots.data() + mFirstChanged);
+  std::vector<std::uint32_t> words;
+  words.reserve(mEndChanged - mFirstChanged);
+  for (std::size_t i = mFirstChanged; i < mEndChanged; ++i) {
+    std::uint32_t slot = mSlots[i];
+    words.push_back(mOwn[slot] ? mOwn[slot] : slot);
+  }
+  mBuffer.write((firstWord() + mFirstChanged) * kWord, words.size() * kWord, words.data());
   mFirstChanged = mEndChanged = 0;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "gpu/Buffer.h"
@@ -13,12 +14,9 @@ namespace velum::render {
 /// Where the voxels of a slot lie, as shaders read it: place among the voxels of a level, whose middles are at whole
 /// numbers = tex * scale + first; texel = voxel + shift.
 struct SlotRow {
-  glm::vec3 scale{0.0f};
-  float lastX = 0;  ///< Last voxel of the level.
-  glm::vec3 first{0.0f};
-  float lastY = 0;
+  glm::vec3 scale{0.0f}, first{0.0f};
+  glm::vec3 last{0.0f};  ///< Voxel of the level.
   glm::ivec3 shift{0};
-  float lastZ = 0;
 };
 
 /// By page of a level: the slot in which its voxels are, those of that level or of a coarser one; and where slots lie.
@@ -38,9 +36,10 @@ class PageTable {
   std::uint32_t slot(std::size_t index) const { return mSlots[index]; }
   void set(std::size_t index, std::uint32_t slot);
   /// Says where a slot lies; sent at once.
-  void setRow(std::uint32_t slot, const SlotRow& row);
-  /// Where pages begin in the table that shaders read, texels.
-  std::size_t firstTexel() const { return mFirstTexel; }
+  /// @param place  in slots along each axis of the texture, where it holds the brick of a page of whole voxels
+  void setRow(std::uint32_t slot, const SlotRow& row, std::optional<glm::ivec3> place);
+  /// Where pages begin in the table that shaders read, words.
+  std::size_t firstWord() const { return mOwn.size() * shared::kSlotWords; }
 
   /// The pages that a brick covers: the first, and one past the last, along each axis. Empty for a brick of a finer
   /// level.
@@ -56,8 +55,8 @@ class PageTable {
  private:
   int mLevel = -1;
   glm::ivec3 mSize{0};
-  std::vector<std::uint32_t> mSlots;  ///< by page; whole texels
-  std::size_t mFirstTexel = 0;
+  std::vector<std::uint32_t> mSlots;  ///< by page
+  std::vector<std::uint32_t> mOwn;    ///< by slot: the word of the page whose brick it holds, or 0
   std::size_t mFirstChanged = 0, mEndChanged = 0;
   gpu::Buffer mBuffer;
   gpu::Texture mTexture;

@@ -64,7 +64,7 @@ void Residency::restartTable(int level) {
   mVolume.cells = cellGridFor(own.dims);
   PagePlace pages;
   pages.grid = mTable.size();
-  pages.firstTexel = mTable.firstTexel();
+  pages.firstWord = mTable.firstWord();
   pages.perTex = glm::dvec3(own.dims) / own.voxelsPerBox / own.brickEdge;
   pages.first = -own.firstVoxel / own.voxelsPerBox / own.brickEdge;
   mVolume.pages = pages;
@@ -91,15 +91,12 @@ void Residency::writeRow(std::uint32_t slot) {
   // Its voxels, whose corners are at whole numbers, = tex * scale + first.
   glm::dvec3 scale = glm::dvec3(own.dims) / own.voxelsPerBox * its.voxelsPerBox;
   glm::dvec3 first = its.firstVoxel - own.firstVoxel / own.voxelsPerBox * its.voxelsPerBox;
-  SlotRow row{scale, 0.0f, first - 0.5, 0.0f, mSlots[slot].place - origin, 0.0f};
-  glm::vec3 last = its.dims - 1;
+  SlotRow row{scale, first - 0.5, its.dims - 1, mSlots[slot].place - origin};
+  bool isOwn = slot >= kFirstSlot && level == mTable.level() && mGrid.hasWholePages(level);
   // Wherever a place is in a page that shows nothing, it is seen in the slot's middle.
-  if (slot == kEmptySlot) {
-    last = glm::vec3(0.5f * kSlotEdge);
-    row = {.first = last, .shift = mSlots[slot].place};
-  }
-  row.lastX = last.x, row.lastY = last.y, row.lastZ = last.z;
-  mTable.setRow(slot, row);
+  if (slot == kEmptySlot)
+    row = {glm::vec3(0.0f), glm::vec3(0.5f * kSlotEdge), glm::vec3(0.5f * kSlotEdge), mSlots[slot].place};
+  mTable.setRow(slot, row, isOwn ? std::optional(mSlots[slot].place / kSlotEdge) : std::nullopt);
 }
 
 int Residency::wantedAt(glm::ivec3 page) const {

@@ -20,7 +20,7 @@ namespace velum::render {
 /// Where the pages of a streamed volume lie in its texture coordinates (shaders/common/bricks.glsl).
 struct PagePlace {
   glm::ivec3 grid{0};                  ///< Pages.
-  std::size_t firstTexel = 0;          ///< Where they begin in their table.
+  std::size_t firstWord = 0;           ///< Where they begin in their table.
   glm::dvec3 perTex{1.0}, first{0.0};  ///< As FrameParams has them.
 };
 

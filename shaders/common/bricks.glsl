@@ -10,6 +10,7 @@
 layout(binding = kPageUnit) uniform usamplerBuffer pageTexture;
 #ifdef SEES_PAGES
 layout(std430, binding = kSeenPageBinding) buffer SeenPageBlock { uint seenPages[]; };  // a bit a page: a ray came through it
+int metPage = -1;  // that this ray met last
 #endif
 
 /// Of a slot: where among the voxels of its level a place lies, and where these lie in the texture.
@@ -43,8 +44,11 @@ Brick brickAt(vec3 tex) {
   ivec3 page = clamp(ivec3(tex * frame.pagesPerTex.xyz + frame.firstPage.xyz), ivec3(0), grid - 1);
   int index = (page.z * grid.y + page.y) * grid.x + page.x;
 #ifdef SEES_PAGES
-  uint bit = 1u << (index & 31);
-  if ((seenPages[index >> 5] & bit) == 0u) atomicOr(seenPages[index >> 5], bit);
+  if (index != metPage) {
+    metPage = index;
+    uint bit = 1u << (index & 31);
+    if ((seenPages[index >> 5] & bit) == 0u) atomicOr(seenPages[index >> 5], bit);
+  }
 #endif
   uint word = texelFetch(pageTexture, int(frame.pageGrid.w) + index).r;
   uvec3 place = uvec3(word & 255u, word >> 8u & 255u, word >> 16u & 1023u);

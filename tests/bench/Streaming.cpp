@@ -158,6 +158,9 @@ void measureAgainstMemory(const Options& options, Report& report) {
   Progress progress;
   auto frameMs = [&](Volume volume) {
     scene::Scene scene = brainScene(std::move(volume), double(size.x) / size.y);
+    // Everywhere the same level is wanted.
+    scene.camera.projection = scene::Projection::Orthographic;
+    scene.camera.height = 7.0;
     std::vector<double> times;
     {
       render::Renderer renderer(sharedContext());

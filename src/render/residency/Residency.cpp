@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kBudgetBytes = double(std::size_t(2) << 30);  ///< of the textures
 constexpr double kBudgetShare = 0.25;                          ///< of the driver's memory
-constexpr int kSlotsAlong = 16;                                ///< of the texture, along x and y
+constexpr int kSlotsAlong = 8;                                ///< of the texture, along x and y
 constexpr std::size_t kSampled = 192;  ///< bricks by which it is known how many of all will be seen
 constexpr std::size_t kMostKnown = 1u << 18;
 

@@ -2,6 +2,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
+#include "render/upload/GradientTexels.h"
 #include "render/upload/VolumeTexels.h"
 
 namespace velum::render {
@@ -23,6 +24,10 @@ glm::dvec3 gradientWidths(glm::dvec3 spacing, glm::ivec3 dims);
 /// How many voxels away, along each axis, values may lie that have a say in the gradient of a voxel, as it is packed.
 /// @param dims  of the volume: along an axis of one voxel nothing is smoothed
 glm::ivec3 gradientReach(glm::dvec3 spacing, glm::ivec3 dims);
+
+/// Gradients of planes z0..z1 of values that are not refined, as packGradients() makes them of GradientPlanes', block
+/// by block on all cores. @param longestGradient  the length that a full-length texel stands for, raw values
+PackedGradients planeGradients(const VolumeTexels& source, int z0, int z1, double longestGradient);
 
 /// The gradients of a level, plane by plane.
 ///

@@ -10,7 +10,6 @@
 #include <type_traits>
 
 #include "gpu/GpuError.h"
-#include "render/upload/BlockGradients.h"
 #include "render/upload/GradientPlanes.h"
 #include "render/upload/GradientTexels.h"
 #include "render/upload/SmoothTexels.h"
@@ -41,40 +40,6 @@ glm::ivec3 finestThatFits(const Volume& volume, double mostBytes, int mostAlong)
     --finer[most];
   }
   return finer;
-}
-
-/// Gradients of planes z0..z1, block by block.
-PackedGradients gradientsOf(const VolumeTexels& source, int z0, int z1, double longestGradient) {
-  constexpr int kBlock = 64;  // texels along x and y
-  glm::ivec3 dims = source.dims;
-  glm::dvec3 spacing = spacingOf(*source.volume);
-  glm::ivec3 reach = gradientReach(spacing, dims);
-  int low = std::max(0, z0 - reach.z), high = std::min(dims.z, z1 + reach.z);
-  std::vector<float> scratch;
-  const float* planes = source.planes<float>(low, high, scratch);
-  PackedGradients all(std::size_t(dims.x) * std::size_t(dims.y) * std::size_t(z1 - z0));
-  int across = (dims.x + kBlock - 1) / kBlock, down = (dims.y + kBlock - 1) / kBlock;
-  parallelFor(0, across * down, [&](int job) {
-    glm::ivec3 first(job % across * kBlock, job / across * kBlock, z0);
-    glm::ivec3 size = glm::min(glm::ivec3(dims.x, dims.y, z1), first + glm::ivec3(kBlock, kBlock, z1)) - first;
-    glm::ivec3 from = glm::max(first - reach, glm::ivec3(0)), to = glm::min(first + size + reach, dims);
-    glm::ivec3 held = to - from;
-    thread_local std::vector<float> values;
-    values.clear();
-    for (int z = from.z; z < to.z; ++z)
-      for (int y = from.y; y < to.y; ++y) {
-        const float* row = planes + (std::size_t(z - low) * std::size_t(dims.y) + std::size_t(y)) * std::size_t(dims.x);
-        values.insert(values.end(), row + from.x, row + to.x);
-      }
-    PackedGradients block = blockGradients(values, held, spacing, {first - from, size}, longestGradient);
-    auto* texels = block.data();
-    for (int z = first.z; z < first.z + size.z; ++z)
-      for (int y = first.y; y < first.y + size.y; ++y, texels += size.x)
-        std::copy_n(texels, size.x,
-                    &all[(std::size_t(z - z0) * std::size_t(dims.y) + std::size_t(y)) * std::size_t(dims.x) +
-                         std::size_t(first.x)]);
-  });
-  return all;
 }
 
 }  // namespace
@@ -280,7 +245,7 @@ void VolumeUpload::Impl::stepAs() {
     if (gradients)
       packed = packGradients(gradients->planes(low, high), out.dims, z0, z1, longestGradient * plan.scale);
     else if (wantsGradients)
-      packed = gradientsOf(source, z0, z1, longestGradient * plan.scale);
+      packed = planeGradients(source, z0, z1, longestGradient * plan.scale);
   }
   if (wantsGradients) target.gradient.write(at, size, packed.data());
   out.cellRanges.insert(out.cellRanges.end(), layerRanges.begin(), layerRanges.end());

@@ -56,7 +56,7 @@ void setGrid(shared::FrameParams& params, const Frame& frame, const FrameGrid& g
   params.cellsPerTex = v4(glm::dvec3(grid.dims) / double(grid.cells.edge));
   params.voxelsPerLength = float(1.0 / smallest);
   // Lengths are in the data's diameter here. Voxels may be as flat as a file says.
-  constexpr double kMostSteps = 16384.0;
+  constexpr double kMostSteps = 65536.0;
   params.step = float(std::max(frame.scene.rayCast.stepVoxels * smallest * std::max(1.0, frame.stepFactor),
                                diameterOf(grid) / kMostSteps));
   params.opaqueAlpha = 0.998f;

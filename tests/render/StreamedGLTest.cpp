@@ -1,6 +1,9 @@
 // A volume that is streamed looks as it does in memory.
 #include <fmt/format.h>
 
+#include <atomic>
+#include <glm/gtc/matrix_transform.hpp>
+
 #include "PyramidSource.h"
 #include "RenderFixture.h"
 #include "render/upload/BlockGradients.h"
@@ -158,6 +161,72 @@ TEST_F(StreamedGL, EditedStructuresAreThoseInMemory) {
   edited.write({10, 24, 20}, {36, 34, 20}, ids);
   scene.labels.data = Shared<LabelVolume>(std::move(edited));
   expectSameAs(source->level(0), scene, {160, 160}, "edited", 0.05, 3);
+}
+
+/// A terabyte: 10,000 voxels along each axis whose values are a formula's, at each level.
+class FormulaSource : public VoxelSource {
+ public:
+  static constexpr int kEdge = 10000;
+  FormulaSource() {
+    mHead.dims = glm::ivec3(kEdge);
+    mHead.type = SampleType::UInt8;
+    for (int size = 1; size <= 64; size *= 2) {
+      glm::dmat4 place(1.0);
+      for (int axis = 0; axis < 3; ++axis) place[axis][axis] = size, place[3][axis] = 0.5 * (size - 1);
+      mLevels.push_back({glm::ivec3((kEdge + size - 1) / size), glm::ivec3(64), 1, 1, place});
+    }
+  }
+  const Volume& head() const override { return mHead; }
+  void read(const BrickAddress& address, const SampleTarget& target) const override {
+    ++reads;
+    BrickBox box = boxOf(*this, address);
+    double size = 1 << address.level, first = 0.5 * (size - 1);
+    for (int z = 0; z < box.size.z; ++z)
+      for (int y = 0; y < box.size.y; ++y)
+        for (int x = 0; x < box.size.x; ++x) {
+          glm::dvec3 p = size * glm::dvec3(box.origin + glm::ivec3(x, y, z)) + first;
+          double value = 128.0 + 100.0 * std::sin(p.x / 13.0) * std::sin(p.y / 11.0) * std::sin(p.z / 9.0);
+          target.first[x * target.x + y * target.y + z * target.z] = std::byte(std::lround(value));
+        }
+  }
+  mutable std::atomic<int> reads{0};
+
+ private:
+  Volume mHead;
+};
+
+/// Anywhere in a terabyte the picture is that of the voxels there, and only their bricks are read.
+TEST_F(StreamedGL, DeepInATerabyteThePictureIsThatOfItsVoxels) {
+  auto source = std::make_shared<FormulaSource>();
+  Progress progress;
+  int coarsest = int(source->levels().size()) - 1;
+  Volume streamed = readLevel(*source, coarsest, progress);
+  auto cache = std::make_shared<BrickCache>(source, std::size_t(64) << 20);
+  streamed.finer = std::make_shared<FinerLevels>(FinerLevels{cache, coarsest});
+  scene::Scene scene = lookOf(std::move(streamed), scene::RenderMode::Volume);
+  scene.camera.target = {7003.3, 2111.7, 9034.2};
+  scene.camera.height = 60.0;
+  lookAlong(scene, {0.5, -1.0, 0.4}, 300);
+  scene::Cut cut;
+  cut.shape = scene::CutShape::Box;
+  cut.centre = scene.camera.target + glm::dvec3(0.13, 0.21, 0.37);  // no edge lies between two pixels
+  cut.size = glm::dvec3(40.0);
+  cut.invert = true;
+  scene.cuts = {cut};
+  int before = source->reads;
+  Image whole = draw(scene, {120, 120}, kAllLayers);
+  EXPECT_LE(source->reads - before, 64);
+  glm::ivec3 low = glm::ivec3(scene.camera.target) - 48;
+  Volume part = cache->read({0, low, glm::ivec3(96)}, 0, 0);
+  part.range = scene.volume.data->range;
+  part.worldFromVoxel = glm::translate(glm::dmat4(1.0), glm::dvec3(low));
+  part.finer = nullptr;
+  scene.volume.data = Shared<Volume>(std::move(part));
+  Image there = draw(scene, {120, 120}, kAllLayers);
+  EXPECT_GT(coverageOf(there), 0.1);
+  EXPECT_NEAR(coverageOf(whole), coverageOf(there), 0.005);
+  // Samples begin where the data does, and lie elsewhere.
+  EXPECT_LT(differenceOf(whole, there).mean, 1.0);
 }
 
 /// What the means of the coarse levels do not show is looked for all the same.

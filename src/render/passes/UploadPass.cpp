@@ -16,6 +16,12 @@ LabelUse labelUseOf(const scene::Scene& scene) {
   return scene.volume.data && scene.volume.visible ? LabelUse::OverVolume : LabelUse::Alone;
 }
 
+VolumeKey drawnVolumeKey(const Frame& frame) {
+  VolumeKey key = volumeKeyOf(frame.scene.volume);
+  if (key.id != 0 && frame.scene.volume.data->finer) key.brickBytes = frame.brickBytes;
+  return key;
+}
+
 /// The grid that stands for a frame's data.
 FrameGrid gridOf(const FrameData& data) {
   const scene::Scene& scene = data.frame.scene;
@@ -44,7 +50,7 @@ FrameGrid gridOf(const FrameData& data) {
 }  // namespace
 
 const UploadPass::Uploaded* UploadPass::drawnFor(const FrameData& data) const {
-  VolumeKey key = volumeKeyOf(data.frame.scene.volume);
+  VolumeKey key = drawnVolumeKey(data.frame);
   if (key.id == 0) return nullptr;
   if (mWhole && mWhole->key == key) return &*mWhole;
   key.isQuick = true;
@@ -57,7 +63,7 @@ void UploadPass::startWhole(const scene::VolumeLayer& layer, const VolumeKey& ke
   mUpload.reset();
   mStreamed.reset();
   if (layer.data->finer)
-    mStreamed = std::make_unique<Residency>(layer, mLimits);
+    mStreamed = std::make_unique<Residency>(layer, mLimits, key.brickBytes);
   else
     mUpload = std::make_unique<VolumeUpload>(layer, mLimits);
   mUploadKey = key;
@@ -75,7 +81,7 @@ void UploadPass::prepare(FrameData& data) {
   LabelUse labels = labelUseOf(data.frame.scene);
   if (labels != LabelUse::None) mShares.begin(data.frame.scene, labels == LabelUse::Alone);
   const auto& layer = data.frame.scene.volume;
-  VolumeKey key = volumeKeyOf(layer);
+  VolumeKey key = drawnVolumeKey(data.frame);
   if (key.id == 0 || (mWhole && mWhole->key == key)) return;
   if (data.frame.isPreview) {
     if (!drawnFor(data)) mQuick.reset();
@@ -87,7 +93,7 @@ void UploadPass::prepare(FrameData& data) {
 
 void UploadPass::addSteps(const FrameData& data, int, WorkQueue& queue) {
   if (labelUseOf(data.frame.scene) != LabelUse::None) queue.addUntilDone(*this, [this] { return mShares.step(); });
-  VolumeKey key = volumeKeyOf(data.frame.scene.volume);
+  VolumeKey key = drawnVolumeKey(data.frame);
   if (key.id == 0 || (mWhole && mWhole->key == key)) return;
   if (!data.frame.isPreview) {
     queue.addUntilDone(*this, [this] { return stepWhole(); });

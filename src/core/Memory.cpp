@@ -19,7 +19,8 @@ double machineBytes() { return double(::sysconf(_SC_PHYS_PAGES)) * double(::sysc
 
 namespace {
 
-constexpr double kBrickShare = 0.125;  ///< of the machine's memory
+constexpr double kBrickShare = 0.125;              ///< of the machine's memory
+constexpr double kLeastBricks = 64.0 * (1 << 20);  ///< views side by side would take each other's bricks
 
 std::mutex gBudgetMutex;
 MemoryBudget gBudget;
@@ -38,7 +39,7 @@ void setMemoryBudget(const MemoryBudget& budget) {
 
 double brickBudget() {
   double chosen = memoryBudget().brickBytes;
-  return chosen > 0 ? std::min(chosen, machineBytes() / 2) : machineBytes() * kBrickShare;
+  return chosen > 0 ? std::min(std::max(chosen, kLeastBricks), machineBytes() / 2) : machineBytes() * kBrickShare;
 }
 
 void releaseFreeMemory() {

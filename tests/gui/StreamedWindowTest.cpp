@@ -23,7 +23,7 @@ class StreamedWindow : public Window {
     Window::SetUp();
     Progress progress;
     io::Sample sample = io::makeSample("torso", 96, progress);
-    mLarge = mFolder / "large.nrrd";
+    mLarge = mFolder / "large.nii";
     io::writeVolume(sample.volume, mLarge, progress);
     io::writeStore(VolumeSource(sample.volume), mFolder / "large.zarr", {}, progress);
     setMemoryBudget({.wholeBytes = 100e3});
@@ -113,7 +113,7 @@ TEST_F(StreamedWindow, APyramidIsOfferedOnceMadeBesideAndUsed) {
   EXPECT_TRUE(mWindow->document().canUndo());
   EXPECT_EQ(mWindow->document().undoLabel(), "Use the pyramid");
   mWindow->document().undo();
-  EXPECT_TRUE(scene().volume.source.path.ends_with("large.nrrd"));
+  EXPECT_TRUE(scene().volume.source.path.ends_with("large.nii"));
   // Opened again it is not offered again; who asks is told that it is there.
   mWindow->newScene();
   open(mLarge);

@@ -4,8 +4,10 @@
 #include <fstream>
 
 #include "TempFolder.h"
+#include "core/BrickCache.h"
 #include "io/labels/LabelStore.h"
 #include "io/phantoms/Sample.h"
+#include "io/stores/OpenStore.h"
 #include "io/stores/WriteStore.h"
 #include "scene/Presets.h"
 #include "session/document/Open.h"
@@ -78,6 +80,26 @@ TEST_F(StoreOfSeries, OpenWithTheLabelsThatAreChosen) {
     Loaded again = readPaths({(path / "0").string(), (path / "0/labels/balls").string()}, mProgress, {});
     EXPECT_TRUE(again.scene.volume.data && again.scene.labels.data);
   }
+}
+
+TEST(VanishedStore, IsSaidAndNotTakenForEmpty) {
+  TempFolder folder;
+  Progress progress;
+  io::StoreOptions old;
+  old.version = io::OmeVersion::V04;  // a file for each brick
+  io::Sample sample = io::makeSample("two-spheres", 32, progress);
+  io::writeStore(VolumeSource(sample.volume), folder / "a.zarr", old, progress);
+  auto image = io::openImage(folder / "a.zarr", "");
+  BrickCache bricks(std::move(image), 1 << 20);
+  fs::rename(folder / "a.zarr", folder / "away");
+  try {
+    bricks.brick({});
+    ADD_FAILURE() << "nothing is there";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("is gone"), std::string::npos) << error.what();
+  }
+  fs::rename(folder / "away", folder / "a.zarr");
+  EXPECT_FALSE(bricks.brick({})->empty()) << "it is there again";
 }
 
 TEST(ChannelWindows, AreTheFirstLookWhereTheyChooseSomething) {

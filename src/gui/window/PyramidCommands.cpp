@@ -185,8 +185,11 @@ void PyramidCommands::use(const scene::Source& source, const QString& pyramid) {
   }
   QString name = QFileInfo(pyramid).fileName();
   const scene::Scene& scene = mParts.session.scene();
-  if (isOpen(source) && scene.labels.growths.empty())
-    return emit sourceWanted(tr("Use the pyramid"), session::withPyramid(scene.volume.source, pyramid.toStdString()));
+  if (isOpen(source) && scene.labels.growths.empty()) {
+    emit sourceWanted(tr("Use the pyramid"), session::withPyramid(scene.volume.source, pyramid.toStdString()));
+    return mParts.messages.showNote(
+        tr("%1 is whole: the open scene takes its voxels from it. Undo goes back.").arg(name));
+  }
   if (!mParts.session.file().isOpen()) return emit openWanted(pyramid);
   mParts.messages.showNote(
       isOpen(source) ? tr("%1 is whole. What was grown in the open file stays there; open %1 to use it.").arg(name)

@@ -49,7 +49,7 @@ class Convert(CliTest):
         self.refuse("convert", path, "old.ozx", "--zarr", "0.4", code=2, words=["0.5"])
 
     def test_what_is_streamed_is_said_by_a_size_with_its_unit(self):
-        self.run_batch("convert", self.sample("torso", 96), "a.zarr")
+        self.run_batch("convert", self.sample("torso", 160), "a.zarr")
         self.assertFalse(self.report("info", "a.zarr")["isStreamed"])
         self.assertTrue(self.report("info", "a.zarr", "--read-whole", "100kB")["isStreamed"])
         self.assertFalse(self.report("info", "a.zarr", "--read-whole", "1GiB")["isStreamed"])

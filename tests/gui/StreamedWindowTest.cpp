@@ -22,7 +22,7 @@ class StreamedWindow : public Window {
   void SetUp() override {
     Window::SetUp();
     Progress progress;
-    io::Sample sample = io::makeSample("torso", 96, progress);
+    io::Sample sample = io::makeSample("torso", 160, progress);
     mLarge = mFolder / "large.nii";
     io::writeVolume(sample.volume, mLarge, progress);
     io::writeStore(VolumeSource(sample.volume), mFolder / "large.zarr", {}, progress);

@@ -19,7 +19,7 @@ namespace {
 class BesideFile : public testing::Test {
  protected:
   void SetUp() override {
-    io::Sample sample = io::makeSample("torso", 96, mProgress);
+    io::Sample sample = io::makeSample("torso", 160, mProgress);
     io::writeVolume(sample.volume, mFolder / "scan.nii", mProgress);
     mSource.path = (mFolder / "scan.nii").string();
     setMemoryBudget({.wholeBytes = 100e3});

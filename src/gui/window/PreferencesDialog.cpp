@@ -167,7 +167,8 @@ void PreferencesDialog::addVolumes(QWidget& page, QFormLayout& form) {
   };
   add("brickMemory", tr("Memory for &bricks"), &MemoryBudget::brickBytes, 0,
       tr("An eighth of the machine's (%1 MiB)").arg(qint64(machineBytes() / 8 / kBytesOfUnit)),
-      tr("Most of the machine's memory that keeps bricks of a streamed volume; half of it at most. Counts at once"));
+      tr("Most of the machine's memory that keeps bricks of a streamed volume; 64 MiB at least, half of "
+         "it at most. Counts at once"));
   add("gpuBrickMemory", tr("Graphics memory for b&ricks"), &MemoryBudget::gpuBrickBytes, 0,
       tr("A quarter of the card's, 2048 MiB at most"),
       tr("Most of the graphics card's memory for a streamed volume: where less is there than is seen, all is shown "

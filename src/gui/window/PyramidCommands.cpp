@@ -51,7 +51,8 @@ QString whatItTakes(const session::PyramidBeside& plan) {
         .arg(toText(plan.obstacle));
   QString text = PyramidCommands::tr(
                      "A pyramid beside it, %1, lets it open at once and be streamed. It takes up to %2 of "
-                     "the disk, of which %3 are free, and about %4; you can go on working meanwhile. The "
+                     "the disk, of which %3 are free, and about %4 on a machine that has little else to do; you can go "
+                     "on working meanwhile. The "
                      "file itself stays as it is.")
                      .arg(name, sayBytes(plan.diskBytes), sayBytes(plan.freeBytes), sayDuration(plan.seconds));
   if (plan.isBegun)
@@ -67,7 +68,8 @@ PyramidCommands::PyramidCommands(const WindowParts& parts, FileLoads& loads) : R
       tr("Write the open file with coarser levels beside it, as OME-Zarr: what opens at once, whatever its size"),
       [this] { look(mParts.session.scene().volume.source, Why::Asked); });
   mStrip = new ProgressStrip(parts.floating.host());
-  mStrip->setObjectName("pyramidStrip");
+  mStrip->findChild<QPushButton*>("cancel")->setToolTip(
+      tr("Stop writing; what is on the disk stays, and the next writer goes on"));
   parts.floating.addToBottom(*mStrip);
   connect(mStrip, &ProgressStrip::cancelled, this, [this] {
     if (mJob) mJob->cancel();

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr double kBytesPerSecond = 80e6;  ///< of samples: a 16-bit volume on two cores and a local disk
+constexpr double kBytesPerSecond = 40e6;  ///< of samples of 16 bits: two cores, a local disk, a window that is used
 constexpr double kOfCoarser = 8.0 / 7.0;  ///< all levels together, in terms of the finest
 constexpr double kLeastPacked = 0.25;     ///< of that, which hardly any volume goes below
 constexpr double kUnasked = 0.125;        ///< of the machine's memory, that a volume takes without being asked about

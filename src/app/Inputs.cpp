@@ -9,6 +9,7 @@
 #include "app/StandardInput.h"
 #include "core/Error.h"
 #include "core/Log.h"
+#include "core/Memory.h"
 #include "core/ReplaceFile.h"
 #include "core/Text.h"
 #include "io/kinds/FileKind.h"
@@ -47,12 +48,39 @@ std::string finishNames() {
 
 }  // namespace
 
+namespace {
+
+/// Options for how much memory volumes of any size take.
+void addMemory(CLI::App& verb, bool draws) {
+  auto add = [&verb](const char* name, double MemoryBudget::*field, const char* words) {
+    verb.add_option_function<std::uint64_t>(
+            name,
+            [field](const std::uint64_t& bytes) {
+              MemoryBudget budget = memoryBudget();
+              budget.*field = double(bytes);
+              setMemoryBudget(budget);
+            },
+            words)
+        ->transform(CLI::AsSizeValue(true))
+        ->type_name("SIZE");
+  };
+  add("--read-whole", &MemoryBudget::wholeBytes,
+      "volumes with levels of detail up to this size are read whole, larger ones are streamed: 2GiB; default 512MiB");
+  add("--brick-memory", &MemoryBudget::brickBytes,
+      "most memory for the bricks of a streamed volume: 4GiB; default: an eighth of the machine's");
+  if (!draws) return;
+  add("--gpu-brick-memory", &MemoryBudget::gpuBrickBytes,
+      "the same of the GPU's memory: 1GiB; default: a quarter of it, 2GiB at most");
+}
+
+}  // namespace
+
 void addInput(CLI::App& verb, InputOptions& input, bool withScene) {
   verb.add_option("input", input.inputs,
                   "data file, DICOM folder, scene or picture of ours, - for standard input; then labels and surfaces")
       ->required();
   verb.add_option("--series", input.series,
-                  "DICOM series UID, when a folder holds several; of a Zarr store: path of an image in it");
+                  "DICOM series UID, when a folder holds several; of a store: path of an image in it, as info lists them");
   verb.add_option("--level", input.level,
                   "of a pyramid: 0 reads the finest level; else the finest that fits into memory")
       ->check(CLI::Range(0, 62));
@@ -60,6 +88,7 @@ void addInput(CLI::App& verb, InputOptions& input, bool withScene) {
       ->delimiter(',')
       ->expected(3);
   verb.add_option("--raw", input.raw, "layout of a file without a header: 256x256x128:uint16[:be][:rgb][:+512]");
+  addMemory(verb, withScene);
   if (!withScene) return;
   verb.add_option("--set", input.sets, "change a scene field: path=value, e.g. rayCast.mode=mip; repeatable");
   verb.add_option("--labels", input.labels,
@@ -143,7 +172,7 @@ scene::Source firstSource(const InputOptions& input) {
     if (length != 0 && !(length >= scene::kLeastSpacing && length <= scene::kMostSpacing))
       throw ArgumentError(fmt::format("--spacing: {:.6g} mm is outside {:g} .. {:g} mm", length, scene::kLeastSpacing,
                                       scene::kMostSpacing));
-  return source;
+  return session::foundInStore(source);
 }
 
 namespace {
@@ -192,7 +221,7 @@ void openFiles(session::Session& session, const InputOptions& input, const std::
   }
   std::string labels = input.labels.empty() ? std::string() : fileOfInput(input.labels);
   if (sources.empty()) {
-    session::Loaded loaded = session::readLabels({}, labels, consoleProgress());
+    session::Loaded loaded = session::readLabels({}, session::sourcesOf({labels}).front(), consoleProgress());
     return session.file().open(std::move(loaded), labels);
   }
   session::Loaded loaded = session::read(sources, consoleProgress(), policyOf(sets));

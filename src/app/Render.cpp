@@ -89,16 +89,24 @@ Json reportOf(const RenderOptions& options, session::Session& session, glm::ivec
             {"output", options.output}};
   }
   const render::Stats& stats = session.renderer().stats();
-  return {{"renderer", stats.renderer},
-          {"size", {size.x, size.y}},
-          {"frameMs", stats.frameMs},
-          {"uploadMs", stats.uploadMs},
-          {"totalMs", ms},
-          {"samples", stats.samples},
-          {"longestStepMs", stats.longestStepMs},
-          {"passes", stats.passesMs},
-          {"reduction", stats.reduction},
-          {"output", options.output}};
+  Json json = {{"renderer", stats.renderer},
+               {"size", {size.x, size.y}},
+               {"frameMs", stats.frameMs},
+               {"uploadMs", stats.uploadMs},
+               {"totalMs", ms},
+               {"samples", stats.samples},
+               {"longestStepMs", stats.longestStepMs},
+               {"passes", stats.passesMs},
+               {"reduction", stats.reduction},
+               {"output", options.output}};
+  const render::Streaming& streaming = stats.streaming;
+  if (!streaming.shares.empty())
+    json["streaming"] = {{"shares", streaming.shares},
+                         {"missing", streaming.missing},
+                         {"coarser", streaming.coarser},
+                         {"usedBytes", streaming.usedBytes},
+                         {"budgetBytes", streaming.budgetBytes}};
+  return json;
 }
 
 int run(const RenderOptions& options) {

@@ -74,10 +74,15 @@ void BrickCache::keep(Key key, std::size_t bytes) {
   if (found == mKept.end()) return;
   found->second.bytes = bytes;
   mBytes += bytes;
+  dropBeyondBudget(&key);
+}
+
+/// @param keeps  a brick that stays; may be null
+void BrickCache::dropBeyondBudget(const Key* keeps) {
   for (auto use = mUses.end(); mBytes > mMostBytes && use != mUses.begin();) {
     --use;
     auto old = mKept.find(*use);
-    if (old->first == key || old->second.bytes == 0) continue;
+    if ((keeps && old->first == *keeps) || old->second.bytes == 0) continue;
     mBytes -= old->second.bytes;
     mKept.erase(old);
     use = mUses.erase(use);
@@ -122,6 +127,17 @@ BrickCache::Brick BrickCache::find(const BrickAddress& address) {
   if (found == mKept.end() || found->second.bytes == 0) return nullptr;
   mUses.splice(mUses.begin(), mUses, found->second.use);
   return found->second.brick.get();
+}
+
+std::size_t BrickCache::mostBytes() const {
+  std::lock_guard lock(mMutex);
+  return mMostBytes;
+}
+
+void BrickCache::setMostBytes(std::size_t mostBytes) {
+  std::lock_guard lock(mMutex);
+  mMostBytes = mostBytes;
+  dropBeyondBudget(nullptr);
 }
 
 std::size_t BrickCache::bytes() const {
@@ -190,6 +206,16 @@ glm::dmat4 worldFromLevel(const Volume& volume, int level) {
   const auto& levels = volume.finer->bricks->source().levels();
   return volume.worldFromVoxel * glm::inverse(levels[std::size_t(volume.finer->level)].worldFromVoxel) *
          levels[std::size_t(level)].worldFromVoxel;
+}
+
+glm::ivec3 finestDims(const Volume& volume) {
+  return volume.finer ? volume.finer->bricks->source().levels().front().dims : volume.dims;
+}
+
+glm::dvec3 finestSpacing(const Volume& volume) {
+  if (!volume.finer) return spacingOf(volume);
+  glm::dmat4 axes = worldFromLevel(volume, 0);
+  return {glm::length(glm::dvec3(axes[0])), glm::length(glm::dvec3(axes[1])), glm::length(glm::dvec3(axes[2]))};
 }
 
 }  // namespace velum

@@ -38,7 +38,9 @@ class BrickCache {
   Volume read(const VoxelBox& box, int channel, int timeStep);
 
   std::size_t bytes() const;
-  std::size_t mostBytes() const { return mMostBytes; }
+  std::size_t mostBytes() const;
+  /// Another budget; what is beyond it goes at once.
+  void setMostBytes(std::size_t mostBytes);
 
  private:
   using Key = std::uint64_t;
@@ -50,6 +52,7 @@ class BrickCache {
   Key keyOf(const BrickAddress& address) const;
   Brick readBrick(const BrickAddress& address) const;
   void keep(Key key, std::size_t bytes);
+  void dropBeyondBudget(const Key* keeps);
 
   std::shared_ptr<const VoxelSource> mSource;
   std::size_t mMostBytes;
@@ -69,5 +72,10 @@ struct FinerLevels {
 /// with its spacing, which may be other than the file's.
 /// @param volume  with finer levels
 glm::dmat4 worldFromLevel(const Volume& volume, int level);
+
+/// Voxels along x, y, z and the edges of one, of the finest level that there is: the volume's own where it knows no
+/// finer one.
+glm::ivec3 finestDims(const Volume& volume);
+glm::dvec3 finestSpacing(const Volume& volume);
 
 }  // namespace velum

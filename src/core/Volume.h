@@ -77,6 +77,7 @@ struct Volume {
   std::string name;                       ///< For people: series description or file name.
   std::vector<std::string> channelNames;  ///< Empty, or one per channel.
   std::vector<glm::vec3> channelColors;   ///< As the file gives them, sRGB: empty, or one per channel.
+  std::vector<glm::dvec2> channelWindows;  ///< Samples between which the file shows each channel: empty, or one each.
   std::vector<glm::ivec2> gaps;  ///< Planes along z for which the file has no slice, {first, count}; their values are
                                  ///< interpolated linearly.
   std::vector<std::string> warnings;         ///< What the reader had to assume or mend, one line each.

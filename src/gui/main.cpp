@@ -136,6 +136,7 @@ int run(int argc, char** argv) {
   QApplication::setDesktopFileName("io.github.velum.Velum");
   QApplication::setWindowIcon(QIcon(":/velum/velum.svg"));
   velum::gui::applyTheme(application, velum::gui::Preferences().theme());
+  velum::setMemoryBudget(velum::gui::Preferences().memory());
   int memory = velum::gui::Preferences().graphicsMemory();
   if (memory > 0 && !qEnvironmentVariableIsSet("VELUM_GPU_MEMORY_MB"))
     qputenv("VELUM_GPU_MEMORY_MB", QByteArray::number(memory));

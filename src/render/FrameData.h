@@ -25,7 +25,8 @@ struct VolumeKey {
   std::vector<scene::TransferFunction> mixed;  ///< Transfer functions of the channels that are mixed, as they are part
                                                ///< of the texels; those of hidden channels are empty.
   bool isSmooth = false;
-  bool isQuick = false;  ///< It is the small copy for previews.
+  bool isQuick = false;   ///< It is the small copy for previews.
+  double brickBytes = 0;  ///< Of a streamed volume: Frame::brickBytes.
   bool operator==(const VolumeKey&) const = default;
 };
 /// @param layer  the layer's data may be missing or hidden

@@ -191,6 +191,7 @@ void Renderer::Impl::noteStats() {
   stats.reduction = isDrawn && data.residency                           ? data.residency->shortfall()
                     : isDrawn && data.volume && !data.volumeKey.isQuick ? data.volume->reduction
                                                                         : "";
+  stats.streaming = isDrawn && data.residency ? data.residency->streaming() : Streaming{};
   if (queue.isEmpty()) stats.passesMs = queue.timesMs();
 }
 

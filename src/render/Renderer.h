@@ -12,6 +12,7 @@
 #include "gpu/Context.h"
 #include "render/Counts.h"
 #include "render/Frame.h"
+#include "render/Streaming.h"
 
 namespace velum::render {
 
@@ -25,6 +26,7 @@ struct Stats {
   std::map<std::string, double> passesMs;  ///< By pass, of the last complete frame.
   std::size_t labelBytes = 0;              ///< Bytes of labels that were sent to the GPU for this frame.
   std::string reduction;  ///< In words for people, when the data is shown at reduced resolution; else empty.
+  Streaming streaming;    ///< Of a volume that is streamed.
 };
 
 /// What is under a pixel.

@@ -170,6 +170,8 @@ void applyFirstLook(Scene& scene) {
   applyPreset(scene, chosen);
   if (volume.isColor || volume.channels > 1) return;
   if (glm::dvec2 window = firstWindow(volume); window.y > 0) setWindow(scene.volume, window.x, window.y);
+  if (auto window = fileWindow(volume, 0))
+    setWindow(scene.volume, (window->x + window->y) / 2.0, window->y - window->x);
   int thickness = std::min(volume.dims.x, std::min(volume.dims.y, volume.dims.z));
   if (thickness == 1) return showPlane(scene);
   if (isAllMaterial(chosen) || isProjectionLook(chosen)) return;

@@ -116,6 +116,17 @@ void colorChannel(ChannelLook& look, glm::vec3 color) {
   look.transfer.colors = {{low, color * 0.45f}, {high, color}};
 }
 
+std::optional<glm::dvec2> fileWindow(const Volume& volume, int channel) {
+  if (std::size_t(channel) >= volume.channelWindows.size()) return std::nullopt;
+  constexpr double kChosen = 0.9;  // of the range: programs write all of it, or of the type, where nobody chose
+  glm::dvec2 window = volume.channelWindows[std::size_t(channel)] * volume.scale + volume.offset;
+  if (window.x > window.y) std::swap(window.x, window.y);
+  double range = volume.range.y - volume.range.x;
+  double shared = std::min(window.y, volume.range.y) - std::max(window.x, volume.range.x);
+  if (!(shared > 0.0) || shared >= kChosen * range) return std::nullopt;
+  return window;
+}
+
 void completeChannels(VolumeLayer& layer) {
   if (!layer.data || layer.data->isColor || layer.data->channels < 2) return layer.channels.clear();
   if (int(layer.channels.size()) == layer.data->channels) return;
@@ -129,7 +140,8 @@ void completeChannels(VolumeLayer& layer) {
     look.name = std::size_t(c) < volume.channelNames.size() && !volume.channelNames[std::size_t(c)].empty()
                     ? volume.channelNames[std::size_t(c)]
                     : fmt::format("Channel {}", c + 1);
-    glm::dvec2 range = relativeRange(volume, c);
+    auto given = fileWindow(volume, c);
+    glm::dvec2 range = given ? *given : relativeRange(volume, c);
     auto place = [&](double share) { return range.x + share * (range.y - range.x); };
     look.transfer.opacities = {{place(0.12), 0}, {place(0.35), 0.02}, {place(0.7), 0.12}, {place(1.0), 0.4}};
     look.transfer.unitDistance = (spacing.x + spacing.y + spacing.z) / 3.0;

@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -38,6 +39,10 @@ std::string_view choosePreset(const Volume& volume);
 /// Where a volume has several channels and the layer has no looks for them yet: gives each channel a look of its own,
 /// fitted to its values. Colours that the colour-blind can tell apart come first.
 void completeChannels(VolumeLayer& layer);
+
+/// The values between which the file shows a channel; nothing where it says none, or a window that chooses nothing, as
+/// it holds all values or none.
+std::optional<glm::dvec2> fileWindow(const Volume& volume, int channel);
 
 /// Gives a channel a colour: on sections, and the ramp from dark to it in the 3D picture.
 void colorChannel(ChannelLook& look, glm::vec3 color);

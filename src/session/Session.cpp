@@ -9,6 +9,7 @@
 
 #include "core/Assert.h"
 #include "core/Clock.h"
+#include "core/Memory.h"
 #include "session/Rest.h"
 #include "session/document/Folders.h"
 #include "session/picture/Film.h"
@@ -116,6 +117,7 @@ render::Frame Session::frame(glm::ivec2 size) {
   render::Frame frame;
   frame.scene = scene();
   frame.pictureSize = size;
+  frame.brickBytes = memoryBudget().gpuBrickBytes;
   mMembranes.show(frame);
   return frame;
 }

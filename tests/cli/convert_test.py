@@ -48,6 +48,18 @@ class Convert(CliTest):
                 shutil.rmtree(self.folder / "again.zarr")
         self.refuse("convert", path, "old.ozx", "--zarr", "0.4", code=2, words=["0.5"])
 
+    def test_what_is_streamed_is_said_by_a_size_with_its_unit(self):
+        self.run_batch("convert", self.sample("torso", 160), "a.zarr")
+        self.assertFalse(self.report("info", "a.zarr")["isStreamed"])
+        self.assertTrue(self.report("info", "a.zarr", "--read-whole", "100kB")["isStreamed"])
+        self.assertFalse(self.report("info", "a.zarr", "--read-whole", "1GiB")["isStreamed"])
+        self.refuse("info", "a.zarr", "--read-whole", "3 elephants", code=1)
+        report = self.report("render", "a.zarr", "-o", "a.png", "--size", "64x48", "--samples", "1", "--read-whole", "100kB",
+                             "--gpu-brick-memory", "64MiB", "--brick-memory", "64MiB")
+        self.assertEqual(report["streaming"]["budgetBytes"], 64 << 20)
+        self.assertEqual(report["streaming"]["missing"], 0)
+        self.assertAlmostEqual(sum(report["streaming"]["shares"]), 1.0, delta=1e-9)
+
     def test_stores_of_others_become_pyramids(self):
         for level, factor in (("s0", 1), ("s1", 2)):
             folder = self.folder / "a.n5" / level

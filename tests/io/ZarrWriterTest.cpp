@@ -118,7 +118,7 @@ TEST(ZarrWriter, KeepsChannelsUnitsAndPlaces) {
   auto source = openImage(folder / "a.zarr", "");
   EXPECT_EQ(source->head().channelNames, v.channelNames);
   EXPECT_EQ(source->head().channelColors, v.channelColors);
-  ASSERT_EQ(source->channelWindows().size(), 2u);
+  EXPECT_TRUE(source->channelWindows().empty()) << "nobody chose what is written";
   OmeImage image = *readOmeImage(*openStore(folder / "a.zarr"), "");
   EXPECT_EQ(image.axes.back().unit, "micrometer");
   EXPECT_NEAR(image.levels[0].scale.back(), 0.4, 1e-12);

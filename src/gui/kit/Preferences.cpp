@@ -1,6 +1,7 @@
 #include "gui/kit/Preferences.h"
 
 #include <QStandardPaths>
+#include <algorithm>
 
 namespace velum::gui {
 
@@ -41,6 +42,28 @@ void Preferences::setHabits(const Habits& habits) {
   setValue("wheel/goesThroughPlanes", habits.wheelGoesThroughPlanes);
   setValue("mouse/leftTurns", habits.leftTurns);
   setValue("lengthUnit", habits.lengthUnit);
+}
+
+namespace {
+
+constexpr double kMebibyte = 1 << 20;
+
+}  // namespace
+
+MemoryBudget Preferences::memory() const {
+  auto bytes = [this](const char* key, double fallback) {
+    return std::max(0.0, mSettings.value(key, fallback / kMebibyte).toDouble()) * kMebibyte;
+  };
+  MemoryBudget usual;
+  return {bytes("volumes/wholeMiB", usual.wholeBytes), bytes("volumes/brickMiB", usual.brickBytes),
+          bytes("volumes/gpuBrickMiB", usual.gpuBrickBytes)};
+}
+
+void Preferences::setMemory(const MemoryBudget& budget) {
+  setValue("volumes/wholeMiB", budget.wholeBytes / kMebibyte);
+  setValue("volumes/brickMiB", budget.brickBytes / kMebibyte);
+  setValue("volumes/gpuBrickMiB", budget.gpuBrickBytes / kMebibyte);
+  setMemoryBudget(budget);
 }
 
 QString Preferences::folder() { return QStandardPaths::writableLocation(QStandardPaths::AppConfigLocation); }

@@ -1,6 +1,7 @@
 #pragma once
 #include <QSettings>
 
+#include "core/Memory.h"
 #include "gui/kit/Theme.h"
 
 namespace velum::gui {
@@ -30,6 +31,13 @@ class Preferences {
   /// MiB of the graphics card that are used at most, from the next start on; 0: what the card has.
   int graphicsMemory() const { return mSettings.value("graphicsMemoryMiB", 0).toInt(); }
   void setGraphicsMemory(int mebibytes) { mSettings.setValue("graphicsMemoryMiB", mebibytes); }
+  /// What volumes of any size may take; zeros as MemoryBudget says.
+  MemoryBudget memory() const;
+  /// Keeps a budget, which counts at once, and in the next start.
+  void setMemory(const MemoryBudget& budget);
+  /// The level at which volumes with levels of detail open, 0 the finest; -1: streamed or whole, as their size asks.
+  int level() const { return mSettings.value("volumeLevel", -1).toInt(); }
+  void setLevel(int level) { mSettings.setValue("volumeLevel", level); }
   /// Other values, by key; for what one widget alone remembers.
   QVariant value(const QString& key, const QVariant& fallback = {}) const { return mSettings.value(key, fallback); }
   void setValue(const QString& key, const QVariant& value) { mSettings.setValue(key, value); }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/Error.h"
+#include "core/Memory.h"
 #include "gui/view/CoarseScale.h"
 #include "gui/view/PreparingVeil.h"
 #include "scene/Crowd.h"
@@ -158,9 +159,9 @@ void Viewport::paintGL() {
 void Viewport::sceneChanged() {
   wakeSheets();
   scene::Scene wanted = drawnScene();
-  if (wanted == mWanted && marksOverlaps() == mFrame.marksOverlaps && mShown &&
-      mShown->size() == QSize(deviceSize().x, deviceSize().y))
-    return;
+  bool isSameFrame = marksOverlaps() == mFrame.marksOverlaps && mFrame.brickBytes == memoryBudget().gpuBrickBytes;
+  bool isSameSize = mShown && mShown->size() == QSize(deviceSize().x, deviceSize().y);
+  if (wanted == mWanted && isSameFrame && isSameSize) return;
   mWanted = std::move(wanted);
   startAnew();
 }
@@ -195,9 +196,8 @@ void Viewport::begin(Stage stage) {
   if (stage == Stage::Idle) return;
   mPending = false;
   mHasPicture = false;
-  glm::dvec2 size(deviceSize());
   double scale = stage == Stage::Coarse ? mCoarseScale : stage == Stage::Half ? 2.0 : 1.0;
-  mFrame = mSession.frame(glm::max(glm::ivec2(glm::round(size / scale)), glm::ivec2(1)));
+  mFrame = mSession.frame(glm::max(glm::ivec2(glm::round(glm::dvec2(deviceSize()) / scale)), glm::ivec2(1)));
   mFrame.scene = drawnScene();
   mFrame.marksOverlaps = marksOverlaps();
   mSheetsShown = mSession.shownCount();

@@ -8,6 +8,7 @@
 #include <QStandardPaths>
 #include <algorithm>
 
+#include "gui/kit/Preferences.h"
 #include "gui/kit/Text.h"
 #include "gui/service/RecentFiles.h"
 #include "gui/window/RawDialog.h"
@@ -15,6 +16,8 @@
 #include "scene/VisibleFrame.h"
 #include "scene/json/Paths.h"
 #include "session/document/LabelPlace.h"
+#include "session/document/Open.h"
+#include "session/document/PyramidBeside.h"
 #include "session/document/RawFile.h"
 #include "session/document/Recent.h"
 #include "session/document/Showcase.h"
@@ -58,6 +61,7 @@ FileLoads::FileLoads(const WindowParts& parts) : QObject(&parts.window), mParts(
 session::DataPolicy FileLoads::policy() const {
   return {.folders = session::recentFolders(session::recentList()),
           .keepsWithoutData = !mUnattended,
+          .level = Preferences().level(),
           .quickLevels = true};
 }
 
@@ -80,10 +84,13 @@ void FileLoads::openPaths(const QStringList& paths, bool add) {
   if (paths.isEmpty()) return;
   if (paths.size() == 1 && session::isLookFile(paths.first().toStdString())) return emit lookOpened(paths.first());
   QString one = paths.size() == 1 && !add ? withoutSlash(paths.first()) : QString();
-  bool mayHoldSeries = QFileInfo(one).isDir() || nameOf(one).compare("DICOMDIR", Qt::CaseInsensitive) == 0;
   if (mUnattended) return readPaths(paths, add);
   if (!one.isEmpty() && session::needsLayout(one.toStdString())) return askLayout(one);
-  mayHoldSeries ? askSeries(one) : readPaths(paths, add);
+  if (one.isEmpty()) return readPaths(paths, add);
+  if (session::mayHoldSeries(one.toStdString())) return askSeries(one);
+  scene::Source source;
+  source.path = one.toStdString();
+  openUnlessLarge(source);
 }
 
 /// What the samples of a file without a header are.
@@ -92,15 +99,30 @@ void FileLoads::askLayout(const QString& path) {
   source.path = path.toStdString();
   auto* dialog = new RawDialog(source, &mParts.window);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
-  connect(dialog, &QDialog::accepted, this, [this, dialog, path] {
-    start(
-        tr("Opening %1").arg(nameOf(path)),
-        [source = dialog->source(), policy = policy()](Progress& progress) {
-          return session::read({source}, progress, policy);
-        },
-        false, path);
-  });
+  connect(dialog, &QDialog::accepted, this, [this, dialog] { openUnlessLarge(dialog->source()); });
   dialog->open();
+}
+
+void FileLoads::openWhole(const scene::Source& source) {
+  QString path = toText(source.path);
+  start(
+      tr("Opening %1").arg(nameOf(path)),
+      [source, policy = policy()](Progress& progress) { return session::read({source}, progress, policy); }, false,
+      path);
+}
+
+/// Headers are read first: what takes much memory is not read unasked.
+void FileLoads::openUnlessLarge(const scene::Source& source) {
+  QString path = toText(source.path);
+  auto loaded = std::make_shared<session::Loaded>();
+  auto isLarge = std::make_shared<bool>(false);
+  mParts.jobs.start(
+      tr("Opening %1").arg(nameOf(path)),
+      [loaded, isLarge, source, policy = policy()](Progress& progress) {
+        *isLarge = session::isTooLarge(source);
+        if (!*isLarge) *loaded = session::read({source}, progress, policy);
+      },
+      [this, loaded, isLarge, source, path] { *isLarge ? emit tooLarge(source) : finish(loaded, path); });
 }
 
 /// Looks into a folder; of several series one is chosen.
@@ -162,7 +184,7 @@ void FileLoads::openLabels(const QString& path) {
   start(
       tr("Opening %1").arg(nameOf(path)),
       [scene = mParts.session.scene(), file = QFileInfo(path).absoluteFilePath().toStdString()](Progress& progress) {
-        return session::readLabels(scene, file, progress);
+        return session::readLabels(scene, session::sourcesOf({file}).front(), progress);
       },
       true, path);
 }

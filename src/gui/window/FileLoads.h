@@ -19,6 +19,8 @@ class FileLoads : public QObject {
   void openPhantom(const QString& name, int voxels);
   /// Opens one of session::showcases().
   void openSample(const QString& name);
+  /// Opens a file as its source says, however much memory it takes.
+  void openWhole(const scene::Source& source);
   /// Opens a file as labels of the open scene, whatever kind of file it seems to be.
   void openLabels(const QString& path);
   /// Opens the work of a session that has died. @param path  the file that this work was of
@@ -41,6 +43,8 @@ class FileLoads : public QObject {
   void lookOpened(const QString& path);
   /// A volume was opened from its own file: facts that the file does not tell may now be asked for.
   void volumeOpened();
+  /// A file was not read, as it takes more memory than is taken unasked.
+  void tooLarge(const velum::scene::Source& source);
   /// Recovered work is safe again.
   void lostWorkTaken();
 
@@ -51,6 +55,7 @@ class FileLoads : public QObject {
   void openSeries(const QString& path, const std::vector<session::Series>& series);
   using Read = std::function<session::Loaded(Progress&)>;
   void start(const QString& what, Read read, bool add, const QString& path);
+  void openUnlessLarge(const scene::Source& source);
   void finish(std::shared_ptr<session::Loaded> loaded, const QString& path);
   bool locateMissing(session::Loaded& loaded);
   void sayNotes(const QString& name, const std::vector<std::string>& notes);

@@ -1,9 +1,12 @@
 #include "gui/window/MainWindow.h"
 
+#include <QApplication>
 #include <QCloseEvent>
 #include <QCoreApplication>
 #include <QMimeData>
 
+#include "core/BrickCache.h"
+#include "core/Memory.h"
 #include "gui/extrusion/ExtrusionRoom.h"
 #include "gui/service/CallLater.h"
 #include "gui/service/FieldUndo.h"
@@ -64,13 +67,16 @@ void MainWindow::buildRooms() {
   mFiles = add(new FileCommands(parts, *mLoads, *mExports));
   auto* history = add(new HistoryCommands(parts));
   // Every number field shows its unit anew.
-  connect(history, &HistoryCommands::preferencesChanged, this, [this] {
-    refresh();
-    for (QWidget* widget : findChildren<QWidget*>()) widget->update();
+  connect(history, &HistoryCommands::preferencesChanged, this, [] {
+    for (QWidget* widget : QApplication::topLevelWidgets())
+      if (auto* window = qobject_cast<MainWindow*>(widget)) window->takePreferences();
   });
   add(new ViewCommands(parts));
   mLook = add(new LookRoom(parts));
-  add(new VolumeCommands(parts, *mLoads));
+  auto* volumes = add(new VolumeCommands(parts, *mLoads));
+  mPyramids = add(new PyramidCommands(parts, *mLoads));
+  connect(mPyramids, &PyramidCommands::sourceWanted, volumes, &VolumeCommands::reread);
+  connect(mPyramids, &PyramidCommands::openWanted, this, [this](const QString& path) { mFiles->openAsked({path}); });
   mStructures = add(new StructureRoom(parts));
   mModels = add(new ModelRoom(parts));
   mCuts = add(new CutRoom(parts));
@@ -128,6 +134,13 @@ void MainWindow::refresh() {
   mToolbox.refresh();
   setWindowTitle(file.path().empty() ? "Velum" : QString("%1[*] - Velum").arg(QString::fromStdString(file.name())));
   setWindowModified(file.isModified() && !file.path().empty());
+}
+
+void MainWindow::takePreferences() {
+  if (const auto& volume = mSession.scene().volume.data; volume && volume->finer)
+    volume->finer->bricks->setMostBytes(std::size_t(brickBudget()));
+  refresh();
+  for (QWidget* widget : findChildren<QWidget*>()) widget->update();
 }
 
 void MainWindow::showScene(scene::Scene scene, const QString& name) {

@@ -9,6 +9,7 @@
 #include "gui/structure/StructureRoom.h"
 #include "gui/window/FileCommands.h"
 #include "gui/window/LostWork.h"
+#include "gui/window/PyramidCommands.h"
 #include "gui/window/WindowFrame.h"
 
 namespace velum::gui {
@@ -58,6 +59,9 @@ class MainWindow : public QMainWindow {
   Toolbox& toolbox() { return mToolbox; }
   LookCommands& look() { return mLook->commands(); }
   StructureCommands& structures() { return mStructures->commands(); }
+  /// Takes up preferences that have changed.
+  void takePreferences();
+  PyramidCommands& pyramids() { return *mPyramids; }
   AreaMeter& areas() { return mStructures->areas(); }
   ModelRoom& models() { return *mModels; }
   Sketch& sketch() { return mCuts->membranes().sketch(); }
@@ -101,6 +105,7 @@ class MainWindow : public QMainWindow {
   LostWork* mLost = nullptr;
   ExportCommands* mExports = nullptr;
   FileCommands* mFiles = nullptr;
+  PyramidCommands* mPyramids = nullptr;
   LookRoom* mLook = nullptr;
   StructureRoom* mStructures = nullptr;
   ModelRoom* mModels = nullptr;

@@ -7,7 +7,9 @@
 #include <QSpinBox>
 #include <QTabWidget>
 #include <QVBoxLayout>
+#include <algorithm>
 
+#include "core/Memory.h"
 #include "gui/kit/Preferences.h"
 #include "gui/window/KeysPage.h"
 
@@ -16,6 +18,8 @@ namespace velum::gui {
 namespace {
 
 constexpr int kMostMemory = 1 << 20;  // MiB
+constexpr double kBytesOfUnit = 1 << 20;
+constexpr int kMostLevel = 7;  // that can be chosen for all volumes
 
 QLabel* makeQuiet(const QString& text, QWidget* parent) {
   auto* label = new QLabel(text, parent);
@@ -137,7 +141,49 @@ QWidget* PreferencesDialog::makeMemory() {
   form->addRow(makeQuiet(tr("Counts when Velum starts next. The variable VELUM_GPU_MEMORY_MB goes before it. Where a "
                             "volume does not fit it is shown reduced, which the status line says."),
                          page));
+  addVolumes(*page, *form);
   return page;
+}
+
+/// Volumes of any size: what they take, and how fine they open.
+void PreferencesDialog::addVolumes(QWidget& page, QFormLayout& form) {
+  auto add = [&](const char* object, const QString& name, double MemoryBudget::*field, int least, const QString& usual,
+                 const QString& tip) {
+    auto* size = new QSpinBox(&page);
+    size->setObjectName(object);
+    size->setRange(least, kMostMemory);
+    size->setSingleStep(256);
+    size->setSuffix(tr(" MiB"));
+    if (!usual.isEmpty()) size->setSpecialValueText(usual);
+    size->setValue(int(Preferences().memory().*field / kBytesOfUnit));
+    size->setToolTip(tip);
+    connect(size, &QSpinBox::valueChanged, this, [this, field](int value) {
+      MemoryBudget budget = Preferences().memory();
+      budget.*field = value * kBytesOfUnit;
+      Preferences().setMemory(budget);
+      emit changed();
+    });
+    form.addRow(name, size);
+  };
+  add("brickMemory", tr("Memory for &bricks"), &MemoryBudget::brickBytes, 0,
+      tr("An eighth of the machine's (%1 MiB)").arg(qint64(machineBytes() / 8 / kBytesOfUnit)),
+      tr("Most of the machine's memory that keeps bricks of a streamed volume; 64 MiB at least, half of "
+         "it at most. Counts at once"));
+  add("gpuBrickMemory", tr("Graphics memory for b&ricks"), &MemoryBudget::gpuBrickBytes, 0,
+      tr("A quarter of the card's, 2048 MiB at most"),
+      tr("Most of the graphics card's memory for a streamed volume: where less is there than is seen, all is shown "
+         "coarser. Counts at once, and the picture begins anew"));
+  add("wholeSize", tr("Read &whole up to"), &MemoryBudget::wholeBytes, 1, {},
+      tr("Volumes with levels of detail up to this size are read whole, larger ones are streamed. Counts for what is "
+         "opened next"));
+  QStringList levels{tr("As the screen shows it"), tr("0, the finest")};
+  for (int i = 1; i <= kMostLevel; ++i) levels << tr("%1, coarser").arg(i);
+  auto* level =
+      makeChoice(&page, "volumeLevel", levels, std::clamp(Preferences().level(), -1, kMostLevel) + 1,
+                 tr("The level of detail at which volumes open. A level that is chosen here is read whole, or "
+                    "the next that fits into half of the memory. Counts for what is opened next"));
+  connect(level, &QComboBox::activated, this, [](int index) { Preferences().setLevel(index - 1); });
+  form.addRow(tr("&Level of detail"), level);
 }
 
 }  // namespace velum::gui

@@ -7,7 +7,7 @@
 namespace velum::gui {
 
 /// What the user chooses for the program: appearance and units, mouse and wheel, keys, memory. Every choice takes
-/// effect at once, but that of memory, which takes effect at the next start.
+/// effect at once, or says when it does.
 class PreferencesDialog : public QDialog {
   Q_OBJECT
  public:
@@ -21,6 +21,7 @@ class PreferencesDialog : public QDialog {
   QWidget* makeGeneral();
   QWidget* makeHand();
   QWidget* makeMemory();
+  void addVolumes(QWidget& page, QFormLayout& form);
 };
 
 }  // namespace velum::gui

@@ -22,8 +22,9 @@ QString titleOf(const session::Series& series) {
   QString times = QString::fromUtf8(" \u00d7 ");
   QString name = series.description.empty() ? SeriesDialog::tr("(no description)") : toText(series.description);
   QString size = SeriesDialog::tr("%n image(s)", nullptr, series.imageCount);
-  QString text = QString("%1\n%2, %3 of %4%5%6")
-                     .arg(name, toText(series.modality), size)
+  QString modality = series.modality.empty() ? QString() : toText(series.modality) + ", ";
+  QString text = QString("%1\n%2%3 of %4%5%6")
+                     .arg(name, modality, size)
                      .arg(series.size.x)
                      .arg(times)
                      .arg(series.size.y);
@@ -89,9 +90,9 @@ SeriesDialog::SeriesDialog(std::vector<session::Series> series, const QString& f
 
 int SeriesDialog::row() const { return std::max(0, mList->currentRow()); }
 
-std::filesystem::path SeriesDialog::labels() const {
+session::SeriesLabels SeriesDialog::labels() const {
   int index = mLabels->currentIndex() - 1;
-  return index < 0 ? std::filesystem::path() : series().labels[std::size_t(index)].file;
+  return index < 0 ? session::SeriesLabels() : series().labels[std::size_t(index)];
 }
 
 void SeriesDialog::showLabels() {

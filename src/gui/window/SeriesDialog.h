@@ -9,8 +9,8 @@
 
 namespace velum::gui {
 
-/// Asks which of several DICOM series is to be opened, and with which of the series' segments; shows each series with
-/// its middle image.
+/// Asks which of several DICOM series, or images of a store, is to be opened, and with which of its segments; shows each
+/// with its middle image.
 class SeriesDialog : public QDialog {
   Q_OBJECT
  public:
@@ -18,8 +18,8 @@ class SeriesDialog : public QDialog {
 
   /// The series that is chosen.
   const session::Series& series() const { return mSeries[std::size_t(row())]; }
-  /// The file of the segments that are chosen; empty: none are.
-  std::filesystem::path labels() const;
+  /// The segments that are chosen; without a file: none are.
+  session::SeriesLabels labels() const;
 
  private:
   int row() const;

@@ -42,6 +42,7 @@ StatusLine::StatusLine(const WindowParts& parts, QStatusBar& bar)
     : Room(parts),
       mData(new QLabel(tr("Nothing is open"), &bar)),
       mPick(new QLabel(&bar)),
+      mStreaming(new QLabel(&bar)),
       mReduction(new QLabel(&bar)),
       mRefine(new QLabel(&bar)),
       mDriver(new QLabel(&bar)) {
@@ -50,7 +51,9 @@ StatusLine::StatusLine(const WindowParts& parts, QStatusBar& bar)
   mRefine->setObjectName("refined");
   mRefine->setToolTip(tr("How far the picture is refined"));
   bar.addWidget(mData);
+  bar.addWidget(mStreaming);
   bar.addWidget(mReduction);
+  mStreaming->setObjectName("streaming");
   bar.addPermanentWidget(mPick);
   bar.addPermanentWidget(mRefine);
   bar.addPermanentWidget(mDriver);
@@ -67,13 +70,50 @@ void StatusLine::showProgress(double fraction, const QString& stage) {
   QString driver = QString::fromStdString(stats.renderer);
   mDriver->setText(driver.section(" (", 0, 0).section('/', 0, 0));
   mDriver->setToolTip(tr("Drawn by %1").arg(driver));
+  showStreaming(stats.streaming);
   QString reduction = QString::fromStdString(stats.reduction);
   mReduction->setText(reduction.isEmpty() ? QString() : tr("Reduced"));
   mReduction->setToolTip(reduction);
 }
 
+/// How much of what is seen is at which level, and what is on its way.
+void StatusLine::showStreaming(const render::Streaming& streaming) {
+  const auto& volume = mParts.session.scene().volume.data;
+  if (!volume || !volume->finer) return mStreaming->clear();
+  QStringList levels, lines;
+  for (std::size_t i = 0; i < streaming.shares.size(); ++i) {
+    auto percent = int(std::lround(100.0 * streaming.shares[i]));
+    if (percent == 0) continue;
+    glm::ivec3 dims = volume->finer->bricks->source().levels()[i].dims;
+    levels << tr("%1: %2 %").arg(i).arg(percent);
+    lines << QString::fromUtf8("%1: %2 \u00d7 %3 \u00d7 %4, %5 %")
+                 .arg(i)
+                 .arg(dims.x)
+                 .arg(dims.y)
+                 .arg(dims.z)
+                 .arg(percent);
+  }
+  QString text = levels.isEmpty() ? tr("streamed") : tr("level ") + levels.join(", ");
+  if (streaming.missing > 0) text += tr(", %n brick(s) to come", nullptr, int(streaming.missing));
+  mStreaming->setText(text);
+  auto mebibytes = [](double bytes) { return qint64(bytes / (1 << 20)); };
+  QString tip = tr("Of what is seen, how much is shown at which level of detail, 0 the finest:");
+  for (const QString& line : lines) tip += "\n" + line;
+  tip += "\n" + tr("Bricks take %1 of %2 MiB of the graphics memory and %3 of %4 MiB of the machine's.")
+                    .arg(mebibytes(streaming.usedBytes))
+                    .arg(mebibytes(streaming.budgetBytes))
+                    .arg(mebibytes(double(volume->finer->bricks->bytes())))
+                    .arg(mebibytes(double(volume->finer->bricks->mostBytes())));
+  if (streaming.coarser > 1.0)
+    tip += "\n" +
+           tr("They have no room: all is shown %1 times coarser than pixels. Edit > Preferences > Memory gives more.")
+               .arg(streaming.coarser, 0, 'f', 1);
+  mStreaming->setToolTip(tip);
+}
+
 void StatusLine::refresh(const session::Session& session) {
   const scene::Scene& scene = session.scene();
+  showStreaming(mParts.views.viewport().stats().streaming);
   mPick->setToolTip(hasPatientLetters(scene)
                         ? tr("Under the pointer: value, position in patient coordinates (L, P, S), structure")
                         : tr("Under the pointer: position along x, y and z, and what is there"));
@@ -96,7 +136,6 @@ void StatusLine::refresh(const session::Session& session) {
     text += QString("    %1    %2 to %3%4")
                 .arg(QString::fromUtf8(type.data(), int(type.size())), shortNumber(v->range.x), shortNumber(v->range.y),
                      unit);
-    if (v->finer) text += "    " + tr("streamed");
     mData->setText(text);
     mData->setToolTip(
         tr("Voxels, spacing, sample type and range of values of %1").arg(QString::fromStdString(v->name)));

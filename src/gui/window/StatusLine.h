@@ -16,8 +16,9 @@ class StatusLine : public Room {
  private:
   void showPick(const render::Pick& pick);
   void showProgress(double fraction, const QString& stage);
+  void showStreaming(const render::Streaming& streaming);
 
-  QLabel *mData, *mPick, *mReduction, *mRefine, *mDriver;
+  QLabel *mData, *mPick, *mStreaming, *mReduction, *mRefine, *mDriver;
 };
 
 }  // namespace velum::gui

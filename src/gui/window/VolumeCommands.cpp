@@ -2,7 +2,10 @@
 
 #include <QDir>
 #include <QFileInfo>
+#include <QInputDialog>
 
+#include "core/BrickCache.h"
+#include "core/Error.h"
 #include "gui/kit/Length.h"
 #include "gui/window/RawDialog.h"
 #include "gui/window/VoxelSizeDialog.h"
@@ -11,6 +14,7 @@
 #include "session/command/DocumentCommands.h"
 #include "session/command/LookCommands.h"
 #include "session/document/LabelPlace.h"
+#include "session/document/PyramidBeside.h"
 #include "session/document/WorkFile.h"
 
 namespace velum::gui {
@@ -38,6 +42,9 @@ VolumeCommands::VolumeCommands(const WindowParts& parts, FileLoads& loads) : Roo
   mLayout =
       parts.actions.addForScene(edit, "edit.layout", tr("&Samples of the file..."),
                                 tr("Say what the samples of a file without a header are"), [this] { askLayout(); });
+  mLevel = parts.actions.addForScene(edit, "edit.level", tr("Level of de&tail..."),
+                                     tr("Choose which level of a pyramid is read, or that it is streamed"),
+                                     [this] { askLevel(); });
   mTable = parts.actions.addForScene(parts.menu(MenuId::Look), "look.hideTable", tr("Hi&de the table"),
                                      tr("Leave out what is not part of the largest body: table, head rest, cables"),
                                      [this] { hideTable(mTable->isChecked()); });
@@ -50,6 +57,7 @@ void VolumeCommands::refresh(const session::Session& session) {
   bool hasFile = layer.data && !layer.source.path.empty();
   mVoxelSize->setEnabled(hasFile);
   mLayout->setEnabled(hasFile && layer.source.raw.dims.x > 0);
+  mLevel->setEnabled(hasFile && (layer.data->finer || layer.source.level >= 0));
   mTable->setEnabled(layer.data && layer.data->channels == 1);
   mTable->setChecked(layer.bodyOnly);
 }
@@ -84,7 +92,7 @@ void VolumeCommands::askVoxelSize(const QString& why) {
   VoxelSizeForm& form = dialog->form();
   bool isMap = mParts.session.scene().unit == LengthUnit::Angstrom;
   if (layer.data->isSpacingKnown)
-    form.setValue(spacingOf(*layer.data) * millimetres);
+    form.setValue(finestSpacing(*layer.data) * millimetres);
   else
     form.setGuess(isMap ? glm::dvec3(millimetres) : VoxelSizeForm::firstGuess(isOfMicroscope(layer.source.path)));
   connect(dialog, &QDialog::accepted, this, [this, dialog, millimetres] {
@@ -100,6 +108,31 @@ void VolumeCommands::askLayout() {
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &QDialog::accepted, this,
           [this, dialog] { reread(tr("Change samples of the file"), dialog->source()); });
+  dialog->open();
+}
+
+void VolumeCommands::askLevel() {
+  const scene::Source& source = mParts.session.scene().volume.source;
+  QStringList levels{tr("Streamed, as fine as the screen shows it")};
+  try {
+    for (const std::string& line : session::levelLines(source))
+      levels << tr("Level %1, read whole: %2").arg(levels.size() - 1).arg(QString::fromStdString(line));
+  } catch (const InputError& error) {
+    return mParts.messages.showError(QString::fromUtf8(error.what()));
+  }
+  auto* dialog = new QInputDialog(&mParts.window);
+  dialog->setObjectName("levelDialog");
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setWindowTitle(tr("Level of detail"));
+  dialog->setLabelText(
+      tr("Which level of %1 is to be read?").arg(QFileInfo(QString::fromStdString(source.path)).fileName()));
+  dialog->setComboBoxItems(levels);
+  dialog->setTextValue(levels.value(source.level + 1));
+  connect(dialog, &QInputDialog::textValueSelected, this, [this, levels](const QString& text) {
+    scene::Source wanted = mParts.session.scene().volume.source;
+    wanted.level = int(levels.indexOf(text)) - 1;
+    if (wanted.level != mParts.session.scene().volume.source.level) reread(tr("Choose level of detail"), wanted);
+  });
   dialog->open();
 }
 

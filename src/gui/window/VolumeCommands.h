@@ -21,9 +21,10 @@ class VolumeCommands : public Room {
  private:
   void askVoxelSize(const QString& why);
   void askLayout();
+  void askLevel();
   void askWhatIsUnknown();
 
-  QAction *mVoxelSize, *mLayout, *mTable;
+  QAction *mVoxelSize, *mLayout, *mLevel, *mTable;
 };
 
 }  // namespace velum::gui

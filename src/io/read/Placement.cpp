@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/BrickCache.h"
 #include "io/read/FileNames.h"
 
 namespace velum::io {
@@ -60,12 +61,10 @@ void placeInWorld(Volume& volume, const glm::dmat3& columns, const glm::dvec3& o
 }
 
 void applySpacing(Volume& volume, const scene::Source& source) {
-  for (int axis = 0; axis < 3; ++axis) {
-    double wanted = source.spacing[axis];
-    auto& column = volume.worldFromVoxel[axis];
-    double length = glm::length(glm::dvec3(column));
-    if (isUsableSpacing(wanted) && length > 0) column *= wanted / length;
-  }
+  glm::dvec3 known = finestSpacing(volume);
+  for (int axis = 0; axis < 3; ++axis)
+    if (isUsableSpacing(source.spacing[axis]) && known[axis] > 0)
+      volume.worldFromVoxel[axis] *= source.spacing[axis] / known[axis];
   if (glm::all(glm::greaterThan(source.spacing, glm::dvec3(0.0)))) volume.isSpacingKnown = true;
   std::string words = noSpacing(volume.lengthUnit);
   bool isSaid = std::find(volume.warnings.begin(), volume.warnings.end(), words) != volume.warnings.end();

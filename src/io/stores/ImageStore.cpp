@@ -154,7 +154,9 @@ StoreKind storeKindOfFile(const Path& path, std::string_view head) {
 
 std::unique_ptr<ImageStore> openImageStore(const Path& path) {
   if (isUnfinished(path))
-    refuse(path, "is not whole: writing it was stopped; give the same command again, which goes on, or remove it");
+    refuse(path,
+           "is not whole: it is being written, or its writer was stopped; to go on, give the same command again or "
+           "make the pyramid again in the window; or remove it");
   std::error_code error;
   if (!std::filesystem::exists(path, error)) refuse(path, "there is no such file or folder");
   switch (storeKind(path)) {

@@ -79,13 +79,18 @@ std::string labelOf(const Volume& head, std::size_t channel) {
   return head.isColor && channel < std::size(kColorNames) ? kColorNames[channel] : fmt::format("Channel {}", channel);
 }
 
-Json describeChannels(const Volume& head, const std::vector<glm::dvec2>& windows) {
+/// A window that nobody chose is all that there is: its ends are those of the values.
+Json describeChannels(const Volume& head, const std::vector<glm::dvec2>& windows, bool areChosen) {
   Json channels = Json::array();
   for (std::size_t c = 0; c < std::size_t(head.channels); ++c) {
     Json channel = {{"label", labelOf(head, c)}, {"color", colorText(colorOf(head, c))}, {"active", true}};
-    if (c < windows.size() && windows[c].x < windows[c].y)
-      channel["window"] = {
-          {"min", windows[c].x}, {"max", windows[c].y}, {"start", windows[c].x}, {"end", windows[c].y}};
+    if (c < windows.size() && windows[c].x < windows[c].y) {
+      double beyond = areChosen ? windows[c].y - windows[c].x : 0.0;
+      channel["window"] = {{"min", windows[c].x - beyond},
+                           {"max", windows[c].y + beyond},
+                           {"start", windows[c].x},
+                           {"end", windows[c].y}};
+    }
     channels.push_back(channel);
   }
   return {{"channels", channels}, {"rdefs", {{"model", head.channels > 1 ? "color" : "greyscale"}}}};
@@ -143,26 +148,26 @@ MetadataFile describeArray(const OmeLayout& layout, const Volume& head, int numb
   auto brick = alongAxes(axes, 1, 1, level.brick), shard = alongAxes(axes, 1, 1, level.shard);
   if (layout.version == OmeVersion::V04)
     return {".zarray", jsonText({{"zarr_format", 2},
-                               {"shape", shape},
-                               {"chunks", brick},
-                               {"dtype", kVersion2Types[std::size_t(head.type)]},
-                               {"compressor", {{"id", "zstd"}, {"level", layout.zstdLevel}}},
-                               {"fill_value", 0},
-                               {"order", "C"},
-                               {"filters", nullptr},
-                               {"dimension_separator", "/"}})};
+                                 {"shape", shape},
+                                 {"chunks", brick},
+                                 {"dtype", kVersion2Types[std::size_t(head.type)]},
+                                 {"compressor", {{"id", "zstd"}, {"level", layout.zstdLevel}}},
+                                 {"fill_value", 0},
+                                 {"order", "C"},
+                                 {"filters", nullptr},
+                                 {"dimension_separator", "/"}})};
   Json names = Json::array();
   for (const OmeAxis& axis : axes) names.push_back(axis.name);
   return {"zarr.json", jsonText({{"zarr_format", 3},
-                               {"node_type", "array"},
-                               {"shape", shape},
-                               {"data_type", std::string(enumName(head.type))},
-                               {"chunk_grid", {{"name", "regular"}, {"configuration", {{"chunk_shape", shard}}}}},
-                               {"chunk_key_encoding", {{"name", "default"}, {"configuration", {{"separator", "/"}}}}},
-                               {"fill_value", 0},
-                               {"codecs", codecsOf(layout, brick)},
-                               {"dimension_names", names},
-                               {"attributes", Json::object()}})};
+                                 {"node_type", "array"},
+                                 {"shape", shape},
+                                 {"data_type", std::string(enumName(head.type))},
+                                 {"chunk_grid", {{"name", "regular"}, {"configuration", {{"chunk_shape", shard}}}}},
+                                 {"chunk_key_encoding", {{"name", "default"}, {"configuration", {{"separator", "/"}}}}},
+                                 {"fill_value", 0},
+                                 {"codecs", codecsOf(layout, brick)},
+                                 {"dimension_names", names},
+                                 {"attributes", Json::object()}})};
 }
 
 std::vector<MetadataFile> describeImage(const OmeLayout& layout, const Volume& head,
@@ -179,7 +184,7 @@ std::vector<MetadataFile> describeImage(const OmeLayout& layout, const Volume& h
   if (layout.isLabels)
     ome["image-label"] = describeStructures(structures, version);
   else if (head.channels > 1 || !head.channelNames.empty() || !head.channelColors.empty())
-    ome["omero"] = describeChannels(head, windows);
+    ome["omero"] = describeChannels(head, windows, layout.hasChosenWindows);
   Json own = describeOwn(head);
   if (isOld) {
     ome["velum"] = own;

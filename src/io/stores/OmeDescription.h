@@ -20,6 +20,7 @@ struct OmeLayout {
   int zstdLevel = 0;
   std::vector<PlannedLevel> levels;
   bool isLabels = false;
+  bool hasChosenWindows = false;  ///< somebody chose the windows of channels: they are not just their ranges
 };
 
 /// The axes: time and channels where there are several, then z, y, x.

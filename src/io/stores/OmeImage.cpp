@@ -199,7 +199,8 @@ std::vector<OmeChannel> channelsOf(const Json& attributes) {
   for (const Json& json : list) {
     OmeChannel channel{wordOf(memberOf(json, "label")), colorOf(memberOf(json, "color")), {}};
     const Json &window = memberOf(json, "window"), &start = memberOf(window, "start"), &end = memberOf(window, "end");
-    if (start.is_number() && end.is_number() && start.get<double>() < end.get<double>())
+    bool isAll = start == memberOf(window, "min") && end == memberOf(window, "max");  // nobody chose it
+    if (!isAll && start.is_number() && end.is_number() && start.get<double>() < end.get<double>())
       channel.window = glm::dvec2(start.get<double>(), end.get<double>());
     channels.push_back(channel);
   }

@@ -27,7 +27,7 @@ struct OmeLevel {
 struct OmeChannel {
   std::string label;
   std::optional<glm::vec3> color;    ///< sRGB
-  std::optional<glm::dvec2> window;  ///< values from dark to bright
+  std::optional<glm::dvec2> window;  ///< values from dark to bright, where somebody chose them
 };
 
 /// An image: a group with `multiscales`, or a bare array.

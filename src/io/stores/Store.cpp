@@ -31,7 +31,12 @@ class FolderStore : public Store {
   std::unique_ptr<Blob> open(const std::string& key) const override {
     Path path = mFolder / key;
     std::error_code error;
-    if (!std::filesystem::is_regular_file(path, error)) return nullptr;
+    if (!std::filesystem::is_regular_file(path, error)) {
+      // What a store lacks has its fill value; of one that is gone nothing is known.
+      if (!std::filesystem::is_directory(mFolder, error))
+        refuse(mFolder, "the store is gone: it was removed or renamed, or its disk is away");
+      return nullptr;
+    }
     return std::make_unique<FileBlob>(path);
   }
   std::vector<std::string> folders(const std::string& key) const override {

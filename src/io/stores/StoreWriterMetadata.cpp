@@ -110,6 +110,7 @@ std::vector<glm::dvec2> StoreWriter::findWindows() const {
 }
 
 void StoreWriter::describe(const std::vector<glm::dvec2>& windows) {
+  mLayout.hasChosenWindows = !mSource.channelWindows().empty();
   for (const MetadataFile& file : describeImage(mLayout, mHead, windows, mOptions.structures))
     replaceFile(mFolder / file.name, file.text);
 }

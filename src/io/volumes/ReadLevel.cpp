@@ -11,15 +11,16 @@
 #include "core/Error.h"
 #include "core/Memory.h"
 #include "io/read/Refuse.h"
+#include "io/stores/OpenStore.h"
+#include "io/volumes/FormatTable.h"
+#include "io/volumes/OpenSource.h"
 
 namespace velum::io {
 
 namespace {
 
 constexpr double kGb = 1e9;
-constexpr double kWholeBytes = 512e6;   ///< volumes up to here are read whole
 constexpr double kCoarseVoxels = 16e6;  ///< of the level that is in memory of those that are streamed
-constexpr double kCacheShare = 0.125;   ///< of the machine's memory, that bricks may take
 
 /// "1000 x 1000 x 500"
 std::string sizeOf(const VoxelLevel& level) {
@@ -66,32 +67,54 @@ std::vector<BrickAddress> extremeBricks(const Volume& volume, int channel) {
 
 }  // namespace
 
-LevelPlan planLevel(const VoxelSource& of, const scene::Source& source) {
-  double machine = machineBytes(), whole = kWholeBytes;
+double wholeBudget() {
+  double whole = memoryBudget().wholeBytes;
+  if (whole == MemoryBudget().wholeBytes) whole = std::min(whole, machineBytes() / 8);  // nobody chose it
   if (const char* megabytes = std::getenv("VELUM_WHOLE_MB")) whole = std::atof(megabytes) * 1e6;
+  return std::min(whole, machineBytes() / 2);
+}
+
+LevelPlan planLevel(const VoxelSource& of, const scene::Source& source) {
+  double machine = machineBytes(), whole = wholeBudget();
   int count = int(of.levels().size()), level = std::max(source.level, 0);
   if (source.level >= count)
     refuse(source.path, fmt::format("there is no level {}; they are 0 to {}", source.level, count - 1));
-  bool isStreamed = source.level < 0 && count > 1 && levelBytes(of, 0) > std::min(whole, machine / 8);
+  bool isStreamed = source.level < 0 && count > 1 && levelBytes(of, 0) > whole;
   auto voxelsOf = [&](int i) {
     glm::dvec3 dims = of.levels()[std::size_t(i)].dims;
     return dims.x * dims.y * dims.z;
   };
   if (isStreamed)
     while (level + 1 < count && voxelsOf(level) > std::min(kCoarseVoxels, 0.5 * voxelsOf(0))) ++level;
-  double most = source.level >= 0 ? machine / 2 : machine / 8, bytes = levelBytes(of, level);
+  double most = source.level >= 0 ? machine / 2 : std::max(whole, machine / 8), bytes = levelBytes(of, level);
   if (bytes > most)
-    refuse(source.path,
-           fmt::format("its level {} has {:.1f} GB of voxels, and {:.1f} GB, {} of the memory, are the most "
-                       "that is read whole; velum-batch convert makes a store with coarser levels of it",
-                       level, bytes / kGb, most / kGb, source.level >= 0 ? "a half" : "an eighth"));
+    refuse(source.path, fmt::format("its level {} has {:.1f} GB of voxels, and {:.1f} GB are the most "
+                                    "that is read whole; velum-batch convert makes a store with coarser levels of it",
+                                    level, bytes / kGb, most / kGb));
   return {level, isStreamed};
+}
+
+std::unique_ptr<VoxelSource> openPyramid(const scene::Source& source) {
+  std::unique_ptr<VoxelSource> opened;
+  if (isStore(source.path))
+    opened = openImage(source.path, source.series);
+  else if (!hasRawLayout(source))
+    opened = openSource(source);
+  return opened && opened->levels().size() > 1 ? std::move(opened) : nullptr;
+}
+
+int levelNear(const scene::Source& source, int wanted) {
+  auto pyramid = openPyramid(source);
+  if (!pyramid) return scene::kFittingLevel;
+  auto fits = levelWithin(*pyramid, machineBytes() / 2);
+  return fits ? std::max(*fits, std::min(wanted, int(pyramid->levels().size()) - 1)) : scene::kFittingLevel;
 }
 
 Volume readFitting(std::unique_ptr<VoxelSource> pyramid, const scene::Source& source, bool isAlignedByBorders,
                    Progress& progress) {
   auto [level, isStreamed] = planLevel(*pyramid, source);
   Volume volume = readLevel(*pyramid, level, progress);
+  volume.channelWindows = pyramid->channelWindows();
   if (level == 0) return volume;
   const auto& levels = pyramid->levels();
   std::string which =
@@ -106,7 +129,7 @@ Volume readFitting(std::unique_ptr<VoxelSource> pyramid, const scene::Source& so
     volume.warnings.push_back(
         "the file does not say where its coarser levels lie; they were taken as means of blocks, border on border");
   if (!isStreamed) return volume;
-  auto bricks = std::make_shared<BrickCache>(std::move(pyramid), std::size_t(machineBytes() * kCacheShare));
+  auto bricks = std::make_shared<BrickCache>(std::move(pyramid), std::size_t(brickBudget()));
   volume.finer = std::make_shared<FinerLevels>(FinerLevels{std::move(bricks), level});
   return volume;
 }

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 
+#include "core/Memory.h"
 #include "io/read/FileBytes.h"
 #include "io/read/FileNames.h"
 #include "io/stores/OpenStore.h"
 #include "io/volumes/DicomFile.h"
+#include "io/volumes/OpenSource.h"
 #include "io/volumes/ReadLevel.h"
 
 #include "io/read/Placement.h"
@@ -47,9 +49,25 @@ std::string describeStranger(const FileHead& head) {
   return "is of no kind that can be read; for headerless samples give their size and type";
 }
 
+/// Refuses what would take more memory than there is before any of it is read.
+void expectFits(const scene::Source& source) {
+  constexpr std::uintmax_t kSmall = 1u << 30;  // bytes of a file that are not looked at
+  std::error_code error;
+  if (std::filesystem::file_size(source.path, error) < kSmall || error) return;
+  auto opened = openSource(source);
+  if (!opened || opened->levels().size() > 1) return;
+  double bytes = levelBytes(*opened, 0), most = machineBytes() / 2;
+  if (bytes > most)
+    refuse(source.path,
+           fmt::format("it has {:.1f} GB of voxels in one level, and half of the memory, {:.1f} GB, is the "
+                       "most that is read whole; velum-batch convert makes a store of it, which is streamed",
+                       bytes / 1e9, most / 1e9));
+}
+
 Volume readFile(const scene::Source& source, Progress& progress) {
   Path path = source.path;
   sizeOfFile(path);
+  expectFits(source);
   if (hasRawLayout(source)) return readRaw(source, progress);
   FileHead head = readFileHead(path);
   const FormatRow* row = chooseReader(head);

@@ -21,6 +21,12 @@ bool hasLabelBricks(const scene::Scene& scene) {
   return labelUseOf(scene) == LabelUse::OverVolume && scene.volume.data->finer;
 }
 
+VolumeKey drawnVolumeKey(const Frame& frame) {
+  VolumeKey key = volumeKeyOf(frame.scene.volume);
+  if (key.id != 0 && frame.scene.volume.data->finer) key.brickBytes = frame.brickBytes;
+  return key;
+}
+
 /// The grid that stands for a frame's data.
 FrameGrid gridOf(const FrameData& data) {
   const scene::Scene& scene = data.frame.scene;
@@ -49,7 +55,7 @@ FrameGrid gridOf(const FrameData& data) {
 }  // namespace
 
 const UploadPass::Uploaded* UploadPass::drawnFor(const FrameData& data) const {
-  VolumeKey key = volumeKeyOf(data.frame.scene.volume);
+  VolumeKey key = drawnVolumeKey(data.frame);
   if (key.id == 0) return nullptr;
   if (mWhole && mWhole->key == key) return &*mWhole;
   key.isQuick = true;
@@ -62,7 +68,7 @@ void UploadPass::startWhole(const scene::VolumeLayer& layer, const VolumeKey& ke
   mUpload.reset();
   mStreamed.reset();
   if (layer.data->finer)
-    mStreamed = std::make_unique<Residency>(layer, mLimits);
+    mStreamed = std::make_unique<Residency>(layer, mLimits, key.brickBytes);
   else
     mUpload = std::make_unique<VolumeUpload>(layer, mLimits);
   mUploadKey = key;
@@ -83,7 +89,7 @@ void UploadPass::prepare(FrameData& data) {
   else if (labels != LabelUse::None)
     mShares.begin(data.frame.scene, labels == LabelUse::Alone);
   const auto& layer = data.frame.scene.volume;
-  VolumeKey key = volumeKeyOf(layer);
+  VolumeKey key = drawnVolumeKey(data.frame);
   if (key.id == 0 || (mWhole && mWhole->key == key)) return;
   if (data.frame.isPreview) {
     if (!drawnFor(data)) mQuick.reset();
@@ -98,7 +104,7 @@ void UploadPass::addSteps(const FrameData& data, int, WorkQueue& queue) {
     queue.addUntilDone(*this, [this] { return mBricks.step(); });
   else if (labelUseOf(data.frame.scene) != LabelUse::None)
     queue.addUntilDone(*this, [this] { return mShares.step(); });
-  VolumeKey key = volumeKeyOf(data.frame.scene.volume);
+  VolumeKey key = drawnVolumeKey(data.frame);
   if (key.id == 0 || (mWhole && mWhole->key == key)) return;
   if (!data.frame.isPreview) {
     queue.addUntilDone(*this, [this] { return stepWhole(); });

@@ -15,9 +15,10 @@ namespace velum::render {
 
 namespace {
 
-constexpr double kBudgetBytes = double(std::size_t(2) << 30);  ///< of the textures
-constexpr double kBudgetShare = 0.25;                          ///< of the driver's memory
-constexpr int kSlotsAlong = 8;                                ///< of the texture, along x and y
+constexpr double kBudgetBytes = double(std::size_t(2) << 30);  ///< of the textures, unless told otherwise
+constexpr double kBudgetShare = 0.25;                          ///< of the driver's memory, likewise
+constexpr double kMostShare = 0.7;                             ///< of it, that can be asked for
+constexpr int kSlotsAlong = 8;                                 ///< of the texture, along x and y
 constexpr std::size_t kSampled = 192;  ///< bricks by which it is known how many of all will be seen
 constexpr std::size_t kMostKnown = 1u << 18;
 
@@ -52,8 +53,12 @@ int roundUp(int size) { return (size + kSlotEdge - 1) / kSlotEdge * kSlotEdge; }
 
 }  // namespace
 
-Residency::Residency(const scene::VolumeLayer& layer, const gpu::Limits& limits)
-    : mCoarse(layer.data), mGrid(*layer.data), mLimits(limits) {
+Residency::Residency(const scene::VolumeLayer& layer, const gpu::Limits& limits, double budgetBytes)
+    : mCoarse(layer.data),
+      mGrid(*layer.data),
+      mLimits(limits),
+      mBudgetBytes(budgetBytes > 0 ? std::min(budgetBytes, kMostShare * double(limits.memoryBytes))
+                                   : std::min(kBudgetBytes, kBudgetShare * double(limits.memoryBytes))) {
   mRecipe.bricks = mCoarse->finer->bricks;
   mRecipe.channel = scene::shownChannel(layer);
   mRecipe.timeStep = scene::shownTimeStep(layer);
@@ -77,7 +82,8 @@ Residency::~Residency() = default;
 /// The coarse volume lies in the corner of the texture, slots all around it.
 void Residency::makeSlots(const gpu::Limits& limits) {
   std::size_t texel = gpu::texelBytes(mRecipe.plan.format) * (mRecipe.plan.packing == Packing::None ? 1 : 4) + 4;
-  double texels = std::min(kBudgetBytes, kBudgetShare * double(limits.memoryBytes)) / double(texel);
+  mTexelBytes = texel;
+  double texels = mBudgetBytes / double(texel);
   if (mRecipe.plan.packing != Packing::None) texels = std::min(texels, double(limits.textureBuffer));
   glm::ivec3 coarse = mCoarse->dims, size;
   int most = limits.texture3d / kSlotEdge * kSlotEdge;
@@ -162,7 +168,8 @@ std::vector<PageBrick> Residency::bricksOf(const std::vector<Wish>& wishes) {
 }
 
 std::size_t Residency::gather(const MayShow& mayShow) {
-  std::vector<std::uint32_t> words(mSeen.bytes() / sizeof(std::uint32_t));
+  std::vector<std::uint32_t>& words = mMarks;
+  words.resize(mSeen.bytes() / sizeof(std::uint32_t));
   mSeen.read(0, mSeen.bytes(), words.data());
   if (mKnown.size() > kMostKnown) mKnown.clear();
   std::size_t room = mSlots.size() > kFirstSlot ? mSlots.size() - kFirstSlot : 0;
@@ -258,10 +265,34 @@ std::string Residency::shortfall() const {
     words = fmt::format("{} {} could not be read and {} seen coarse: {}", mFailed.size(),
                         mFailed.size() == 1 ? "brick" : "bricks", mFailed.size() == 1 ? "is" : "are", mError);
   if (mEye.coarser > 0)
-    words += fmt::format("{}shown {:.1f} times coarser than pixels: the {} bricks that are seen have no room in {} MiB",
-                         words.empty() ? "" : "; ", std::exp2(mEye.coarser), mSlots.size() - kFirstSlot,
-                         std::size_t(kBudgetBytes) >> 20);
+    words += fmt::format(
+        "{}shown {:.1f} times coarser than pixels: the {} bricks that are seen have no room in {} MiB; "
+        "Preferences > Memory or --gpu-brick-memory gives more",
+        words.empty() ? "" : "; ", std::exp2(mEye.coarser), mSlots.size() - kFirstSlot,
+        std::size_t(mBudgetBytes) >> 20);
   return words;
+}
+
+Streaming Residency::streaming() const {
+  Streaming told;
+  told.missing = mMissing.size();
+  told.coarser = std::exp2(mEye.coarser);
+  auto texel = double(mTexelBytes);
+  double slot = texel * kSlotEdge * kSlotEdge * kSlotEdge;
+  told.budgetBytes = mBudgetBytes;
+  told.usedBytes = texel * mCoarse->dims.x * mCoarse->dims.y * mCoarse->dims.z + slot * double(mResident.size());
+  std::vector<double> pages(std::size_t(mGrid.coarsest()) + 1);
+  double all = 0;
+  for (std::size_t i = 0; i < mMarks.size(); ++i)
+    for (std::uint32_t bits = mMarks[i]; bits != 0; bits &= bits - 1) {
+      std::uint32_t shown = mTable.slot(i * 32 + std::size_t(std::countr_zero(bits)));
+      if (shown == kEmptySlot) continue;
+      pages[std::size_t(shown < kFirstSlot ? mGrid.coarsest() : mSlots[shown].brick.level)] += 1;
+      all += 1;
+    }
+  if (all == 0) return told;
+  for (double count : pages) told.shares.push_back(count / all);
+  return told;
 }
 
 }  // namespace velum::render

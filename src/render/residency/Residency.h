@@ -9,6 +9,7 @@
 
 #include "gpu/Context.h"
 #include "render/Frame.h"
+#include "render/Streaming.h"
 #include "render/residency/BrickLoader.h"
 #include "render/residency/PageTable.h"
 #include "render/upload/VolumeUpload.h"
@@ -31,8 +32,9 @@ class Residency {
   /// True when values of a page may be seen. Any thread. @param texels  smallest and largest
   using MayShow = std::function<bool(glm::vec2 texels)>;
 
-  /// @param layer  whose volume has finer levels  @throw gpu::GpuError
-  Residency(const scene::VolumeLayer& layer, const gpu::Limits& limits);
+  /// @param layer  whose volume has finer levels  @param budgetBytes  of the textures; 0: as is usual
+  /// @throw gpu::GpuError
+  Residency(const scene::VolumeLayer& layer, const gpu::Limits& limits, double budgetBytes);
   ~Residency();
 
   /// Brings the next slab of the coarse volume. @return true when all of it is there
@@ -60,6 +62,8 @@ class Residency {
 
   /// In words for people: what is not shown as fine as it is wanted, and why; empty when all is.
   std::string shortfall() const;
+  /// How fine what rays meet is shown, as gather() found it last.
+  Streaming streaming() const;
   /// Bricks on the GPU, and how many there is room for.
   std::size_t residentCount() const { return mResident.size(); }
   std::size_t slotCount() const { return mSlots.size(); }
@@ -103,6 +107,9 @@ class Residency {
   PageGrid mGrid;
   TexelRecipe mRecipe;
   gpu::Limits mLimits;
+  double mBudgetBytes;
+  std::size_t mTexelBytes = 0;        ///< of a texel in both textures
+  std::vector<std::uint32_t> mMarks;  ///< a bit a page that rays met
   GpuVolume mVolume;
   std::unique_ptr<VolumeUpload> mUpload;
   std::vector<glm::vec2> mCoarseRanges;  ///< of the cells of the coarse volume

@@ -58,6 +58,7 @@ void Residency::look(const Frame& frame) {
 
 void Residency::restartTable(int level) {
   mTable.reset(mGrid, level, mSlots.size());
+  mMarks.clear();
   const PageLevel& own = mGrid.levels()[std::size_t(level)];
   mVolume.dims = own.dims;
   mVolume.worldFromTex = own.worldFromTex;

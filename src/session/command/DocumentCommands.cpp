@@ -29,6 +29,7 @@ Lines open(Session& session, const OpenFile& arguments, Progress& progress) {
   scene::Source source;
   source.path = wholePath(arguments.path);
   source.series = arguments.series;
+  source.level = arguments.level;
   source.raw = arguments.raw;
   source.spacing = arguments.spacing;
   Loaded loaded = read({source}, progress, {});
@@ -39,8 +40,12 @@ Lines open(Session& session, const OpenFile& arguments, Progress& progress) {
 
 Lines addFile(Session& session, const AddFile& arguments, Progress& progress) {
   std::string path = wholePath(arguments.path);
-  Loaded loaded =
-      arguments.asLabels ? readLabels(session.scene(), path, progress) : readBeside(session.scene(), {path}, progress);
+  scene::Source labels;
+  labels.path = path;
+  labels.series = arguments.series;
+  if (!arguments.series.empty()) path += "/" + arguments.series;
+  Loaded loaded = arguments.asLabels ? readLabels(session.scene(), labels, progress)
+                                     : readBeside(session.scene(), {path}, progress);
   session.file().add(loaded);
   return loaded.notes;
 }

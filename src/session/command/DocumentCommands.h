@@ -37,10 +37,14 @@ struct OpenFile {
   std::string path, series;
   scene::RawLayout raw;
   glm::dvec3 spacing{0.0};
+  int level = scene::kFittingLevel;
   bool operator==(const OpenFile&) const = default;
   static void fields(auto& o, auto& visit) {
     visit("path", o.path, FieldInfo{"", {}, "File or folder: a scene, a picture of ours, a volume, labels, a model."});
-    visit("series", o.series, FieldInfo{"", {}, "DICOM series UID, when the folder holds several."});
+    visit("series", o.series,
+          FieldInfo{"", {}, "DICOM series UID, when the folder holds several; of a store: path of an image in it."});
+    visit("level", o.level,
+          FieldInfo{"", {scene::kFittingLevel, 62}, "Level of a pyramid, 0 the finest; -1: as its size asks."});
     visit("raw", o.raw, FieldInfo{"", {}, "How to read a file without a header."});
     visit("spacing", o.spacing,
           FieldInfo{"mm", {0, scene::kMostSpacing}, "Voxel spacing over the file's own; 0: that."});
@@ -53,8 +57,10 @@ struct AddFile {
   static constexpr std::size_t kTakesRest = 1;
   std::string path;
   bool asLabels = false;
+  std::string series;
   static void fields(auto& o, auto& visit) {
     visit("path", o.path, FieldInfo{"", {}, "Labels, a surface, a model, or a volume where there is none."});
+    visit("series", o.series, FieldInfo{"", {}, "Of a store: path of an image or labels in it."});
     visit("asLabels", o.asLabels, FieldInfo{"", {}, "It is read as labels, whatever it looks like."});
   }
 };

@@ -44,6 +44,9 @@ struct Opened {
 /// @throw ArgumentError when there is no input; InputError when none can be read; Cancelled
 Opened openAll(std::vector<scene::Source> sources, Progress& progress, const DataPolicy& policy = {},
                std::vector<std::string>* notes = nullptr);
+/// A source whose path leads into a store, as the list of what it holds shows it (a.ozx/labels/nuclei), by store and
+/// image; all others as they are. Any thread.
+scene::Source foundInStore(scene::Source source);
 /// Sources for files and folders that say themselves how they are to be read.
 std::vector<scene::Source> sourcesOf(const std::vector<std::string>& paths);
 

@@ -7,6 +7,8 @@
 #include "core/Error.h"
 #include "core/Log.h"
 #include "io/kinds/FileKind.h"
+#include "io/volumes/ReadLevel.h"
+#include "io/volumes/StoreSeries.h"
 #include "scene/VisibleFrame.h"
 #include "session/document/Open.h"
 #include "session/model/ModelScale.h"
@@ -36,6 +38,13 @@ std::vector<std::string> openEach(const std::vector<scene::Source>& sources, boo
   return refused;
 }
 
+/// A source that names no level of detail at the level that the policy wants.
+scene::Source atLevel(scene::Source source, const DataPolicy& policy) {
+  if (policy.level >= 0 && source.level < 0 && fs::exists(source.path))
+    source.level = io::levelNear(source, policy.level);
+  return source;
+}
+
 /// @param notes  null: they are warnings on stderr
 void tell(const std::vector<std::string>& lines, std::vector<std::string>* notes) {
   for (const auto& line : lines) notes ? notes->push_back(line) : log::warning(line);
@@ -49,6 +58,16 @@ void tellScale(const scene::Scene& scene, std::vector<std::string>* notes) {
 
 }  // namespace
 
+scene::Source foundInStore(scene::Source source) {
+  std::error_code error;
+  if (source.path.empty() || !source.series.empty() || fs::exists(source.path, error)) return source;
+  auto place = io::placeInStore(source.path);
+  if (!place) return source;
+  source.path = place->store.string();
+  source.series = place->key;
+  return source;
+}
+
 std::vector<scene::Source> sourcesOf(const std::vector<std::string>& paths) {
   std::vector<scene::Source> sources;
   for (const auto& path : paths) {
@@ -61,12 +80,14 @@ std::vector<scene::Source> sourcesOf(const std::vector<std::string>& paths) {
 Opened openAll(std::vector<scene::Source> sources, Progress& progress, const DataPolicy& policy,
                std::vector<std::string>* notes) {
   if (sources.empty()) throw ArgumentError("nothing was named to open");
+  for (auto& source : sources) source = foundInStore(std::move(source));
   std::stable_partition(sources.begin(), sources.end(), [](const scene::Source& source) {
     io::FileKind kind = fs::exists(source.path) ? io::kindOf(source) : io::FileKind::Volume;
     return kind != io::FileKind::Surface && kind != io::FileKind::Labels;
   });
   Opened opened;
-  std::vector<std::string> refused = openEach(sources, policy.refusesOne, [&](const scene::Source& source) {
+  std::vector<std::string> refused = openEach(sources, policy.refusesOne, [&](const scene::Source& named) {
+    scene::Source source = atLevel(named, policy);
     if (!opened.path.empty()) return add(opened.scene, source, progress, notes, policy);
     opened.scene = open(source, progress, policy, notes);
     opened.path = source.path;
@@ -83,7 +104,9 @@ Opened openAll(std::vector<scene::Source> sources, Progress& progress, const Dat
 void addAll(scene::Scene& scene, const std::vector<std::string>& paths, Progress& progress,
             std::vector<std::string>* notes, const DataPolicy& policy) {
   auto refused = openEach(sourcesOf(paths), false,
-                          [&](const scene::Source& source) { add(scene, source, progress, notes, policy); });
+                          [&](const scene::Source& source) {
+                            add(scene, atLevel(foundInStore(source), policy), progress, notes, policy);
+                          });
   tell(refused, notes);
   tellScale(scene, notes);
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/FileName.h"
+#include "io/stores/OpenStore.h"
 #include "io/volumes/ReadVolume.h"
 #include "session/document/Open.h"
 
@@ -21,15 +23,23 @@ Series seriesOf(const io::SeriesInfo& info) {
 
 }  // namespace
 
+bool mayHoldSeries(const fs::path& path) {
+  std::error_code error;
+  return fs::is_directory(path, error) || lowerCase(path.filename().string()) == "dicomdir" || io::isStore(path);
+}
+
 std::vector<Series> seriesIn(const fs::path& path, Progress& progress) {
   std::vector<Series> found;
   auto all = io::listSeries(path, progress);
+  bool isStored = io::isStore(path);
+  bool holdsImages = std::any_of(all.begin(), all.end(), [](auto& info) { return !info.isSegmentation; });
   for (const auto& info : all)
-    if (!info.isSegmentation) found.push_back(seriesOf(info));
+    if (!info.isSegmentation || (isStored && !holdsImages)) found.push_back(seriesOf(info));
+  if (!holdsImages) return found;
   for (const auto& info : all) {
     if (!info.isSegmentation) continue;
     SeriesLabels labels{info.description.empty() ? info.middleFile.filename().string() : info.description,
-                        info.middleFile};
+                        isStored ? path : info.middleFile, isStored ? info.uid : std::string()};
     bool isKnown = std::any_of(found.begin(), found.end(), [&](auto& s) { return s.uid == info.referencedSeries; });
     for (Series& series : found)
       if (!isKnown || series.uid == info.referencedSeries) series.labels.push_back(labels);
@@ -62,15 +72,16 @@ Image planePicture(const Volume& section, int size) {
   return picture;
 }
 
-Loaded readSeries(const std::string& path, const std::string& uid, const fs::path& labels, Progress& progress,
-                  const DataPolicy& policy) {
+Loaded readSeries(const std::string& path, const std::string& uid, const SeriesLabels& labels,
+                  Progress& progress, const DataPolicy& policy) {
   scene::Source source;
   source.path = path;
   source.series = uid;
   Loaded loaded = read({source}, progress, policy);
-  if (labels.empty()) return loaded;
+  if (labels.file.empty()) return loaded;
   scene::Source segments;
-  segments.path = labels.string();
+  segments.path = labels.file.string();
+  segments.series = labels.key;
   addLabels(loaded.scene, segments, progress);
   return loaded;
 }

@@ -28,6 +28,7 @@ struct DataPolicy {
   std::vector<std::filesystem::path> folders;  ///< more folders to look in: those of recent files
   bool refusesOne = false;                     ///< one file that cannot be read, of several, is an error
   bool keepsWithoutData = false;               ///< data that is not found is left out, instead of being an error
+  int level = -1;  ///< of a volume with levels of detail whose source names none: 0 the finest; -1: as its size asks
   bool quickLevels = false;  ///< levels of detail that no file keeps are made in haste, for a LevelWorker to replace
   std::function<void(scene::Scene&)> beforeData = {};  ///< applied to a scene file before its data is read
 };

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/BrickCache.h"
 #include "core/Error.h"
 #include "io/kinds/FileKind.h"
 #include "scene/Presets.h"
@@ -23,7 +24,7 @@ std::string lineOf(const char* verb, const scene::Source& source, const std::str
   as.volume.source = source;
   for (const auto& [path, value] : scene::fieldChanges(plain, as)) {
     std::string name = path.substr(path.rfind("source.") + 7);
-    if (name.starts_with("raw.") || name == "spacing") line += " " + name + "=" + value;
+    if (name.starts_with("raw.") || name == "spacing" || name == "level") line += " " + name + "=" + value;
   }
   return line + options + " " + std::filesystem::absolute(source.path).lexically_normal().string();
 }
@@ -50,6 +51,21 @@ std::vector<std::string> openingOf(const scene::Scene& scene, bool isRecovered) 
   return lines;
 }
 
+/// True for other levels of the same data, or the same data in another file, such as a pyramid that was made of it.
+bool isSameData(const Volume& before, const scene::Source& was, const Volume& now, const scene::Source& source) {
+  bool isAlike = finestDims(now) == finestDims(before) && now.type == before.type && now.channels == before.channels &&
+                 now.timeSteps == before.timeSteps && now.isColor == before.isColor;
+  if (source.path == was.path) {
+    scene::Source otherwise = was;
+    otherwise.level = source.level;
+    otherwise.fingerprint = source.fingerprint;
+    return otherwise == source && now.type == before.type && now.channels == before.channels;
+  }
+  // Means of blocks have less range than the voxels have.
+  double shared = std::min(now.range.y, before.range.y) - std::max(now.range.x, before.range.x);
+  return isAlike && shared > 0.5 * std::max(now.range.y - now.range.x, before.range.y - before.range.x);
+}
+
 constexpr double kEven = 1e-9;  ///< Shares by which edges may grow differently and still be said to grow alike.
 
 }  // namespace
@@ -73,7 +89,7 @@ void rereadVolume(scene::Scene& scene, const scene::Source& source, Progress& pr
   if (!scene.volume.data) throw ArgumentError("there is no volume to read anew");
   Shared<Volume> before = scene.volume.given ? scene.volume.given : scene.volume.data;
   glm::dvec3 ratio =
-      glm::all(glm::greaterThan(source.spacing, glm::dvec3(0))) ? source.spacing / spacingOf(*before) : glm::dvec3(1.0);
+      glm::all(glm::greaterThan(source.spacing, glm::dvec3(0))) ? source.spacing / finestSpacing(*before) : glm::dvec3(1.0);
   double factor = std::cbrt(ratio.x * ratio.y * ratio.z);
   bool isEven = glm::all(glm::lessThan(glm::abs(ratio / factor - 1.0), glm::dvec3(kEven)));
   if (!scene.labels.growths.empty() && (!isEven || !(source.raw == scene.volume.source.raw)))
@@ -81,7 +97,7 @@ void rereadVolume(scene::Scene& scene, const scene::Source& source, Progress& pr
   scene::scaleLengths(scene, factor);
   bool sharesGrid = scene.labels.data && scene.labels.data->dims() == before->dims &&
                     scene.labels.data->worldFromVoxel() == before->worldFromVoxel;
-  scene.volume.source = source;
+  scene::Source was = std::exchange(scene.volume.source, source);
   scene.volume.data = scene.volume.given = {};
   if (sharesGrid && !scene.labels.source.path.empty()) {
     scene.labels.source.spacing = source.spacing;
@@ -91,6 +107,7 @@ void rereadVolume(scene::Scene& scene, const scene::Source& source, Progress& pr
   loadData(scene, {}, progress, {}, nullptr);
   const Volume& now = *scene.volume.data;
   if (now.dims == before->dims && now.type == before->type && now.range == before->range) return;
+  if (isSameData(*before, was, now, source)) return scene::placeSections(scene);
   scene.volume.channel = scene.volume.timeStep = 0;
   scene.volume.channels.clear();
   scene::applyPreset(scene, scene::choosePreset(now));
@@ -106,12 +123,10 @@ Loaded readBeside(scene::Scene beside, const std::vector<std::string>& paths, Pr
   return loaded;
 }
 
-Loaded readLabels(scene::Scene beside, const std::string& path, Progress& progress) {
+Loaded readLabels(scene::Scene beside, const scene::Source& source, Progress& progress) {
   Loaded loaded;
   loaded.scene = std::move(beside);
-  scene::Source source;
-  source.path = path;
-  addLabels(loaded.scene, source, progress);
+  addLabels(loaded.scene, foundInStore(source), progress);
   return loaded;
 }
 

@@ -37,7 +37,7 @@ void rereadVolume(scene::Scene& scene, const scene::Source& source, Progress& pr
 Loaded readBeside(scene::Scene beside, const std::vector<std::string>& paths, Progress& progress,
                   const DataPolicy& policy = {});
 /// Reads a file as labels of what is open, whatever the file looks like. @param beside  the scene that is open
-Loaded readLabels(scene::Scene beside, const std::string& path, Progress& progress);
+Loaded readLabels(scene::Scene beside, const scene::Source& source, Progress& progress);
 /// Makes and reads a phantom. @param voxels  along its longest axis; 0: its own size  @param folder  where its files
 /// are written
 Loaded readPhantom(const std::string& name, int voxels, const std::filesystem::path& folder, Progress& progress);

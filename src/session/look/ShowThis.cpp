@@ -18,7 +18,7 @@ constexpr double kShoulder = 1.5, kFoot = 3.0;  // of the bump, spreads from its
 constexpr double kOpacity = 0.6;                // a unit of material: solid, with soft edges
 constexpr double kDark = 0.3;                   // luminance below which a colour is lost in shadows
 constexpr int kNear = 2, kWide = 6;             // voxels around the place: what is meant, and more of the same
-constexpr int kBeside = 8;                      // voxels within which another material is beside the place
+constexpr int kBesideVoxels = 8;                // voxels within which another material is beside the place
 constexpr double kOther = 0.12;                 // of the data's range: by so much other materials differ
 constexpr int kFewest = 4;                      // of 26 directions: fewer are noise
 constexpr double kTolerance = 4e-4;             // of a simplified curve: a tenth of the faintest veil in a preset
@@ -90,7 +90,7 @@ std::vector<double> valuesAlong(const scene::VolumeLayer& layer, glm::ivec3 from
   int channel = scene::shownChannel(layer);
   int timeStep = scene::shownTimeStep(layer);
   std::vector<double> values;
-  for (int i = 1; i <= kBeside; ++i) {
+  for (int i = 1; i <= kBesideVoxels; ++i) {
     glm::ivec3 at(glm::floor(glm::dvec3(from) + direction * double(i) + 0.5));
     if (glm::any(glm::lessThan(at, glm::ivec3(0))) || glm::any(glm::greaterThanEqual(at, volume.dims))) break;
     double value = shownValue(volume, at, channel, timeStep);

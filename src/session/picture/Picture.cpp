@@ -9,6 +9,7 @@
 
 #include "core/FileName.h"
 #include "core/ImageChannels.h"
+#include "core/Memory.h"
 #include "core/ReplaceFile.h"
 #include "core/Text.h"
 #include "io/images/ImageFile.h"
@@ -109,6 +110,7 @@ Image drawPicture(render::Renderer& renderer, const scene::Scene& scene, const P
   frame.scene = sceneForPicture(scene, options);
   TrueLevels().give(frame.scene.model, progress);
   frame.pictureSize = options.size;
+  frame.brickBytes = memoryBudget().gpuBrickBytes;
   render::Layers layers;
   if (options.layers) layers = {true, true, true, true, true, bool(scene.model.data)};
   bool hasTypes = scene.lettering.legend && scene.model.data;

@@ -12,12 +12,6 @@ namespace {
 
 constexpr int kBrick = LabelVolume::kBrickSize;
 
-Shared<Volume> checked(Shared<Volume> volume, const LabelVolume& labels, const GrowRule& rule) {
-  if (volume->dims != labels.dims()) throw ArgumentError("the labels to grow in are not on the grid of the volume");
-  checkRule(rule, *volume);
-  return volume;
-}
-
 bool holdsLabel(const LabelVolume::Brick& brick, int id) {
   return std::any_of(brick.begin(), brick.end(), [&](std::uint16_t is) { return is == id; });
 }
@@ -61,7 +55,7 @@ struct RegionGrow::State {
 constexpr glm::ivec3 kBeside[] = {{-1, 0, 0}, {1, 0, 0}, {0, -1, 0}, {0, 1, 0}, {0, 0, -1}, {0, 0, 1}};
 
 bool RegionGrow::State::isIn(glm::ivec3 voxel) const {
-  if (!isInside(admission.volume(), voxel)) return false;
+  if (!isInside(admission.grid(), voxel)) return false;
   const RowTile* tile = tiles.find(voxel.y, voxel.z);
   return tile && bitAt(tile->region(tile->rowAt(voxel.y, voxel.z)), voxel.x);
 }
@@ -72,7 +66,7 @@ void RegionGrow::State::dropLoose() {
     for (glm::ivec3 step : kBeside) {
       glm::ivec3 voxel = seed + step;
       bool touches = std::any_of(std::begin(kBeside), std::end(kBeside), [&](glm::ivec3 s) { return isIn(voxel + s); });
-      if (touches || !isInside(admission.volume(), voxel)) continue;
+      if (touches || !isInside(admission.grid(), voxel)) continue;
       RowTile& tile = tiles.make(voxel.y, voxel.z);
       clearBit(tile.front(tile.rowAt(voxel.y, voxel.z)), voxel.x);
     }
@@ -140,8 +134,9 @@ void RegionGrow::State::lookAnew(int by, int bz) {
 }
 
 RegionGrow::RegionGrow(Shared<Volume> volume, const Shared<LabelVolume>& labels, int structure, GrowRule rule) {
-  glm::ivec3 dims = volume->dims;
-  volume = checked(std::move(volume), *labels, rule);
+  checkRule(rule, *volume);
+  glm::ivec3 dims = FinestVoxels(*volume).grid().dims;
+  if (dims != labels->dims()) throw ArgumentError("the labels to grow in are not on the grid of the volume");
   mState.reset(new State{Admission(std::move(volume), labels, std::move(rule)), TileGrid(dims), structure, 0, {}});
   if (structure == 0) return;
   mState->takeLabels();
@@ -153,11 +148,11 @@ RegionGrow::RegionGrow(RegionGrow&&) noexcept = default;
 RegionGrow& RegionGrow::operator=(RegionGrow&&) noexcept = default;
 
 void RegionGrow::addSeed(glm::ivec3 voxel) {
-  if (!isInside(mState->admission.volume(), voxel)) return;
+  if (!isInside(mState->admission.grid(), voxel)) return;
   RowTile& tile = mState->tiles.make(voxel.y, voxel.z);
   int row = tile.rowAt(voxel.y, voxel.z);
   if (!bitAt(tile.region(row), voxel.x)) {
-    if (bitAt(tile.open(row, mState->admission), voxel.x)) {
+    if (tile.open(row, voxel.x / kWordBits, mState->admission) >> (voxel.x % kWordBits) & 1) {
       tile.join(row, voxel.x);
       ++mCount, ++mState->fromSeeds;
     } else {
@@ -178,11 +173,12 @@ void RegionGrow::addSeeds(const LabelVolume& labels, int structure) {
   forRowsOf(labels, structure, [&](int y, int z, const std::vector<Word>& bits) {
     RowTile& tile = mState->tiles.make(y, z);
     int row = tile.rowAt(y, z);
-    const Word *open = tile.open(row, mState->admission), *region = tile.region(row);
     std::size_t joined = 0;
-    for (std::size_t w = 0; w < bits.size(); ++w)
-      for (Word left = bits[w] & open[w] & ~region[w]; left != 0; left &= left - 1, ++joined)
-        tile.join(row, int(w) * kWordBits + std::countr_zero(left));
+    for (int w = 0; w < int(bits.size()); ++w) {
+      Word left = bits[std::size_t(w)] & ~tile.region(row)[w];
+      if (left != 0) left &= tile.open(row, w, mState->admission);
+      for (; left != 0; left &= left - 1, ++joined) tile.join(row, w * kWordBits + std::countr_zero(left));
+    }
     if (joined == 0) return;
     mCount += joined, mState->fromSeeds += joined;
     mState->offerAround(y, z);
@@ -196,6 +192,15 @@ std::size_t RegionGrow::grow(const GrowDomain& domain, Progress& progress) {
   mCount += added;
   progress.throwIfCancelled();
   return added + std::exchange(mState->fromSeeds, 0);
+}
+
+VoxelBox RegionGrow::reach() const {
+  VoxelBox box{mState->tiles.dims(), glm::ivec3(0)};
+  mState->tiles.forEach([&](const RowTile& tile) {
+    box.first = glm::min(box.first, glm::ivec3(0, tile.first()));
+    box.end = glm::max(box.end, glm::ivec3(mState->tiles.dims().x, tile.first() + tile.count()));
+  });
+  return box;
 }
 
 bool RegionGrow::has(glm::ivec3 voxel) const { return mState->isIn(voxel); }

@@ -21,21 +21,28 @@ RowTile::RowTile(glm::ivec2 first, glm::ivec3 dims)
       mFlags(std::size_t(kEdge * mCount.y)),
       mNew(static_cast<std::size_t>(mWords)) {}
 
-const Word* RowTile::open(int row, const Admission& admission) {
-  Word* open = words(row, kOpen);
-  if (is(row, kIsKnown)) return open;
+/// Makes a word of a row known, and with it, where that costs nothing but time, the row.
+void RowTile::know(int row, int word, const Admission& admission) {
+  if (is(row, kIsKnown)) return;
   glm::ivec2 place = placeOf(row);
-  admission.open(place.x, place.y, open);
-  mark(row, kIsKnown);
-  return open;
+  if (!admission.isPiecewise()) {
+    admission.open(place.x, place.y, {0, mWords}, words(row, kOpen));
+    mark(row, kIsKnown);
+    return;
+  }
+  if (mKnown.empty()) mKnown.resize(mFlags.size() * std::size_t(wordsOf(mWords)));
+  if (bitAt(known(row), word)) return;
+  admission.open(place.x, place.y, {word, word + 1}, words(row, kOpen));
+  setBit(known(row), word);
 }
 
 bool RowTile::offer(int row, const Word* neighbour, int firstWord, int endWord) {
   const Word *open = words(row, kOpen), *region = words(row, kRegion);
   Word* front = words(row, kFront);
   Word any = 0, unknown = is(row, kIsKnown) ? 0 : ~Word(0);
+  const Word* known = unknown ? this->known(row) : nullptr;
   for (int w = firstWord; w < endWord; ++w) {
-    Word offered = neighbour[w] & ~region[w] & (open[w] | unknown);
+    Word offered = neighbour[w] & ~region[w] & (open[w] | (known && bitAt(known, w) ? 0 : unknown));
     front[w] |= offered;
     any |= offered;
   }
@@ -97,12 +104,17 @@ std::vector<std::uint16_t> RowTile::takeChanged() {
 
 void RowTile::forget(int row) {
   unmark(row, kIsKnown);
+  if (Word* known = this->known(row)) {
+    std::fill_n(known, wordsOf(mWords), Word(0));
+    std::fill_n(words(row, kOpen), mWords, Word(0));
+  }
   std::fill_n(words(row, kFront), mWords, Word(0));
 }
 
 void RowTile::settle(const Admission& admission, const GrowDomain& domain, const Progress& progress) {
   for (std::size_t head = 0; head < mQueue.size();) {
-    if (head % kVisitsUncancelled == 0 && progress.isCancelled()) {
+    // Where bricks are read a visit may take long.
+    if ((admission.isPiecewise() || head % kVisitsUncancelled == 0) && progress.isCancelled()) {
       mQueue.erase(mQueue.begin(), mQueue.begin() + std::ptrdiff_t(head));
       return;
     }
@@ -111,15 +123,19 @@ void RowTile::settle(const Admission& admission, const GrowDomain& domain, const
   mQueue.clear();
 }
 
-/// False where nothing joins. What joins is in mNew, in the words of the span.
-bool RowTile::fill(int row, RowSpan span) {
+/// False where nothing joins. What joins is in mNew, in the words of the span. Words that are not known have no voxel
+/// that is open: they become known where the front is, and where a run goes on into them.
+bool RowTile::fill(int row, RowSpan span, const Admission& admission) {
   const Word* open = words(row, kOpen);
   Word *region = words(row, kRegion), *front = words(row, kFront), *added = mNew.data();
   int from = span.first / kWordBits, end = wordsOf(span.end);
+  if (!admission.isPiecewise()) know(row, from, admission);
+  bool asks = !is(row, kIsKnown);
   Word any = 0, carry = 0;
   for (int w = from; w < end; ++w) {
-    Word inside = spanBits(w, span.first, span.end), may = open[w] & ~region[w] & inside;
-    Word seeds = front[w] & may;
+    Word inside = spanBits(w, span.first, span.end);
+    if (asks && ((front[w] & inside) != 0 || carry != 0)) know(row, w, admission);
+    Word may = open[w] & ~region[w] & inside, seeds = front[w] & may;
     front[w] &= ~inside;
     any |= seeds;
     added[w] = fillUp(may, seeds, carry);
@@ -127,6 +143,7 @@ bool RowTile::fill(int row, RowSpan span) {
   if (any == 0) return false;
   Word above = 0;
   for (int w = end; w-- > from;) {
+    if (asks && above != 0) know(row, w, admission);
     Word may = open[w] & ~region[w] & spanBits(w, span.first, span.end);
     Word filled = fillDown(may, added[w] | (above & may));
     added[w] = filled;
@@ -135,8 +152,10 @@ bool RowTile::fill(int row, RowSpan span) {
     mAdded += std::size_t(countBits(filled));
   }
   // What goes on behind the ends of the domain waits there.
+  const Word* known = asks ? this->known(row) : nullptr;
+  auto mayBeOpen = [&](int x) { return bitAt(open, x) || (known && !bitAt(known, x / kWordBits)); };
   auto leave = [&](int inside, int x) {
-    if (x >= 0 && x < mWidth && bitAt(added, inside) && bitAt(open, x) && !bitAt(region, x)) setBit(front, x);
+    if (x >= 0 && x < mWidth && bitAt(added, inside) && mayBeOpen(x) && !bitAt(region, x)) setBit(front, x);
   };
   leave(span.first, span.first - 1);
   leave(span.end - 1, span.end);
@@ -169,10 +188,7 @@ void RowTile::visit(int row, const Admission& admission, const GrowDomain& domai
   Word inside = 0, all = 0;
   for (int w = from; w < end; ++w) inside |= front[w] & spanBits(w, span.first, span.end);
   bool hasGrown = false;
-  if (inside != 0) {
-    open(row, admission);
-    hasGrown = fill(row, span);
-  }
+  if (inside != 0) hasGrown = fill(row, span, admission);
   for (int w = 0; w < mWords; ++w) all |= front[w];
   if (all != 0) wait(row);
   if (!hasGrown) return;

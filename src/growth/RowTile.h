@@ -10,9 +10,10 @@
 namespace velum::growth {
 
 /// A square (in y and z) of rows of voxels, as long as the volume is wide: the part of a region that one thread grows
-/// by itself. Each voxel has three bits: *open*, it may join (made when a row is first met); *region*, it has joined;
-/// and *front*, it touches the region but has not been tried, or lay outside the domain when it was. A row with bits in
-/// its front is queued, or waits for another domain.
+/// by itself. Each voxel has three bits: *open*, it may join (made when a row is first met, or, where that may have to
+/// be read, when the front comes to its word); *region*, it has joined; and *front*, it touches the region but has not
+/// been tried, or lay outside the domain when it was. A row with bits in its front is queued, or waits for another
+/// domain.
 class RowTile {
  public:
   static constexpr int kEdge = 16;  ///< rows along y and z. Of 8, 16 and 32 the fastest, see docs/PERFORMANCE.md
@@ -28,7 +29,10 @@ class RowTile {
   const Word* region(int row) const { return words(row, kRegion); }
   Word* region(int row) { return words(row, kRegion); }
   Word* front(int row) { return words(row, kFront); }
-  const Word* open(int row, const Admission& admission);
+  Word open(int row, int word, const Admission& admission) {
+    know(row, word, admission);
+    return words(row, kOpen)[word];
+  }
 
   /// Tells a row which voxels a neighbouring row has: those that have not joined here and may still join go into the
   /// row's front. True when there are any, so that the row is to be queued.
@@ -56,7 +60,7 @@ class RowTile {
 
   /// Forgets which voxels of a row may join, as that has changed: the row is looked at anew.
   void forget(int row);
-  std::size_t bytes() const { return mBits.size() * sizeof(Word) + mFlags.size(); }
+  std::size_t bytes() const { return (mBits.size() + mKnown.size()) * sizeof(Word) + mFlags.size(); }
 
  private:
   bool offer(int row, const Word* neighbour, int firstWord, int endWord);
@@ -65,7 +69,10 @@ class RowTile {
   const Word* words(int row, Kind kind) const { return &mBits[std::size_t(row * 3 + kind) * std::size_t(mWords)]; }
   Word* words(int row, Kind kind) { return &mBits[std::size_t(row * 3 + kind) * std::size_t(mWords)]; }
   void visit(int row, const Admission& admission, const GrowDomain& domain);
-  bool fill(int row, RowSpan span);
+  bool fill(int row, RowSpan span, const Admission& admission);
+  void know(int row, int word, const Admission& admission);
+  /// Which words of a row are known, as bits; null where none is.
+  Word* known(int row) { return mKnown.empty() ? nullptr : &mKnown[std::size_t(row * wordsOf(mWords))]; }
   void handOn(int row, int firstWord, int endWord);
   void wait(int row);
   void noteGrown(int row);
@@ -75,7 +82,8 @@ class RowTile {
 
   glm::ivec2 mFirst, mCount;
   int mWidth, mWords;
-  std::vector<Word> mBits;  ///< [row][open, region, front][word]
+  std::vector<Word> mBits;   ///< [row][open, region, front][word]
+  std::vector<Word> mKnown;  ///< [row][word]: see known(); empty where rows become known as a whole
   std::vector<std::uint8_t> mFlags;
   std::vector<std::uint16_t> mQueue, mWaiting, mBorder, mChanged;
   std::vector<Word> mNew;  ///< new voxels of the row that is visited

@@ -12,13 +12,21 @@ namespace {
 
 /// Layers that are kept of each stage: those that the next one looks at are not farther apart.
 constexpr int kKept = 8;
+/// Rows around the region that are looked at.
+constexpr int kAround = 2;
 
 /// The stages of eroding a region, row by row as they are asked for. Bits outside of what is known, of the volume and
 /// behind a row's end are 1.
 class Erosion {
  public:
   Erosion(const RegionGrow& region, glm::ivec3 dims, const GrowDomain& known)
-      : mRegion(region), mDims(dims), mKnown(known), mWords(std::size_t(wordsOf(dims.x))), mOutside(mWords, ~Word(0)) {}
+      : mRegion(region),
+        mDims(dims),
+        mKnown(known),
+        mWords(std::size_t(wordsOf(dims.x))),
+        mLow(std::max(region.reach().first.y - kAround, 0)),
+        mRows(std::size_t(std::max(std::min(region.reach().end.y + kAround, dims.y) - mLow, 0))),
+        mOutside(mWords, ~Word(0)) {}
 
   /// What is left of a row, not of the region where it is unknown. @param bits  [word], all written
   void rest(int y, int z, Word* bits) {
@@ -32,7 +40,7 @@ class Erosion {
   struct Layer {
     int z = -1;
     std::vector<Word> bits;
-    std::vector<char> known;  ///< [y]
+    std::vector<char> known;  ///< [y - mLow]
   };
   using Stage = std::array<Layer, kKept>;
 
@@ -41,12 +49,13 @@ class Erosion {
     Layer& layer = stage[std::size_t(z % kKept)];
     if (layer.z != z) {
       layer.z = z;
-      layer.bits.resize(mWords * std::size_t(mDims.y));
-      layer.known.assign(std::size_t(mDims.y), 0);
+      layer.bits.resize(mWords * mRows);
+      layer.known.assign(mRows, 0);
     }
-    isMade = layer.known[std::size_t(y)] != 0;
-    layer.known[std::size_t(y)] = 1;
-    return layer.bits.data() + mWords * std::size_t(y);
+    auto row = std::size_t(y - mLow);
+    isMade = layer.known[row] != 0;
+    layer.known[row] = 1;
+    return layer.bits.data() + mWords * row;
   }
 
   bool isOutside(int y, int z) const { return y < 0 || z < 0 || y >= mDims.y || z >= mDims.z; }
@@ -93,6 +102,8 @@ class Erosion {
   glm::ivec3 mDims;
   const GrowDomain& mKnown;
   std::size_t mWords;
+  int mLow;           ///< y of the first row of a layer
+  std::size_t mRows;  ///< of a layer
   std::vector<Word> mOutside;
   Stage mWhole, mFaces;
 };
@@ -103,9 +114,10 @@ std::size_t countSolid(const RegionGrow& region, glm::ivec3 dims, const GrowDoma
   Erosion erosion(region, dims, known);
   std::vector<Word> rest(static_cast<std::size_t>(wordsOf(dims.x)));
   std::size_t count = 0;
-  for (int z = 0; z < dims.z; ++z) {
-    if (!slab.mayMeet({0, 0, z}, {dims.x - 1, dims.y - 1, z})) continue;
-    for (int y = 0; y < dims.y; ++y) {
+  VoxelBox reach = region.reach();
+  for (int z = reach.first.z; z < reach.end.z; ++z) {
+    if (!slab.mayMeet({0, reach.first.y, z}, {dims.x - 1, reach.end.y - 1, z})) continue;
+    for (int y = reach.first.y; y < reach.end.y; ++y) {
       const Word* row = region.row(y, z);
       RowSpan span = row ? slab.rowSpan(y, z, dims.x) : RowSpan{};
       if (span.isEmpty()) continue;

@@ -11,13 +11,13 @@ namespace {
 constexpr int kBrick = LabelVolume::kBrickSize;
 
 /// The part of a row's bits that lies in a brick.
-std::uint32_t halfWord(const RegionRow& region, glm::ivec2 row, int bx) {
-  return std::uint32_t(region(row.x, row.y)[bx / 2] >> (bx % 2 * kBrick));
+std::uint32_t halfWord(const RegionWord& region, glm::ivec2 row, int bx) {
+  return std::uint32_t(region(row.x, row.y, bx / 2) >> (bx % 2 * kBrick));
 }
 
 class BrickWriter {
  public:
-  BrickWriter(const RegionRow& region, std::uint16_t id, LabelVolume& labels)
+  BrickWriter(const RegionWord& region, std::uint16_t id, LabelVolume& labels)
       : mRegion(region), mId(id), mLabels(labels), mIds(std::size_t(kBrick) * kBrick * kBrick) {}
 
   /// @param rows  of the region that lie in the brick, as y and z
@@ -53,7 +53,7 @@ class BrickWriter {
     box = box.isEmpty() ? row : VoxelBox{glm::min(box.first, row.first), glm::max(box.end, row.end)};
   }
 
-  const RegionRow& mRegion;
+  const RegionWord& mRegion;
   std::uint16_t mId;
   LabelVolume& mLabels;
   std::vector<std::uint16_t> mIds;
@@ -62,7 +62,7 @@ class BrickWriter {
 
 }  // namespace
 
-Written writeRegion(const RegionRow& region, const RegionGrow::Changed& changed, std::uint16_t id,
+Written writeRegion(const RegionWord& region, const RegionGrow::Changed& changed, std::uint16_t id,
                     LabelVolume& labels) {
   if (changed.rows.empty()) return {};
   glm::ivec3 first = changed.box.first / kBrick, last = (changed.box.end - 1) / kBrick, count = last - first + 1;

@@ -24,8 +24,10 @@ struct MaterialRange {
 ///
 /// Differs: the paper takes the curve's segment as it is; where skin and bone are one segment bone would take its flesh
 /// with it.
+///
+/// Of a volume that is streamed the voxels of its finest level around the place count.
 /// @param histograms  holds the layer's histogram, or counts it
-/// @return nothing outside the volume
+/// @return nothing outside the volume @throw InputError when a brick cannot be read
 std::optional<MaterialRange> materialRangeAt(const scene::VolumeLayer& layer, glm::dvec3 world,
                                              HistogramMemo& histograms);
 /// The same for a single call, with the histogram counted anew.

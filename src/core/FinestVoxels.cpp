@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cstring>
+#include <limits>
 
+#include "core/Error.h"
 #include "core/VoxelSource.h"
 
 namespace velum {
@@ -89,6 +91,14 @@ double FinestVoxels::value(glm::ivec3 voxel, int channel, int timeStep) const {
   if (!mBricks) return valueAt(*mGrid, voxel, channel, timeStep);
   Volume one = read(voxel, glm::ivec3(1), channel, timeStep);
   return valueAt(one, glm::ivec3(0));
+}
+
+double FinestVoxels::valueOrNan(glm::ivec3 voxel, int channel, int timeStep) const {
+  try {
+    return value(voxel, channel, timeStep);
+  } catch (const InputError&) {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
 }
 
 Volume FinestVoxels::read(glm::ivec3 first, glm::ivec3 size, int channel, int timeStep) const {

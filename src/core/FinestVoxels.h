@@ -33,6 +33,9 @@ class FinestVoxels {
   /// A sample as a value, with the result that valueAt() has of a volume in memory.
   /// @param voxel  indices inside grid().dims; not checked @throw InputError when its brick cannot be read
   double value(glm::ivec3 voxel, int channel = 0, int timeStep = 0) const;
+  /// The same for a hand that points at something; NaN where the brick cannot be read, which whoever grows there will
+  /// say.
+  double valueOrNan(glm::ivec3 voxel, int channel = 0, int timeStep = 0) const;
   /// The samples from a voxel on along x, as far as they lie together: to the end of the row, or of the voxel's brick.
   /// @throw InputError when the brick cannot be read
   SampleRun run(glm::ivec3 voxel, int channel, int timeStep) const;

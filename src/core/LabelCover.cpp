@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <functional>
 #include <limits>
 
+#include "core/BorderValues.h"
 #include "shared/structure.h"
 
 namespace velum {
@@ -132,8 +132,7 @@ class BrickWork {
   }
 
   float valueOf(const ValueBorder& border, glm::ivec3 at) const {
-    glm::ivec3 voxel = glm::clamp(mCorner + at - kHalo, glm::ivec3(0), mLabels.dims() - 1);
-    return float(valueAt(*border.volume, voxel, border.channel, border.timeStep));
+    return mValues.at(border, glm::clamp(mCorner + at - kHalo, glm::ivec3(0), mLabels.dims() - 1));
   }
 
   template <class Body>
@@ -216,6 +215,7 @@ class BrickWork {
   std::vector<std::uint16_t> mIds;
   std::vector<glm::ivec3> mBorder;  ///< in the wide brick
   std::vector<Group> mGroups;
+  mutable BorderValues mValues{mCorner - kHalo, glm::min(mCorner - kHalo + kWide, mLabels.dims())};
 };
 
 /// True when no brick that touches this one has another id.

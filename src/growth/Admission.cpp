@@ -27,10 +27,11 @@ Word halfWord(const LabelVolume& labels, glm::ivec3 brick, int y, int z, std::ui
 void labelBits(const LabelVolume& labels, int y, int z, std::uint16_t id, WordSpan words, Word* bits) {
   int bricks = labels.brickGrid().x, last = wordsOf(labels.dims().x) - 1;
   for (int w = words.first; w < words.end; ++w) {
-    bits[w] = halfWord(labels, {2 * w, y / kBrick, z / kBrick}, y, z, id);
-    if (2 * w + 1 < bricks) bits[w] |= halfWord(labels, {2 * w + 1, y / kBrick, z / kBrick}, y, z, id) << kBrick;
+    Word& word = bits[w - words.first];
+    word = halfWord(labels, {2 * w, y / kBrick, z / kBrick}, y, z, id);
+    if (2 * w + 1 < bricks) word |= halfWord(labels, {2 * w + 1, y / kBrick, z / kBrick}, y, z, id) << kBrick;
+    if (w == last) word &= spanBits(last, 0, labels.dims().x);
   }
-  if (words.end > last) bits[last] &= spanBits(last, 0, labels.dims().x);
 }
 
 void labelBits(const LabelVolume& labels, int y, int z, std::uint16_t id, Word* bits) {
@@ -88,16 +89,17 @@ void Admission::keepFree(int y, int z, WordSpan words, Word* bits) const {
       case Free::All:
         return;
       case Free::None:
-        std::fill(bits + words.first, bits + words.end, Word(0));
+        std::fill_n(bits, words.end - words.first, Word(0));
         return;
       case Free::Some:
         break;
     }
   for (int w = words.first; w < words.end; ++w) {
-    Word here = bits[w];
-    if (here == 0) continue;
-    labelBits(*mLabels, y, z, std::uint16_t(mRule.within), {w, w + 1}, bits);
-    bits[w] &= here;
+    Word& word = bits[w - words.first];
+    if (word == 0) continue;
+    Word free;
+    labelBits(*mLabels, y, z, std::uint16_t(mRule.within), {w, w + 1}, &free);
+    word &= free;
   }
 }
 
@@ -115,35 +117,37 @@ double Admission::slope(glm::ivec3 voxel, const ValueOf& valueOf) const {
 }
 
 void Admission::keepFlat(int y, int z, WordSpan words, Word* bits) const {
-  auto keep = [&](int w, const auto& valueOf) {
-    for (Word left = bits[w]; left != 0; left &= left - 1) {
-      int x = w * kWordBits + std::countr_zero(left);
-      if (!(slope({x, y, z}, valueOf) < mRule.steepest)) clearBit(bits, x);
-    }
-  };
   for (int w = words.first; w < words.end; ++w) {
-    if (bits[w] == 0) continue;
+    Word& word = bits[w - words.first];
+    auto keep = [&](const auto& valueOf) {
+      for (Word left = word; left != 0; left &= left - 1) {
+        int x = std::countr_zero(left);
+        if (!(slope({w * kWordBits + x, y, z}, valueOf) < mRule.steepest)) clearBit(&word, x);
+      }
+    };
+    if (word == 0) continue;
     if (!isPiecewise()) {
-      keep(w, [&](glm::ivec3 v) { return valueAt(grid(), v, mRule.channel, mRule.timeStep); });
+      keep([&](glm::ivec3 v) { return valueAt(grid(), v, mRule.channel, mRule.timeStep); });
       continue;
     }
     // With a voxel all around.
-    glm::ivec3 low(w * kWordBits + std::countr_zero(bits[w]), y, z);
-    glm::ivec3 high((w + 1) * kWordBits - std::countl_zero(bits[w]), y + 1, z + 1);
+    glm::ivec3 low(w * kWordBits + std::countr_zero(word), y, z);
+    glm::ivec3 high((w + 1) * kWordBits - std::countl_zero(word), y + 1, z + 1);
     glm::ivec3 first = glm::max(low - 1, glm::ivec3(0));
     Volume part = mVoxels.read(first, high + 1 - first, mRule.channel, mRule.timeStep);
-    keep(w, [&](glm::ivec3 v) { return valueAt(part, v - first); });
+    keep([&](glm::ivec3 v) { return valueAt(part, v - first); });
   }
 }
 
 void Admission::keepOutOfBarriers(int y, int z, WordSpan words, Word* bits) const {
+  int start = words.first * kWordBits;
   for (std::size_t i = 0; i < mBarriers.size(); ++i) {
     const Box& box = mBarriers[i];
     if (y < box.first.y || y > box.last.y || z < box.first.z || z > box.last.z) continue;
-    int first = std::max(box.first.x, words.first * kWordBits), end = std::min(box.last.x + 1, words.end * kWordBits);
-    for (int x = first; x < end; ++x)
-      if (bitAt(bits, x) && holds(mRule.barriers[i], glm::dvec3(grid().worldFromVoxel * glm::dvec4(x, y, z, 1.0))))
-        clearBit(bits, x);
+    for (int x = std::max(box.first.x, start); x <= std::min(box.last.x, words.end * kWordBits - 1); ++x)
+      if (bitAt(bits, x - start) &&
+          holds(mRule.barriers[i], glm::dvec3(grid().worldFromVoxel * glm::dvec4(x, y, z, 1.0))))
+        clearBit(bits, x - start);
   }
 }
 

@@ -25,7 +25,7 @@ class Admission {
   const GrowRule& rule() const { return mRule; }
   const Shared<LabelVolume>& labels() const { return mLabels; }
   void setLabels(const Shared<LabelVolume>& labels);
-  /// @param words  which of the row are asked for @param bits  wordsOf(dims.x), of which these words are written
+  /// @param words  which of the row are asked for @param bits  these words, all written
   /// @throw InputError when a brick cannot be read
   void open(int y, int z, WordSpan words, Word* bits) const;
 
@@ -53,7 +53,7 @@ class Admission {
 };
 
 /// Writes a row of bits: 1 where the label volume's row (y, z) has the label `id`.
-/// @param words  which of the row are asked for @param bits  wordsOf(dims.x), of which these words are written
+/// @param words  which of the row are asked for @param bits  these words, all written
 void labelBits(const LabelVolume& labels, int y, int z, std::uint16_t id, WordSpan words, Word* bits);
 /// The same of a whole row.
 void labelBits(const LabelVolume& labels, int y, int z, std::uint16_t id, Word* bits);

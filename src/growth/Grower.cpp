@@ -183,7 +183,7 @@ void Grower::divide(const Shared<Volume>& volume, const Shared<LabelVolume>& bef
   RegionGrow::Changed changed = region.takeChanged();
   auto part = ownPartOf(region, *volume, *before, step, domain, options, progress);
   if (part) grown.others = part->others;
-  auto word = [&](int y, int z, int w) { return part ? part->own.word(y, z, w) : region.row(y, z)[w]; };
+  auto word = [&](int y, int z, int w) { return part ? part->own.word(y, z, w) : region.word(y, z, w); };
   LabelVolume labels = *before;
   Written written = writeRegion(word, changed, std::uint16_t(step.structure), labels);
   grown.slabs = 1;
@@ -236,7 +236,7 @@ Grown Grower::grow(const Shared<Volume>& volume, const Shared<LabelVolume>& befo
     kept->region.forgetSeeds();
     // Write what is new.
     LabelVolume labels = *before;
-    Written written = writeRegion([&region = kept->region](int y, int z, int w) { return region.row(y, z)[w]; },
+    Written written = writeRegion([&region = kept->region](int y, int z, int w) { return region.word(y, z, w); },
                                   kept->region.takeChanged(), std::uint16_t(step.structure), labels);
     grown.box = written.box;
     grown.voxels = written.voxels;

@@ -24,14 +24,15 @@ constexpr double kLeastDepth = 0.5;
 RoomyBox boxAround(const RegionGrow& region, glm::ivec3 dims) {
   glm::ivec3 low = dims, high(-1);
   VoxelBox reach = region.reach();
+  std::vector<Word> row(static_cast<std::size_t>(wordsOf(dims.x)));
   for (int z = reach.first.z; z < reach.end.z; ++z)
     for (int y = reach.first.y; y < reach.end.y; ++y) {
-      const Word* row = region.row(y, z);
-      if (!row) continue;
-      for (int w = 0; w < wordsOf(dims.x); ++w) {
-        if (row[w] == 0) continue;
-        low = glm::min(low, glm::ivec3(w * kWordBits + std::countr_zero(row[w]), y, z));
-        high = glm::max(high, glm::ivec3((w + 1) * kWordBits - 1 - std::countl_zero(row[w]), y, z));
+      if (!region.read(y, z, row.data())) continue;
+      for (int w = 0; w < int(row.size()); ++w) {
+        Word bits = row[std::size_t(w)];
+        if (bits == 0) continue;
+        low = glm::min(low, glm::ivec3(w * kWordBits + std::countr_zero(bits), y, z));
+        high = glm::max(high, glm::ivec3((w + 1) * kWordBits - 1 - std::countl_zero(bits), y, z));
       }
     }
   if (high.x < 0) return RoomyBox(glm::ivec3(0), glm::ivec3(0));
@@ -92,9 +93,15 @@ int PassageCosts::mostCost() const {
 }
 
 void PassageCosts::takeRegion(const RegionGrow& region) {
-  forVoxels(mBox, [&](glm::ivec3 v, std::size_t place) {
-    const Word* row = region.row(v.y, v.z);
-    mIsIn[place] = row && bitAt(row, v.x);
+  parallelFor(mBox.first().z, mBox.end().z, [&](int z) {
+    for (int y = mBox.first().y; y < mBox.end().y; ++y) {
+      std::size_t place = mBox.at({mBox.first().x, y, z});
+      Word bits = 0;
+      for (int x = mBox.first().x; x < mBox.end().x; ++x) {
+        if (x == mBox.first().x || x % kWordBits == 0) bits = region.word(y, z, x / kWordBits);
+        mIsIn[place++] = bits >> (x % kWordBits) & 1;
+      }
+    }
   });
 }
 

@@ -51,16 +51,18 @@ class RegionGrow {
   std::size_t grow(const GrowDomain& domain, Progress& progress);
 
   bool has(glm::ivec3 voxel) const;
-  /// A box that holds the region: in whole tiles of rows, as wide as the volume. Empty where no voxel was tried.
+  /// A box that holds the region, in whole tiles of rows. Empty where no voxel was tried.
   VoxelBox reach() const;
   std::size_t voxelCount() const { return mCount; }
   /// Voxels of the region that lie in a domain.
   std::size_t countIn(const GrowDomain& domain) const;
-  /// The words of bits of a row; may be nullptr where the region has no voxel in the row.
-  const std::uint64_t* row(int y, int z) const;
+  /// A word of the bits of a row.
+  std::uint64_t word(int y, int z, int w) const;
+  /// A row as bits. @param bits  wordsOf(dims.x), all written @return false only where the row has no voxel
+  bool read(int y, int z, std::uint64_t* bits) const;
 
-  /// The rows, as (y, z), that grew since takeChanged() was last called, and the box around the region's voxels in
-  /// these rows, in whole words along x.
+  /// The rows, as (y, z), that grew since takeChanged() was last called, some of them twice, and the box around the
+  /// region's voxels in these rows, in whole words along x.
   struct Changed {
     VoxelBox box;
     std::vector<glm::ivec2> rows;

@@ -12,27 +12,37 @@ constexpr std::size_t kVisitsUncancelled = 64;
 
 }  // namespace
 
-RowTile::RowTile(glm::ivec2 first, glm::ivec3 dims)
+RowTile::RowTile(glm::ivec3 first, glm::ivec3 dims, int width)
     : mFirst(first),
-      mCount(glm::min(glm::ivec2(kEdge), glm::ivec2(dims.y, dims.z) - first)),
-      mWidth(dims.x),
-      mWords(wordsOf(dims.x)),
+      mCount(glm::min(glm::ivec2(kEdge), glm::ivec2(dims.y - first.y, dims.z - first.z))),
+      mWidth(std::min(width, dims.x - first.x)),
+      mWords(wordsOf(mWidth)),
+      mHasBefore(first.x > 0),
+      mHasBehind(first.x + mWidth < dims.x),
       mBits(std::size_t(kEdge * mCount.y * 3) * std::size_t(mWords)),
       mFlags(std::size_t(kEdge * mCount.y)),
       mNew(static_cast<std::size_t>(mWords)) {}
+
+RowSpan RowTile::spanOf(int row, const GrowDomain& domain) const {
+  glm::ivec2 place = placeOf(row);
+  RowSpan span = domain.rowSpan(place.x, place.y, mFirst.x + mWidth);
+  span = {std::max(span.first - mFirst.x, 0), span.end - mFirst.x};
+  return span.isEmpty() ? RowSpan{} : span;
+}
 
 /// Makes a word of a row known, and with it, where that costs nothing but time, the row.
 void RowTile::know(int row, int word, const Admission& admission) {
   if (is(row, kIsKnown)) return;
   glm::ivec2 place = placeOf(row);
   if (!admission.isPiecewise()) {
-    admission.open(place.x, place.y, {0, mWords}, words(row, kOpen));
+    admission.open(place.x, place.y, {firstWord(), firstWord() + mWords}, words(row, kOpen));
     mark(row, kIsKnown);
     return;
   }
   if (mKnown.empty()) mKnown.resize(mFlags.size() * std::size_t(wordsOf(mWords)));
   if (bitAt(known(row), word)) return;
-  admission.open(place.x, place.y, {word, word + 1}, words(row, kOpen));
+  int inVolume = firstWord() + word;
+  admission.open(place.x, place.y, {inVolume, inVolume + 1}, words(row, kOpen) + word);
   setBit(known(row), word);
 }
 
@@ -40,13 +50,30 @@ bool RowTile::offer(int row, const Word* neighbour, int firstWord, int endWord) 
   const Word *open = words(row, kOpen), *region = words(row, kRegion);
   Word* front = words(row, kFront);
   Word any = 0, unknown = is(row, kIsKnown) ? 0 : ~Word(0);
-  const Word* known = unknown ? this->known(row) : nullptr;
-  for (int w = firstWord; w < endWord; ++w) {
-    Word offered = neighbour[w] & ~region[w] & (open[w] | (known && bitAt(known, w) ? 0 : unknown));
+  auto take = [&](int w, Word may) {
+    Word offered = neighbour[w] & ~region[w] & may;
     front[w] |= offered;
     any |= offered;
-  }
+  };
+  if (const Word* known = this->known(row))
+    for (int w = firstWord; w < endWord; ++w) take(w, bitAt(known, w) ? open[w] : ~Word(0));
+  else
+    for (int w = firstWord; w < endWord; ++w) take(w, open[w] | unknown);
   return any != 0;
+}
+
+/// True where a voxel may still join as far as that is known.
+bool RowTile::mayJoin(int row, int x) {
+  if (bitAt(region(row), x)) return false;
+  if (is(row, kIsKnown)) return bitAt(words(row, kOpen), x);
+  const Word* known = this->known(row);
+  return !known || !bitAt(known, x / kWordBits) || bitAt(words(row, kOpen), x);
+}
+
+bool RowTile::offer(int row, int x) {
+  if (!mayJoin(row, x)) return false;
+  setBit(front(row), x);
+  return true;
 }
 
 void RowTile::join(int row, int x) {
@@ -74,8 +101,7 @@ void RowTile::wait(int row) {
 }
 
 bool RowTile::wake(const GrowDomain& domain) {
-  glm::ivec2 last = mFirst + mCount - 1;
-  if (mWaiting.empty() || !domain.mayMeet({0, mFirst}, {mWidth - 1, last})) return !mQueue.empty();
+  if (mWaiting.empty() || !domain.mayMeet(mFirst, end() - 1)) return !mQueue.empty();
   for (int row : mWaiting) {
     unmark(row, kIsWaiting);
     enqueue(row);
@@ -152,10 +178,8 @@ bool RowTile::fill(int row, RowSpan span, const Admission& admission) {
     mAdded += std::size_t(countBits(filled));
   }
   // What goes on behind the ends of the domain waits there.
-  const Word* known = asks ? this->known(row) : nullptr;
-  auto mayBeOpen = [&](int x) { return bitAt(open, x) || (known && !bitAt(known, x / kWordBits)); };
   auto leave = [&](int inside, int x) {
-    if (x >= 0 && x < mWidth && bitAt(added, inside) && mayBeOpen(x) && !bitAt(region, x)) setBit(front, x);
+    if (x >= 0 && x < mWidth && bitAt(added, inside)) offer(row, x);
   };
   leave(span.first, span.first - 1);
   leave(span.end - 1, span.end);
@@ -172,6 +196,7 @@ void RowTile::handOn(int row, int firstWord, int endWord) {
   if (z > 0) give(row - kEdge);
   if (z + 1 < mCount.y) give(row + kEdge);
   bool isAtEdge = y == 0 || z == 0 || y + 1 == mCount.x || z + 1 == mCount.y;
+  isAtEdge = isAtEdge || (mHasBefore && bitAt(region(row), 0)) || (mHasBehind && bitAt(region(row), mWidth - 1));
   if (isAtEdge && !is(row, kIsOnBorder)) {
     mark(row, kIsOnBorder);
     mBorder.push_back(std::uint16_t(row));
@@ -181,8 +206,7 @@ void RowTile::handOn(int row, int firstWord, int endWord) {
 void RowTile::visit(int row, const Admission& admission, const GrowDomain& domain) {
   ++mVisits;
   unmark(row, kIsQueued);
-  glm::ivec2 place = placeOf(row);
-  RowSpan span = domain.rowSpan(place.x, place.y, mWidth);
+  RowSpan span = spanOf(row, domain);
   Word* front = words(row, kFront);
   int from = span.first / kWordBits, end = wordsOf(span.end);
   Word inside = 0, all = 0;

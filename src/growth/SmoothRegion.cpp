@@ -14,6 +14,7 @@
 #include "growth/Admission.h"
 #include "growth/BoxBits.h"
 #include "growth/GrowDomain.h"
+#include "growth/LabelRows.h"
 #include "growth/WriteRegion.h"
 
 namespace velum::growth {
@@ -38,7 +39,7 @@ VoxelBox boxHolding(const LabelVolume& labels, int structure) {
     for (at.y = 0; at.y < grid.y; ++at.y)
       for (at.x = 0; at.x < grid.x; ++at.x) {
         const LabelVolume::Brick& ids = labels.brick(at);
-        if (std::find(ids.begin(), ids.end(), structure) == ids.end()) continue;
+        if (!holdsLabel(ids, structure)) continue;
         box.first = glm::min(box.first, at * kEdge);
         box.end = glm::max(box.end, (at + 1) * kEdge);
       }
@@ -63,10 +64,8 @@ BoxBits regionIn(const LabelVolume& labels, int structure, const VoxelBox& box) 
   glm::ivec3 first = region.first();
   WordSpan words{region.firstWord(), region.firstWord() + region.bits().words()};
   forRows(region.bits().dims(), [&](int y, int z) {
-    std::vector<Word> row(static_cast<std::size_t>(wordsOf(labels.dims().x)));
-    labelBits(labels, first.y + y, first.z + z, std::uint16_t(structure), words, row.data());
     Word* bits = region.bits().row(y, z);
-    std::copy(row.begin() + words.first, row.begin() + words.end, bits);
+    labelBits(labels, first.y + y, first.z + z, std::uint16_t(structure), words, bits);
     bits[region.bits().words() - 1] &= spanBits(region.bits().words() - 1, 0, region.bits().dims().x);
   });
   return region;
@@ -84,16 +83,15 @@ class Allowed {
     glm::ivec3 dims = mAdmission.grid().dims;
     forRows(more.dims(), [&](int y, int z) {
       Word* bits = region.bits().row(y, z);
-      std::vector<Word> row, others;
+      int gy = region.first().y + y, gz = region.first().z + z;
+      RowSpan span = mDomain.rowSpan(gy, gz, dims.x);
       for (int w = 0; w < more.words(); ++w) {
-        Word left = more.row(y, z)[w] & ~bits[w];
+        int inRow = region.firstWord() + w;
+        Word left = more.row(y, z)[w] & ~bits[w] & spanBits(inRow, span.first, span.end), may = 0, others = 0;
         if (left == 0) continue;
-        if (row.empty()) row.resize(std::size_t(wordsOf(dims.x))), others.resize(row.size());
-        int inRow = region.firstWord() + w, gy = region.first().y + y, gz = region.first().z + z;
-        RowSpan span = mDomain.rowSpan(gy, gz, dims.x);
-        mAdmission.open(gy, gz, {inRow, inRow + 1}, row.data());
-        if (mOthers) labelBits(*mOthers, gy, gz, 1, {inRow, inRow + 1}, others.data());
-        bits[w] |= left & row[std::size_t(inRow)] & ~others[std::size_t(inRow)] & spanBits(inRow, span.first, span.end);
+        mAdmission.open(gy, gz, {inRow, inRow + 1}, &may);
+        if (mOthers) labelBits(*mOthers, gy, gz, 1, {inRow, inRow + 1}, &others);
+        bits[w] |= left & may & ~others;
       }
     });
   }

@@ -69,9 +69,9 @@ class Erosion {
     bool isMade;
     Word* bits = place(mWhole, y, z, isMade);
     if (isMade) return bits;
-    const Word* row = mRegion.row(y, z);
+    mRegion.read(y, z, bits);
     RowSpan span = mKnown.rowSpan(y, z, mDims.x);
-    for (std::size_t w = 0; w < mWords; ++w) bits[w] = (row ? row[w] : 0) | unknown(w, span);
+    for (std::size_t w = 0; w < mWords; ++w) bits[w] |= unknown(w, span);
     return bits;
   }
 
@@ -112,17 +112,16 @@ class Erosion {
 
 std::size_t countSolid(const RegionGrow& region, glm::ivec3 dims, const GrowDomain& known, const GrowDomain& slab) {
   Erosion erosion(region, dims, known);
-  std::vector<Word> rest(static_cast<std::size_t>(wordsOf(dims.x)));
+  std::vector<Word> rest(static_cast<std::size_t>(wordsOf(dims.x))), row(rest.size());
   std::size_t count = 0;
   VoxelBox reach = region.reach();
   for (int z = reach.first.z; z < reach.end.z; ++z) {
     if (!slab.mayMeet({0, reach.first.y, z}, {dims.x - 1, reach.end.y - 1, z})) continue;
     for (int y = reach.first.y; y < reach.end.y; ++y) {
-      const Word* row = region.row(y, z);
-      RowSpan span = row ? slab.rowSpan(y, z, dims.x) : RowSpan{};
-      if (span.isEmpty()) continue;
+      RowSpan span = slab.rowSpan(y, z, dims.x);
+      if (span.isEmpty() || !region.read(y, z, row.data())) continue;
       int first = span.first / kWordBits, last = (span.end - 1) / kWordBits;
-      auto mine = [&](int w) { return row[w] & spanBits(w, span.first, span.end); };
+      auto mine = [&](int w) { return row[std::size_t(w)] & spanBits(w, span.first, span.end); };
       bool isThere = false;
       for (int w = first; w <= last; ++w) isThere = isThere || mine(w) != 0;
       if (!isThere) continue;

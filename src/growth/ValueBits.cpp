@@ -134,13 +134,13 @@ void ValueBits::of(const FinestVoxels& voxels, int y, int z, WordSpan words, Wor
     int place = x % kWordBits, count = std::min(run.count, end - x);
     if (x + count < end) count -= (x + count) % kWordBits;
     if (place == 0 && count > 0) {
-      mKernel->of(run, count, bits + x / kWordBits);
+      mKernel->of(run, count, bits + (x / kWordBits - words.first));
     } else {
       // A word of several bricks.
       count = std::min({run.count, end - x, kWordBits - place});
       Word part;
       mKernel->of(run, count, &part);
-      Word& word = bits[x / kWordBits];
+      Word& word = bits[x / kWordBits - words.first];
       word = (place == 0 ? 0 : word) | part << place;
     }
     x += count;

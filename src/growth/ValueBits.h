@@ -19,7 +19,7 @@ class ValueBits {
 
   /// @param volume  of which no voxels are looked at
   ValueBits(const Volume& volume, double low, double high, int channel, int timeStep);
-  /// @param words  which of the row are asked for @param bits  wordsOf(dims.x), of which these words are written
+  /// @param words  which of the row are asked for @param bits  these words, all written
   /// @throw InputError when a brick cannot be read
   void of(const FinestVoxels& voxels, int y, int z, WordSpan words, Word* bits) const;
 

@@ -22,15 +22,17 @@ class BrickWriter {
 
   /// @param rows  of the region that lie in the brick, as y and z
   void write(glm::ivec3 brick, const std::vector<glm::ivec2>& rows) {
-    if (std::none_of(rows.begin(), rows.end(), [&](glm::ivec2 row) { return halfWord(mRegion, row, brick.x) != 0; }))
-      return;
+    mBits.clear();
+    std::uint32_t any = 0;
+    for (glm::ivec2 row : rows) any |= mBits.emplace_back(halfWord(mRegion, row, brick.x));
+    if (any == 0) return;
     glm::ivec3 corner = brick * kBrick, size = glm::min(mLabels.dims() - corner, glm::ivec3(kBrick));
     mLabels.read(corner, size, mIds);
     std::size_t before = mWritten.voxels;
-    for (glm::ivec2 row : rows) {
-      glm::ivec2 in = row - glm::ivec2(corner.y, corner.z);
-      label(mIds.data() + (std::size_t(in.y) * std::size_t(size.y) + std::size_t(in.x)) * std::size_t(size.x),
-            halfWord(mRegion, row, brick.x), glm::ivec3(corner.x, row));
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      glm::ivec2 row = rows[i], in = row - glm::ivec2(corner.y, corner.z);
+      label(mIds.data() + (std::size_t(in.y) * std::size_t(size.y) + std::size_t(in.x)) * std::size_t(size.x), mBits[i],
+            glm::ivec3(corner.x, row));
     }
     if (mWritten.voxels != before) mLabels.write(corner, size, mIds);
   }
@@ -57,6 +59,7 @@ class BrickWriter {
   std::uint16_t mId;
   LabelVolume& mLabels;
   std::vector<std::uint16_t> mIds;
+  std::vector<std::uint32_t> mBits;  ///< of the rows in the brick that is written
   Written mWritten;
 };
 

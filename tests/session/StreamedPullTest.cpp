@@ -144,6 +144,15 @@ TEST(StreamedPull, ADamagedBrickIsSaidAndTheWindowLivesOn) {
   settlePulled(session);
   EXPECT_EQ(session.growth().status().error, "");
   EXPECT_EQ(pulledVoxels(session.scene()), 12u);
+  // Nor does a press on what cannot be read.
+  scene::Scene again = barsScene();
+  auto lost = stream(again);
+  lost->damaged = true;
+  EXPECT_TRUE(materialRangeAt(again.volume, {8, 32, 8}));
+  EXPECT_NO_THROW(beginPull(again, again.cuts[0].id, {8, 32, 8}, 0));
+  again.labels.growths.push_back(*pull->growth);
+  EXPECT_EQ(addSeeds(again, 1, std::vector<glm::dvec3>{{8, 32, 8}}), 0u);
+  EXPECT_EQ(addOthers(again, 1, std::vector<glm::dvec3>{{8, 32, 8}}), 0u);
 }
 
 }  // namespace velum::session

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/Error.h"
 #include "core/FinestVoxels.h"
 #include "scene/Scene.h"
 #include "scene/Shown.h"
@@ -180,7 +181,11 @@ std::optional<scene::VolumeLayer> finestAround(const scene::VolumeLayer& layer, 
   if (!isInside) return std::nullopt;
   scene::VolumeLayer near = layer;
   glm::ivec3 first = glm::ivec3(glm::floor(place + 0.5)) - kRoom;
-  near.data = Shared<Volume>(voxels.read(first, glm::ivec3(2 * kRoom + 1), -1, scene::shownTimeStep(layer)));
+  try {
+    near.data = Shared<Volume>(voxels.read(first, glm::ivec3(2 * kRoom + 1), -1, scene::shownTimeStep(layer)));
+  } catch (const InputError&) {  // the coarse level says it as well as it can
+    return std::nullopt;
+  }
   near.timeStep = 0;
   return near;
 }

@@ -44,7 +44,7 @@ double valueNear(const scene::VolumeLayer& layer, glm::dvec3 world) {
   const Volume& grid = voxels.grid();
   glm::ivec3 voxel(glm::round(glm::dvec3(glm::inverse(grid.worldFromVoxel) * glm::dvec4(world, 1.0))));
   voxel = glm::clamp(voxel, glm::ivec3(0), grid.dims - 1);
-  return voxels.value(voxel, scene::shownChannel(layer), scene::shownTimeStep(layer));
+  return voxels.valueOrNan(voxel, scene::shownChannel(layer), scene::shownTimeStep(layer));
 }
 
 /// The voxel of a range nearest to a place on the face, of those that lie before it: that of the place itself may lie
@@ -59,7 +59,7 @@ std::optional<glm::dvec3> seedBefore(const scene::Scene& scene, const scene::Cut
   auto isWanted = [&](glm::ivec3 voxel) {
     if (glm::any(glm::lessThan(voxel, glm::ivec3(0))) || glm::any(glm::greaterThanEqual(voxel, grid.dims)))
       return false;
-    double value = voxels.value(voxel, scene.volume.channel, scene.volume.timeStep);
+    double value = voxels.valueOrNan(voxel, scene.volume.channel, scene.volume.timeStep);
     glm::dvec3 middle(grid.worldFromVoxel * glm::dvec4(voxel, 1.0));
     return value >= range.low && value <= range.high && depthInCut(cut, middle) > 0.0 &&
            (within == 0 || int(scene::structureAt(scene, middle).id) == within);

@@ -32,7 +32,7 @@ std::optional<glm::ivec3> voxelNear(const FinestVoxels& voxels, const scene::Gro
       for (off.x = -kBeside; off.x <= kBeside; ++off.x) {
         double away = glm::length(glm::dmat3(grid.worldFromVoxel) * glm::dvec3(off));
         if (away >= least || !growth::isInside(grid, here + off)) continue;
-        double value = voxels.value(here + off, step.channel, timeStep);
+        double value = voxels.valueOrNan(here + off, step.channel, timeStep);
         if (value >= step.low && value <= step.high) least = away, best = here + off;
       }
   return best;
@@ -127,7 +127,7 @@ std::size_t addSeeds(scene::Scene& scene, int structure, std::span<const glm::dv
   for (glm::dvec3 place : places) {
     glm::ivec3 voxel = growth::voxelAt(voxels.grid(), place);
     if (!growth::isInside(voxels.grid(), voxel)) continue;
-    double value = voxels.value(voxel, step.channel, step.timeStep);
+    double value = voxels.valueOrNan(voxel, step.channel, step.timeStep);
     if (value >= step.low && value <= step.high) step.seeds.push_back(place);
   }
   if (step.seeds.empty()) return 0;

@@ -218,17 +218,25 @@ bool RegionGrow::read(int y, int z, std::uint64_t* bits) const { return mState->
 
 std::size_t RegionGrow::countIn(const GrowDomain& domain) const {
   std::size_t count = 0;
-  mState->tiles.forEach([&](const RowTile& tile) {
-    if (!domain.mayMeet(tile.first(), tile.end() - 1)) return;
-    for (int row = 0; row < tile.count().y * RowTile::kEdge; ++row) {
-      if (row % RowTile::kEdge >= tile.count().x) continue;
-      RowSpan span = tile.spanOf(row, domain);
-      const Word* bits = tile.region(row);
-      for (int w = span.first / kWordBits; w * kWordBits < span.end; ++w)
-        count += std::size_t(countBits(bits[w] & spanBits(w, span.first, span.end)));
-    }
+  mState->tiles.forSpans(domain, [&](const RowTile& tile, int row, RowSpan span) {
+    const Word* bits = tile.region(row);
+    for (int w = span.first / kWordBits; w * kWordBits < span.end; ++w)
+      count += std::size_t(countBits(bits[w] & spanBits(w, span.first, span.end)));
   });
   return count;
+}
+
+std::vector<glm::ivec2> RegionGrow::rowsIn(const GrowDomain& domain) const {
+  std::vector<glm::ivec2> rows;
+  mState->tiles.forSpans(domain, [&](const RowTile& tile, int row, RowSpan span) {
+    Word any = 0;
+    for (int w = span.first / kWordBits; w * kWordBits < span.end; ++w)
+      any |= tile.region(row)[w] & spanBits(w, span.first, span.end);
+    if (any != 0) rows.push_back(tile.placeOf(row));
+  });
+  std::sort(rows.begin(), rows.end(), [](auto a, auto b) { return std::pair(a.y, a.x) < std::pair(b.y, b.x); });
+  rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+  return rows;
 }
 
 RegionGrow::Changed RegionGrow::takeChanged() {

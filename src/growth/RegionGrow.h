@@ -56,6 +56,8 @@ class RegionGrow {
   std::size_t voxelCount() const { return mCount; }
   /// Voxels of the region that lie in a domain.
   std::size_t countIn(const GrowDomain& domain) const;
+  /// The rows, as (y, z), in which the region has voxels that lie in a domain: ascending by z, then by y.
+  std::vector<glm::ivec2> rowsIn(const GrowDomain& domain) const;
   /// A word of the bits of a row.
   std::uint64_t word(int y, int z, int w) const;
   /// A row as bits. @param bits  wordsOf(dims.x), all written @return false only where the row has no voxel

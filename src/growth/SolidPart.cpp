@@ -12,20 +12,21 @@ namespace {
 
 /// Layers that are kept of each stage: those that the next one looks at are not farther apart.
 constexpr int kKept = 8;
-/// Rows around the region that are looked at.
+/// Rows around those that are asked for that are looked at.
 constexpr int kAround = 2;
 
 /// The stages of eroding a region, row by row as they are asked for. Bits outside of what is known, of the volume and
 /// behind a row's end are 1.
 class Erosion {
  public:
-  Erosion(const RegionGrow& region, glm::ivec3 dims, const GrowDomain& known)
+  /// @param low, high  least and largest y of the rows that are asked for
+  Erosion(const RegionGrow& region, glm::ivec3 dims, const GrowDomain& known, int low, int high)
       : mRegion(region),
         mDims(dims),
         mKnown(known),
         mWords(std::size_t(wordsOf(dims.x))),
-        mLow(std::max(region.reach().first.y - kAround, 0)),
-        mRows(std::size_t(std::max(std::min(region.reach().end.y + kAround, dims.y) - mLow, 0))),
+        mLow(std::max(low - kAround, 0)),
+        mRows(std::size_t(std::min(high + kAround + 1, dims.y) - mLow)),
         mOutside(mWords, ~Word(0)) {}
 
   /// What is left of a row, not of the region where it is unknown. @param bits  [word], all written
@@ -111,23 +112,18 @@ class Erosion {
 }  // namespace
 
 std::size_t countSolid(const RegionGrow& region, glm::ivec3 dims, const GrowDomain& known, const GrowDomain& slab) {
-  Erosion erosion(region, dims, known);
+  std::vector<glm::ivec2> rows = region.rowsIn(slab);
+  if (rows.empty()) return 0;
+  auto [low, high] = std::minmax_element(rows.begin(), rows.end(), [](auto a, auto b) { return a.x < b.x; });
+  Erosion erosion(region, dims, known, low->x, high->x);
   std::vector<Word> rest(static_cast<std::size_t>(wordsOf(dims.x))), row(rest.size());
   std::size_t count = 0;
-  VoxelBox reach = region.reach();
-  for (int z = reach.first.z; z < reach.end.z; ++z) {
-    if (!slab.mayMeet({0, reach.first.y, z}, {dims.x - 1, reach.end.y - 1, z})) continue;
-    for (int y = reach.first.y; y < reach.end.y; ++y) {
-      RowSpan span = slab.rowSpan(y, z, dims.x);
-      if (span.isEmpty() || !region.read(y, z, row.data())) continue;
-      int first = span.first / kWordBits, last = (span.end - 1) / kWordBits;
-      auto mine = [&](int w) { return row[std::size_t(w)] & spanBits(w, span.first, span.end); };
-      bool isThere = false;
-      for (int w = first; w <= last; ++w) isThere = isThere || mine(w) != 0;
-      if (!isThere) continue;
-      erosion.rest(y, z, rest.data());
-      for (int w = first; w <= last; ++w) count += std::size_t(countBits(mine(w) & rest[std::size_t(w)]));
-    }
+  for (glm::ivec2 place : rows) {
+    region.read(place.x, place.y, row.data());
+    erosion.rest(place.x, place.y, rest.data());
+    RowSpan span = slab.rowSpan(place.x, place.y, dims.x);
+    for (int w = span.first / kWordBits; w * kWordBits < span.end; ++w)
+      count += std::size_t(countBits(row[std::size_t(w)] & rest[std::size_t(w)] & spanBits(w, span.first, span.end)));
   }
   return count;
 }

@@ -1,6 +1,7 @@
 #pragma once
 #include <memory>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "growth/RowTile.h"
@@ -32,6 +33,15 @@ class TileGrid {
   template <class Body>
   void forEach(const Body& body) const {
     for (const auto& tile : mTiles) body(*tile);
+  }
+  /// Calls body(tile, row, span) for the parts of rows of these tiles that lie in a domain.
+  template <class Body>
+  void forSpans(const GrowDomain& domain, const Body& body) const {
+    for (const auto& tile : mTiles) {
+      if (!domain.mayMeet(tile->first(), tile->end() - 1)) continue;
+      for (int row = 0; row < tile->count().y * RowTile::kEdge; ++row)
+        if (row % RowTile::kEdge < tile->count().x) body(std::as_const(*tile), row, tile->spanOf(row, domain));
+    }
   }
   /// Calls body(tile) for each tile that was made and has part of a row, along x.
   template <class Body>

@@ -99,8 +99,12 @@ void RegionGrow::State::offerAround(RowTile& tile, int row) {
 }
 
 bool RegionGrow::State::read(int y, int z, Word* bits) const {
-  bool isThere = false;
   std::fill_n(bits, wordsOf(tiles.dims().x), Word(0));
+  if (const RowTile* tile = tiles.find({0, y, z}); tiles.width() == tiles.dims().x) {
+    if (tile) std::copy_n(tile->region(tile->rowAt(y, z)), tile->wordCount(), bits);
+    return tile != nullptr;
+  }
+  bool isThere = false;
   tiles.forRow(y, z, [&](const RowTile& tile) {
     isThere = true;
     std::copy_n(tile.region(tile.rowAt(y, z)), tile.wordCount(), bits + tile.firstWord());

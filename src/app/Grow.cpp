@@ -6,6 +6,7 @@
 #include "app/Text.h"
 #include "app/Verbs.h"
 #include "core/Error.h"
+#include "core/FinestVoxels.h"
 #include "core/Text.h"
 #include "io/labels/WriteLabels.h"
 #include "scene/GreyWindows.h"
@@ -84,7 +85,7 @@ Json pointOf(glm::ivec3 v) { return {v.x, v.y, v.z}; }
 
 Json reportOf(const scene::Growth& step, const session::GrowthStatus& status, const session::StructureSize& size,
               const Volume& volume) {
-  double voxelSize = std::abs(glm::determinant(glm::dmat3(volume.worldFromVoxel)));
+  double voxelSize = std::abs(glm::determinant(glm::dmat3(FinestVoxels(volume).grid().worldFromVoxel)));
   const session::GrowthFigures& figures = status.figures;
   Json json = {{"structure", step.structure},
                {"voxels", size.voxels},

@@ -204,6 +204,9 @@ Volume BrickCache::read(const VoxelBox& box, int channel, int timeStep) {
 
 glm::dmat4 worldFromLevel(const Volume& volume, int level) {
   const auto& levels = volume.finer->bricks->source().levels();
+  // As the file says it, without what is rounded, where nobody has changed it.
+  if (volume.worldFromVoxel == levels[std::size_t(volume.finer->level)].worldFromVoxel)
+    return levels[std::size_t(level)].worldFromVoxel;
   return volume.worldFromVoxel * glm::inverse(levels[std::size_t(volume.finer->level)].worldFromVoxel) *
          levels[std::size_t(level)].worldFromVoxel;
 }

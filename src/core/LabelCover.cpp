@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <functional>
 #include <limits>
 
+#include "core/BorderValues.h"
 #include "shared/structure.h"
 
 namespace velum {
@@ -136,8 +136,7 @@ class BrickWork {
   }
 
   float valueOf(const ValueBorder& border, glm::ivec3 at) const {
-    glm::ivec3 voxel = glm::clamp(mCorner + at - kHalo, glm::ivec3(0), mLabels.dims() - 1);
-    return float(valueAt(*border.volume, voxel, border.channel, border.timeStep));
+    return mValues.at(border, glm::clamp(mCorner + at - kHalo, glm::ivec3(0), mLabels.dims() - 1));
   }
 
   template <class Body>
@@ -220,6 +219,7 @@ class BrickWork {
   std::vector<std::uint16_t> mIds;
   std::vector<glm::ivec3> mBorder;  ///< in the wide brick
   std::vector<Group> mGroups;
+  mutable BorderValues mValues{mCorner - kHalo, glm::min(mCorner - kHalo + kWide, mLabels.dims())};
 };
 
 std::vector<std::uint16_t> idsAround(const LabelVolume& labels, glm::ivec3 corner) {

@@ -13,7 +13,7 @@
 namespace velum {
 
 /// A structure that lies where the values of a volume are within a range: its border runs between voxels, where the
-/// values leave the range. The labels lie on the volume's grid.
+/// values leave the range. The labels lie on the grid of the volume's finest level.
 struct ValueBorder {
   std::uint16_t structure = 0;
   std::uint16_t within = 0;  ///< label out of which the structure was taken: where values of the range go on into that

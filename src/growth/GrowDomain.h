@@ -30,6 +30,7 @@ class GrowDomain {
   GrowDomain between(double from, double to) const;
 
   bool isEverywhere() const { return mIsEverywhere; }
+  double from() const { return mFrom; }
   double distance() const { return mTo; }
   /// Depth of a voxel's middle; 0 where the domain is everywhere. Along each axis it only rises or only falls, in spite
   /// of rounding.

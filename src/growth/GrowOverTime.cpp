@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/FinestVoxels.h"
 #include "growth/GrowRule.h"
 #include "growth/LabelsFor.h"
 #include "growth/SmoothRegion.h"
@@ -14,17 +15,17 @@ namespace {
 constexpr std::size_t kMostKnown = 512;
 
 /// True when a seed has no value of the range at a time step.
-bool isLost(const Volume& volume, const scene::Growth& step, glm::dvec3 seed, int timeStep) {
-  glm::ivec3 voxel = voxelAt(volume, seed);
-  if (!isInside(volume, voxel)) return false;
-  double value = valueAt(volume, voxel, step.channel, timeStep);
+bool isLost(const FinestVoxels& voxels, const scene::Growth& step, glm::dvec3 seed, int timeStep) {
+  glm::ivec3 voxel = voxelAt(voxels.grid(), seed);
+  if (!isInside(voxels.grid(), voxel)) return false;
+  double value = voxels.value(voxel, step.channel, timeStep);
   return !(value >= step.low && value <= step.high);
 }
 
-bool losesSeeds(const Volume& volume, const scene::Growth& step, int timeStep) {
+bool losesSeeds(const FinestVoxels& voxels, const scene::Growth& step, int timeStep) {
   auto isAnyLost = [&](const std::vector<glm::dvec3>& places) {
     return std::any_of(places.begin(), places.end(),
-                       [&](glm::dvec3 place) { return isLost(volume, step, place, timeStep); });
+                       [&](glm::dvec3 place) { return isLost(voxels, step, place, timeStep); });
   };
   return isAnyLost(step.seeds) || isAnyLost(step.others);
 }
@@ -66,9 +67,10 @@ Shared<LabelVolume> GrowOverTime::labelsAt(int timeStep, std::size_t count, Prog
   scene::Growth step = mSteps[count - 1];
   checkRule(ruleOf(step), *mVolume);
   Known begun = begunAt(timeStep, count, progress);
+  FinestVoxels voxels(*mVolume);
   if (begun.labels)
     for (auto* places : {&step.seeds, &step.others})
-      std::erase_if(*places, [&](glm::dvec3 place) { return isLost(*mVolume, step, place, timeStep); });
+      std::erase_if(*places, [&](glm::dvec3 place) { return isLost(voxels, step, place, timeStep); });
   step.timeStep = timeStep;
   Grown grown = mGrower.grow(mVolume, before, step, {.begun = begun.labels, .othersBegun = begun.others}, progress);
   Shared<LabelVolume> labels = smoothRegion(mVolume, grown.labels, step, progress, grown.others).labels;
@@ -80,10 +82,12 @@ Shared<LabelVolume> GrowOverTime::labelsAt(int timeStep, std::size_t count, Prog
 /// What a carried step that loses seeds begins at; nothing where it needs none.
 GrowOverTime::Known GrowOverTime::begunAt(int timeStep, std::size_t count, Progress& progress) {
   const scene::Growth& step = mSteps[count - 1];
-  if (timeStep == step.timeStep || !losesSeeds(*mVolume, step, timeStep)) return {};
+  if (timeStep == step.timeStep) return {};
+  FinestVoxels voxels(*mVolume);
+  if (!losesSeeds(voxels, step, timeStep)) return {};
   // Back to where it needs nothing, then from there on, so that nothing waits for more than what is beside it.
   int towards = step.timeStep > timeStep ? 1 : -1, from = timeStep + towards;
-  while (from != step.timeStep && !find(from, count) && losesSeeds(*mVolume, step, from)) from += towards;
+  while (from != step.timeStep && !find(from, count) && losesSeeds(voxels, step, from)) from += towards;
   for (; from != timeStep + towards; from -= towards) labelsAt(from, count, progress);
   Shared<LabelVolume> labels = labelsAt(from, count, progress);
   return {from, count, labels, find(from, count)->others};

@@ -42,18 +42,6 @@ bool isInside(const Volume& volume, glm::ivec3 voxel) {
   return glm::all(glm::lessThan(glm::uvec3(voxel), glm::uvec3(volume.dims)));
 }
 
-double gradientMagnitude(const Volume& volume, glm::ivec3 voxel, int channel, int timeStep) {
-  glm::dvec3 perVoxel(0.0);
-  for (int axis = 0; axis < 3; ++axis) {
-    glm::ivec3 before = voxel, after = voxel;
-    before[axis] = std::max(voxel[axis] - 1, 0);
-    after[axis] = std::min(voxel[axis] + 1, volume.dims[axis] - 1);
-    if (int steps = after[axis] - before[axis]; steps > 0)
-      perVoxel[axis] = (valueAt(volume, after, channel, timeStep) - valueAt(volume, before, channel, timeStep)) / steps;
-  }
-  return glm::length(glm::transpose(glm::inverse(glm::dmat3(volume.worldFromVoxel))) * perVoxel);
-}
-
 bool holds(const scene::Barrier& barrier, glm::dvec3 world) {
   double within = barrier.radius * barrier.radius;
   for (std::size_t i = 0; i < barrier.path.size(); ++i) {

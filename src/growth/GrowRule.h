@@ -26,9 +26,6 @@ void checkRule(const GrowRule& rule, const Volume& volume);
 glm::ivec3 voxelAt(const Volume& volume, glm::dvec3 world);
 bool isInside(const Volume& volume, glm::ivec3 voxel);
 
-/// Gradient magnitude at a voxel by central differences, one-sided at borders, value/length.
-double gradientMagnitude(const Volume& volume, glm::ivec3 voxel, int channel, int timeStep);
-
 /// True when a place lies within a stroke's radius of its path.
 bool holds(const scene::Barrier& barrier, glm::dvec3 world);
 

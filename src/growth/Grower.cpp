@@ -8,6 +8,7 @@
 
 #include "core/Clock.h"
 #include "core/Error.h"
+#include "core/FinestVoxels.h"
 #include "growth/LeakGuard.h"
 #include "growth/OwnPart.h"
 #include "growth/SolidPart.h"
@@ -47,11 +48,13 @@ double solidShare(const RegionGrow& region, const Volume& volume, const GrowDoma
 /// What is joined to the seeds in a layer.
 Section sectionIn(const GrowDomain& layer, const Shared<Volume>& volume, const Shared<LabelVolume>& labels,
                   const scene::Growth& step, Progress& progress) {
+  FinestVoxels voxels(*volume);
+  const Volume& grid = voxels.grid();
   RegionGrow region(volume, labels, 0, ruleOf(step));
-  addSeeds(region, *volume, step, {});
+  addSeeds(region, grid, step, {});
   region.grow(layer, progress);
-  double area = double(region.countIn(layer)) * voxelSize(*volume) / layer.layer();
-  return {area, area, area * solidShare(region, *volume, layer, layer)};
+  double area = double(region.countIn(layer)) * voxelSize(grid) / layer.layer();
+  return {area, area, area * solidShare(region, grid, layer, layer)};
 }
 
 /// What is joined to the seeds in the layer that lies under the cut; where nothing of it does, in their own.
@@ -59,7 +62,7 @@ Section crossSection(const Shared<Volume>& volume, const Shared<LabelVolume>& la
                      const GrowDomain& domain, Progress& progress) {
   Section section = sectionIn(domain.between(-domain.layer(), 0.0), volume, labels, step, progress);
   if (section.area > 0.0 || step.seeds.empty()) return section;
-  double depth = domain.depth(voxelAt(*volume, step.seeds.front()));
+  double depth = domain.depth(voxelAt(FinestVoxels(*volume).grid(), step.seeds.front()));
   return sectionIn(domain.between(depth - domain.layer(), depth), volume, labels, step, progress);
 }
 
@@ -172,16 +175,17 @@ std::list<Grower::Kept>::iterator Grower::keep(const Shared<Volume>& volume, con
 /// All that it may take, then what of that is its own.
 void Grower::divide(const Shared<Volume>& volume, const Shared<LabelVolume>& before, const scene::Growth& step,
                     const GrowOptions& options, Grown& grown, Progress& progress) const {
-  GrowDomain domain(*volume, step.centre, step.axis, step.distance);
+  FinestVoxels voxels(*volume);
+  GrowDomain domain(voxels.grid(), step.centre, step.axis, step.distance);
   RegionGrow region(volume, before, step.structure, ruleOf(step));
-  addSeeds(region, *volume, step, options.begun);
+  addSeeds(region, voxels.grid(), step, options.begun);
   region.grow(domain, progress);
   RegionGrow::Changed changed = region.takeChanged();
   auto part = ownPartOf(region, *volume, *before, step, domain, options, progress);
   if (part) grown.others = part->others;
-  auto row = [&](int y, int z) -> const std::uint64_t* { return part ? part->own.row(y, z) : region.row(y, z); };
+  auto word = [&](int y, int z, int w) { return part ? part->own.word(y, z, w) : region.word(y, z, w); };
   LabelVolume labels = *before;
-  Written written = writeRegion(row, changed, std::uint16_t(step.structure), labels);
+  Written written = writeRegion(word, changed, std::uint16_t(step.structure), labels);
   grown.slabs = 1;
   grown.box = written.box;
   grown.voxels = written.voxels;
@@ -194,7 +198,9 @@ Grown Grower::grow(const Shared<Volume>& volume, const Shared<LabelVolume>& befo
                    const GrowOptions& options, Progress& progress) {
   check(step);
   auto start = Clock::now();
-  GrowDomain domain(*volume, step.centre, step.axis, step.distance);
+  FinestVoxels voxels(*volume);
+  const Volume& grid = voxels.grid();
+  GrowDomain domain(grid, step.centre, step.axis, step.distance);
   Grown grown;
   grown.labels = before;
   grown.distance = step.distance;
@@ -205,9 +211,9 @@ Grown Grower::grow(const Shared<Volume>& volume, const Shared<LabelVolume>& befo
   }
   auto kept = keep(volume, before, step);
   try {
-    addSeeds(kept->region, *volume, step, options.begun);
+    addSeeds(kept->region, grid, step, options.begun);
     double done = kept->hasDone(step) && !options.begun ? kept->last->distance : 0.0;
-    SlabGrowth slabs(kept->region, *volume, domain, done);
+    SlabGrowth slabs(kept->region, grid, domain, done);
     if (domain.isEverywhere()) {
       kept->region.grow(domain, progress);
       grown.slabs = 1;
@@ -215,7 +221,7 @@ Grown Grower::grow(const Shared<Volume>& volume, const Shared<LabelVolume>& befo
       bool isGuarded = options.guard;
       bool hasSection = isGuarded && slabs.beginsAtCut();
       LeakGuard guard(hasSection ? crossSection(volume, before, step, domain, progress) : Section(),
-                      planeArea(*volume, domain));
+                      planeArea(grid, domain));
       grown.leak = slabs.grow(isGuarded ? &guard : nullptr, progress);
       grown.slabs = slabs.slabs();
     }
@@ -223,14 +229,14 @@ Grown Grower::grow(const Shared<Volume>& volume, const Shared<LabelVolume>& befo
       // Begun anew, it stops before the slab.
       grown.distance = slabs.safe();
       kept->region = RegionGrow(volume, before, step.structure, ruleOf(step));
-      addSeeds(kept->region, *volume, step, options.begun);
+      addSeeds(kept->region, grid, step, options.begun);
       kept->region.grow(domain.upTo(grown.distance), progress);
     }
     kept->last = grown.leak ? std::nullopt : std::optional(step);
     kept->region.forgetSeeds();
     // Write what is new.
     LabelVolume labels = *before;
-    Written written = writeRegion([&region = kept->region](int y, int z) { return region.row(y, z); },
+    Written written = writeRegion([&region = kept->region](int y, int z, int w) { return region.word(y, z, w); },
                                   kept->region.takeChanged(), std::uint16_t(step.structure), labels);
     grown.box = written.box;
     grown.voxels = written.voxels;

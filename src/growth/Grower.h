@@ -48,8 +48,8 @@ struct Grown {
 /// user who names others has seen where the region leaks.
 class Grower {
  public:
-  /// @param before  labels before the step, on the volume's grid, see labelsFor()
-  /// @throw Cancelled; then no labels have changed
+  /// @param before  labels before the step, on the grid of the volume's finest level, see labelsFor()
+  /// @throw Cancelled, or InputError when a brick cannot be read; then no labels have changed
   /// @throw ArgumentError when the labels are on another grid, or the step's channel, plane or structure makes no sense
   Grown grow(const Shared<Volume>& volume, const Shared<LabelVolume>& before, const scene::Growth& step,
              const GrowOptions& options, Progress& progress);

@@ -78,21 +78,23 @@ RegionGrow::Changed rowsOf(const RoomyBox& box) {
 std::optional<OwnPart> ownPartOf(const RegionGrow& region, const Volume& volume, const LabelVolume& before,
                                  const scene::Growth& step, const GrowDomain& domain, const GrowOptions& options,
                                  Progress& progress) {
+  FinestVoxels voxels(volume);
+  const Volume& grid = voxels.grid();
   bool mayBeThere = options.othersBegun || std::any_of(step.others.begin(), step.others.end(), [&](glm::dvec3 place) {
-                      return region.has(voxelAt(volume, place));
+                      return region.has(voxelAt(grid, place));
                     });
   if (!mayBeThere) return std::nullopt;
-  PassageCosts costs(region, volume, domain, progress);
+  PassageCosts costs(region, voxels, domain, progress);
   const RoomyBox& box = costs.box();
   // Both kinds of seeds.
   Places own = placesWith(costs, before, step.structure), others;
-  for (glm::dvec3 seed : step.seeds) addSeed(costs, voxelAt(volume, seed), own);
+  for (glm::dvec3 seed : step.seeds) addSeed(costs, voxelAt(grid, seed), own);
   for (glm::dvec3 other : step.others)
-    if (glm::ivec3 voxel = voxelAt(volume, other); box.holds(voxel)) others.push_back(box.at(voxel));
+    if (glm::ivec3 voxel = voxelAt(grid, other); box.holds(voxel)) others.push_back(box.at(voxel));
   if (options.begun && options.othersBegun) {
     Places begun = placesWith(costs, *options.begun, step.structure);
     Places begunOthers = placesWith(costs, *options.othersBegun, kOthersId);
-    glm::dmat3 worldFromVoxel(volume.worldFromVoxel);
+    glm::dmat3 worldFromVoxel(grid.worldFromVoxel);
     Places inner = awayFrom(begun, begunOthers, box, worldFromVoxel);
     Places innerOthers = awayFrom(begunOthers, begun, box, worldFromVoxel);
     own.insert(own.end(), inner.begin(), inner.end());
@@ -106,13 +108,11 @@ std::optional<OwnPart> ownPartOf(const RegionGrow& region, const Volume& volume,
   progress.report(0.5, "Growing");
   std::vector<Owner> owners = divideRegion(costs, own, others, progress);
   // What belongs to whom.
-  OwnPart part{BitGrid(volume.dims), {}};
-  BitGrid theirs(volume.dims);
-  forRegion(costs, [&](glm::ivec3 v, std::size_t place) {
-    setBit((owners[place] == Owner::Own ? part.own : theirs).row(v.y, v.z), v.x);
-  });
-  LabelVolume labels(volume.dims, volume.worldFromVoxel, volume.lengthUnit);
-  writeRegion([&](int y, int z) { return theirs.row(y, z); }, rowsOf(box), kOthersId, labels);
+  OwnPart part{BoxBits({box.first(), box.end()}), {}};
+  BoxBits theirs({box.first(), box.end()});
+  forRegion(costs, [&](glm::ivec3 v, std::size_t place) { (owners[place] == Owner::Own ? part.own : theirs).set(v); });
+  LabelVolume labels(grid.dims, grid.worldFromVoxel, grid.lengthUnit);
+  writeRegion([&](int y, int z, int w) { return theirs.word(y, z, w); }, rowsOf(box), kOthersId, labels);
   part.others = Shared<LabelVolume>(std::move(labels));
   return part;
 }

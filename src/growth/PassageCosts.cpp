@@ -2,6 +2,10 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
+#include "core/Error.h"
+#include "core/Memory.h"
 #include "core/Parallel.h"
 #include "growth/RowBits.h"
 
@@ -11,26 +15,37 @@ namespace {
 
 /// Differences that are looked at to know the noise.
 constexpr std::size_t kMostSamples = 1000000;
+/// Bytes for each voxel of a box, at most while costs are made; and what share of the memory they may take.
+constexpr double kBytesPerVoxel = 16.0, kMemoryShare = 0.5;
 /// Of what is no more than noise around other things, voxels.
 constexpr double kLeastDepth = 0.5;
 
 /// Around a region, with a voxel of what is not of it, where the volume goes on.
 RoomyBox boxAround(const RegionGrow& region, glm::ivec3 dims) {
   glm::ivec3 low = dims, high(-1);
-  for (int z = 0; z < dims.z; ++z)
-    for (int y = 0; y < dims.y; ++y) {
-      const Word* row = region.row(y, z);
-      if (!row) continue;
-      for (int w = 0; w < wordsOf(dims.x); ++w) {
-        if (row[w] == 0) continue;
-        low = glm::min(low, glm::ivec3(w * kWordBits + std::countr_zero(row[w]), y, z));
-        high = glm::max(high, glm::ivec3((w + 1) * kWordBits - 1 - std::countl_zero(row[w]), y, z));
+  VoxelBox reach = region.reach();
+  std::vector<Word> row(static_cast<std::size_t>(wordsOf(dims.x)));
+  for (int z = reach.first.z; z < reach.end.z; ++z)
+    for (int y = reach.first.y; y < reach.end.y; ++y) {
+      if (!region.read(y, z, row.data())) continue;
+      for (int w = 0; w < int(row.size()); ++w) {
+        Word bits = row[std::size_t(w)];
+        if (bits == 0) continue;
+        low = glm::min(low, glm::ivec3(w * kWordBits + std::countr_zero(bits), y, z));
+        high = glm::max(high, glm::ivec3((w + 1) * kWordBits - 1 - std::countl_zero(bits), y, z));
       }
     }
   if (high.x < 0) return RoomyBox(glm::ivec3(0), glm::ivec3(0));
   low = glm::max(low - 1, glm::ivec3(0));
   high = glm::min(high + 1, dims - 1);
-  return RoomyBox(low, high - low + 1);
+  RoomyBox box(low, high - low + 1);
+  double bytes = kBytesPerVoxel * double(box.count());
+  if (bytes > kMemoryShare * machineBytes())
+    throw InputError(
+        fmt::format("what grows reaches over a box of {} x {} x {} voxels, and to tell it from what is not of it takes "
+                    "{:.1f} GB of memory; grow it less far, or give it a narrower range",
+                    box.dims().x, box.dims().y, box.dims().z, bytes / 1e9));
+  return box;
 }
 
 /// Calls body(voxel of the volume, place) for each of the box. All cores.
@@ -46,8 +61,10 @@ void forVoxels(const RoomyBox& box, const Body& body) {
 
 }  // namespace
 
-PassageCosts::PassageCosts(const RegionGrow& region, const Volume& volume, const GrowDomain& domain, Progress& progress)
-    : mBox(boxAround(region, volume.dims)), mIsIn(mBox.count()) {
+PassageCosts::PassageCosts(const RegionGrow& region, const FinestVoxels& voxels, const GrowDomain& domain,
+                           Progress& progress)
+    : mBox(boxAround(region, voxels.grid().dims)), mIsIn(mBox.count()) {
+  const Volume& volume = voxels.grid();
   takeRegion(region);
   glm::dmat3 worldFromVoxel(volume.worldFromVoxel);
   {
@@ -56,7 +73,7 @@ PassageCosts::PassageCosts(const RegionGrow& region, const Volume& volume, const
     mLevels = thicknessLevels(mBox, worldFromVoxel, depth, progress);
   }
   progress.report(0.4, "Growing");
-  smoothValues(volume, region.rule().channel, region.rule().timeStep);
+  smoothValues(voxels, region.rule().channel, region.rule().timeStep);
   mPerNoise = float(1.0 / noise());
   double shortest =
       std::min({glm::length(worldFromVoxel[0]), glm::length(worldFromVoxel[1]), glm::length(worldFromVoxel[2])});
@@ -76,9 +93,15 @@ int PassageCosts::mostCost() const {
 }
 
 void PassageCosts::takeRegion(const RegionGrow& region) {
-  forVoxels(mBox, [&](glm::ivec3 v, std::size_t place) {
-    const Word* row = region.row(v.y, v.z);
-    mIsIn[place] = row && bitAt(row, v.x);
+  parallelFor(mBox.first().z, mBox.end().z, [&](int z) {
+    for (int y = mBox.first().y; y < mBox.end().y; ++y) {
+      std::size_t place = mBox.at({mBox.first().x, y, z});
+      Word bits = 0;
+      for (int x = mBox.first().x; x < mBox.end().x; ++x) {
+        if (x == mBox.first().x || x % kWordBits == 0) bits = region.word(y, z, x / kWordBits);
+        mIsIn[place++] = bits >> (x % kWordBits) & 1;
+      }
+    }
   });
 }
 
@@ -114,12 +137,34 @@ void PassageCosts::takeDepths(const Lengths& depths) {
     mDepths[i] = std::uint8_t(std::min(int(depths[i]) * kDepthUnit / kLengthUnit, 255));
 }
 
-/// Each with its neighbours in the region.
-void PassageCosts::smoothValues(const Volume& volume, int channel, int timeStep) {
-  std::vector<float> raw(mBox.count());
-  forVoxels(mBox, [&](glm::ivec3 v, std::size_t place) {
-    if (mIsIn[place]) raw[place] = float(valueAt(volume, v, channel, timeStep));
+/// Of the voxels of the region; where bricks are read, of a run of them at a time.
+void PassageCosts::readValues(const FinestVoxels& voxels, int channel, int timeStep, std::vector<float>& raw) const {
+  const Volume& grid = voxels.grid();
+  if (!voxels.isStreamed()) {
+    forVoxels(mBox, [&](glm::ivec3 v, std::size_t place) {
+      if (mIsIn[place]) raw[place] = float(valueAt(grid, v, channel, timeStep));
+    });
+    return;
+  }
+  parallelFor(mBox.first().z, mBox.end().z, [&](int z) {
+    for (int y = mBox.first().y; y < mBox.end().y; ++y) {
+      std::size_t row = mBox.at({mBox.first().x, y, z});
+      int width = mBox.end().x - mBox.first().x;
+      for (int from = 0, end; from < width; from = end) {
+        end = from + 1;
+        if (!mIsIn[row + std::size_t(from)]) continue;
+        while (end < width && mIsIn[row + std::size_t(end)]) ++end;
+        Volume run = voxels.read({mBox.first().x + from, y, z}, {end - from, 1, 1}, channel, timeStep);
+        for (int x = from; x < end; ++x) raw[row + std::size_t(x)] = float(valueAt(run, {x - from, 0, 0}));
+      }
+    }
   });
+}
+
+/// Each with its neighbours in the region.
+void PassageCosts::smoothValues(const FinestVoxels& voxels, int channel, int timeStep) {
+  std::vector<float> raw(mBox.count());
+  readValues(voxels, channel, timeStep, raw);
   mValues.resize(mBox.count());
   auto steps = mBox.steps();
   forVoxels(mBox, [&](glm::ivec3, std::size_t place) {

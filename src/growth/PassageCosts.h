@@ -6,8 +6,8 @@
 #include <cstdlib>
 #include <vector>
 
+#include "core/FinestVoxels.h"
 #include "core/Task.h"
-#include "core/Volume.h"
 #include "growth/GrowDomain.h"
 #include "growth/RegionGrow.h"
 #include "growth/Thickness.h"
@@ -22,8 +22,8 @@ namespace velum::growth {
 class PassageCosts {
  public:
   /// @param domain  where the region has grown; whether voxels outside it would belong to the region is unknown
-  /// @throw Cancelled
-  PassageCosts(const RegionGrow& region, const Volume& volume, const GrowDomain& domain, Progress& progress);
+  /// @throw Cancelled; InputError when a brick cannot be read, or the box is too large for the memory
+  PassageCosts(const RegionGrow& region, const FinestVoxels& voxels, const GrowDomain& domain, Progress& progress);
 
   const RoomyBox& box() const { return mBox; }
   bool holds(std::size_t place) const { return mIsIn[place] != 0; }
@@ -56,7 +56,8 @@ class PassageCosts {
   void takeRegion(const RegionGrow& region);
   void takeDepths(const Lengths& depths);
   Lengths depths(const Volume& volume, const GrowDomain& domain) const;
-  void smoothValues(const Volume& volume, int channel, int timeStep);
+  void readValues(const FinestVoxels& voxels, int channel, int timeStep, std::vector<float>& raw) const;
+  void smoothValues(const FinestVoxels& voxels, int channel, int timeStep);
   double noise() const;
 
   RoomyBox mBox;

@@ -4,30 +4,12 @@
 
 #include "core/Error.h"
 #include "growth/Admission.h"
+#include "growth/LabelRows.h"
 #include "growth/TileGrid.h"
 
 namespace velum::growth {
 
 namespace {
-
-constexpr int kBrick = LabelVolume::kBrickSize;
-
-Shared<Volume> checked(Shared<Volume> volume, const LabelVolume& labels, const GrowRule& rule) {
-  if (volume->dims != labels.dims()) throw ArgumentError("the labels to grow in are not on the grid of the volume");
-  checkRule(rule, *volume);
-  return volume;
-}
-
-bool holdsLabel(const LabelVolume::Brick& brick, int id) {
-  return std::any_of(brick.begin(), brick.end(), [&](std::uint16_t is) { return is == id; });
-}
-
-/// Calls body(y, z) for the rows of a brick, once for all bricks along a row.
-template <class Body>
-void forRows(glm::ivec3 dims, int by, int bz, const Body& body) {
-  for (int z = bz * kBrick; z < std::min((bz + 1) * kBrick, dims.z); ++z)
-    for (int y = by * kBrick; y < std::min((by + 1) * kBrick, dims.y); ++y) body(y, z);
-}
 
 /// Bits beside those that are set, in their own row.
 void offerAlong(RowTile& tile, int row, std::vector<Word>& beside) {
@@ -51,19 +33,35 @@ struct RegionGrow::State {
   std::vector<glm::ivec3> loose;  ///< seeds that could not join
 
   void takeLabels();
-  void offerAround(int y, int z);
+  void offerAround(RowTile& tile, int row);
+  bool read(int y, int z, Word* bits) const;
   bool isAsLabelled(int by, int bz) const;
   void lookAnew(int by, int bz);
   bool isIn(glm::ivec3 voxel) const;
   void dropLoose();
+  /// Calls body(tile, words) for the tiles in which some bits of a row lie.
+  template <class Body>
+  void forParts(int y, int z, const std::vector<Word>& bits, const Body& body) {
+    for (int x = 0; x < tiles.dims().x; x += tiles.width()) {
+      auto first = bits.begin() + x / kWordBits;
+      auto end = bits.begin() + wordsOf(std::min(x + tiles.width(), tiles.dims().x));
+      if (std::any_of(first, end, [](Word w) { return w != 0; })) body(tiles.make({x, y, z}), &*first);
+    }
+  }
 };
 
+namespace {
+
 constexpr glm::ivec3 kBeside[] = {{-1, 0, 0}, {1, 0, 0}, {0, -1, 0}, {0, 1, 0}, {0, 0, -1}, {0, 0, 1}};
+/// How long the rows of tiles are where bricks are read: a front fills few of them.
+constexpr int kStreamedWidth = 2 * kWordBits;
+
+}  // namespace
 
 bool RegionGrow::State::isIn(glm::ivec3 voxel) const {
-  if (!isInside(admission.volume(), voxel)) return false;
-  const RowTile* tile = tiles.find(voxel.y, voxel.z);
-  return tile && bitAt(tile->region(tile->rowAt(voxel.y, voxel.z)), voxel.x);
+  if (!isInside(admission.grid(), voxel)) return false;
+  const RowTile* tile = tiles.find(voxel);
+  return tile && bitAt(tile->region(tile->rowAt(voxel.y, voxel.z)), voxel.x - tile->first().x);
 }
 
 /// What waits beside a seed that is not in the region, and beside nothing that is, waits no longer.
@@ -72,77 +70,80 @@ void RegionGrow::State::dropLoose() {
     for (glm::ivec3 step : kBeside) {
       glm::ivec3 voxel = seed + step;
       bool touches = std::any_of(std::begin(kBeside), std::end(kBeside), [&](glm::ivec3 s) { return isIn(voxel + s); });
-      if (touches || !isInside(admission.volume(), voxel)) continue;
-      RowTile& tile = tiles.make(voxel.y, voxel.z);
-      clearBit(tile.front(tile.rowAt(voxel.y, voxel.z)), voxel.x);
+      if (touches || !isInside(admission.grid(), voxel)) continue;
+      RowTile& tile = tiles.make(voxel);
+      clearBit(tile.front(tile.rowAt(voxel.y, voxel.z)), voxel.x - tile.first().x);
     }
   loose.clear();
 }
 
-/// Calls body(y, z, bits) for each row in which a structure has voxels.
-template <class Body>
-void forRowsOf(const LabelVolume& labels, int structure, const Body& body) {
-  glm::ivec3 grid = labels.brickGrid();
-  std::vector<Word> bits(static_cast<std::size_t>(wordsOf(labels.dims().x)));
-  for (int bz = 0; bz < grid.z; ++bz)
-    for (int by = 0; by < grid.y; ++by) {
-      bool isThere = false;
-      for (int bx = 0; bx < grid.x; ++bx) isThere = isThere || holdsLabel(labels.brick({bx, by, bz}), structure);
-      if (!isThere) continue;
-      forRows(labels.dims(), by, bz, [&](int y, int z) {
-        labelBits(labels, y, z, std::uint16_t(structure), bits.data());
-        if (std::any_of(bits.begin(), bits.end(), [](Word w) { return w != 0; })) body(y, z, bits);
-      });
-    }
-}
-
 /// Takes over what the structure has, and raises the front around it.
 void RegionGrow::State::takeLabels() {
-  std::vector<glm::ivec2> rows;
+  std::vector<std::pair<RowTile*, int>> rows;
   forRowsOf(*admission.labels(), structure, [&](int y, int z, const std::vector<Word>& bits) {
-    RowTile& tile = tiles.make(y, z);
-    std::copy(bits.begin(), bits.end(), tile.region(tile.rowAt(y, z)));
-    rows.push_back({y, z});
+    forParts(y, z, bits, [&](RowTile& tile, const Word* words) {
+      int row = tile.rowAt(y, z);
+      std::copy_n(words, tile.wordCount(), tile.region(row));
+      rows.push_back({&tile, row});
+    });
   });
-  for (glm::ivec2 row : rows) offerAround(row.x, row.y);
+  for (auto [tile, row] : rows) offerAround(*tile, row);
 }
 
-void RegionGrow::State::offerAround(int y, int z) {
-  RowTile& tile = *tiles.find(y, z);
-  int row = tile.rowAt(y, z);
-  std::vector<Word> beside(static_cast<std::size_t>(wordsOf(tiles.dims().x)));
+void RegionGrow::State::offerAround(RowTile& tile, int row) {
+  std::vector<Word> beside(static_cast<std::size_t>(tile.wordCount()));
   offerAlong(tile, row, beside);
-  tiles.offerAround(y, z, tile.region(row));
+  glm::ivec2 place = tile.placeOf(row);
+  tiles.offerAround({tile.first().x, place}, tile.region(row));
+  tiles.offerBeside(tile, row);
+}
+
+bool RegionGrow::State::read(int y, int z, Word* bits) const {
+  std::fill_n(bits, wordsOf(tiles.dims().x), Word(0));
+  if (const RowTile* tile = tiles.find({0, y, z}); tiles.width() == tiles.dims().x) {
+    if (tile) std::copy_n(tile->region(tile->rowAt(y, z)), tile->wordCount(), bits);
+    return tile != nullptr;
+  }
+  bool isThere = false;
+  tiles.forRow(y, z, [&](const RowTile& tile) {
+    isThere = true;
+    std::copy_n(tile.region(tile.rowAt(y, z)), tile.wordCount(), bits + tile.firstWord());
+  });
+  return isThere;
 }
 
 /// True when the region has in these bricks what the structure has in the labels.
 bool RegionGrow::State::isAsLabelled(int by, int bz) const {
   bool isSame = true;
-  std::vector<Word> bits(static_cast<std::size_t>(wordsOf(tiles.dims().x)));
-  forRows(tiles.dims(), by, bz, [&](int y, int z) {
+  std::vector<Word> bits(static_cast<std::size_t>(wordsOf(tiles.dims().x))), region(bits.size());
+  forBrickRows(tiles.dims(), by, bz, [&](int y, int z) {
     labelBits(*admission.labels(), y, z, std::uint16_t(structure), bits.data());
-    const RowTile* tile = tiles.find(y, z);
-    const Word* region = tile ? tile->region(tile->rowAt(y, z)) : nullptr;
-    for (std::size_t w = 0; w < bits.size(); ++w) isSame = isSame && bits[w] == (region ? region[w] : 0);
+    read(y, z, region.data());
+    isSame = isSame && bits == region;
   });
   return isSame;
 }
 
 /// Voxels have got or lost an owner: which may join, and what touches the region, is found again.
 void RegionGrow::State::lookAnew(int by, int bz) {
-  forRows(tiles.dims(), by, bz, [&](int y, int z) {
-    if (RowTile* tile = tiles.find(y, z)) tile->forget(tile->rowAt(y, z));
-  });
-  int low = by * kBrick - 1, high = (by + 1) * kBrick;
-  for (int z = std::max(bz * kBrick - 1, 0); z <= std::min((bz + 1) * kBrick, tiles.dims().z - 1); ++z)
+  forBrickRows(tiles.dims(), by, bz,
+               [&](int y, int z) { tiles.forRow(y, z, [&](RowTile& tile) { tile.forget(tile.rowAt(y, z)); }); });
+  int low = by * kLabelBrick - 1, high = (by + 1) * kLabelBrick;
+  for (int z = std::max(bz * kLabelBrick - 1, 0); z <= std::min((bz + 1) * kLabelBrick, tiles.dims().z - 1); ++z)
     for (int y = std::max(low, 0); y <= std::min(high, tiles.dims().y - 1); ++y)
-      if (tiles.find(y, z)) offerAround(y, z);
+      tiles.forRow(y, z, [&](RowTile& tile) { offerAround(tile, tile.rowAt(y, z)); });
 }
 
 RegionGrow::RegionGrow(Shared<Volume> volume, const Shared<LabelVolume>& labels, int structure, GrowRule rule) {
-  glm::ivec3 dims = volume->dims;
-  volume = checked(std::move(volume), *labels, rule);
-  mState.reset(new State{Admission(std::move(volume), labels, std::move(rule)), TileGrid(dims), structure, 0, {}});
+  checkRule(rule, *volume);
+  FinestVoxels voxels(*volume);
+  glm::ivec3 dims = voxels.grid().dims;
+  if (dims != labels->dims()) throw ArgumentError("the labels to grow in are not on the grid of the volume");
+  mState.reset(new State{Admission(std::move(volume), labels, std::move(rule)),
+                         TileGrid(dims, voxels.isStreamed() ? kStreamedWidth : 0),
+                         structure,
+                         0,
+                         {}});
   if (structure == 0) return;
   mState->takeLabels();
   mCount = countIn(GrowDomain());
@@ -153,39 +154,42 @@ RegionGrow::RegionGrow(RegionGrow&&) noexcept = default;
 RegionGrow& RegionGrow::operator=(RegionGrow&&) noexcept = default;
 
 void RegionGrow::addSeed(glm::ivec3 voxel) {
-  if (!isInside(mState->admission.volume(), voxel)) return;
-  RowTile& tile = mState->tiles.make(voxel.y, voxel.z);
-  int row = tile.rowAt(voxel.y, voxel.z);
-  if (!bitAt(tile.region(row), voxel.x)) {
-    if (bitAt(tile.open(row, mState->admission), voxel.x)) {
-      tile.join(row, voxel.x);
+  const Volume& grid = mState->admission.grid();
+  if (!isInside(grid, voxel)) return;
+  RowTile& tile = mState->tiles.make(voxel);
+  int row = tile.rowAt(voxel.y, voxel.z), x = voxel.x - tile.first().x;
+  if (!bitAt(tile.region(row), x)) {
+    if (tile.open(row, x / kWordBits, mState->admission) >> (x % kWordBits) & 1) {
+      tile.join(row, x);
       ++mCount, ++mState->fromSeeds;
     } else {
       mState->loose.push_back(voxel);
     }
   }
   // Its neighbours are tried whether it joined or not.
-  std::vector<Word> seed(static_cast<std::size_t>(wordsOf(mState->tiles.dims().x)));
-  setBit(seed.data(), voxel.x);
-  mState->tiles.offerAround(voxel.y, voxel.z, seed.data());
-  std::fill(seed.begin(), seed.end(), Word(0));
-  if (voxel.x > 0) setBit(seed.data(), voxel.x - 1);
-  if (voxel.x + 1 < mState->tiles.dims().x) setBit(seed.data(), voxel.x + 1);
-  if (tile.offer(row, seed.data())) tile.enqueue(row);
+  for (glm::ivec3 step : kBeside) {
+    glm::ivec3 beside = voxel + step;
+    if (!isInside(grid, beside)) continue;
+    RowTile& to = mState->tiles.make(beside);
+    int other = to.rowAt(beside.y, beside.z);
+    if (to.offer(other, beside.x - to.first().x)) to.enqueue(other);
+  }
 }
 
 void RegionGrow::addSeeds(const LabelVolume& labels, int structure) {
   forRowsOf(labels, structure, [&](int y, int z, const std::vector<Word>& bits) {
-    RowTile& tile = mState->tiles.make(y, z);
-    int row = tile.rowAt(y, z);
-    const Word *open = tile.open(row, mState->admission), *region = tile.region(row);
-    std::size_t joined = 0;
-    for (std::size_t w = 0; w < bits.size(); ++w)
-      for (Word left = bits[w] & open[w] & ~region[w]; left != 0; left &= left - 1, ++joined)
-        tile.join(row, int(w) * kWordBits + std::countr_zero(left));
-    if (joined == 0) return;
-    mCount += joined, mState->fromSeeds += joined;
-    mState->offerAround(y, z);
+    mState->forParts(y, z, bits, [&](RowTile& tile, const Word* words) {
+      int row = tile.rowAt(y, z);
+      std::size_t joined = 0;
+      for (int w = 0; w < tile.wordCount(); ++w) {
+        Word left = words[w] & ~tile.region(row)[w];
+        if (left != 0) left &= tile.open(row, w, mState->admission);
+        for (; left != 0; left &= left - 1, ++joined) tile.join(row, w * kWordBits + std::countr_zero(left));
+      }
+      if (joined == 0) return;
+      mCount += joined, mState->fromSeeds += joined;
+      mState->offerAround(tile, row);
+    });
   });
 }
 
@@ -198,43 +202,59 @@ std::size_t RegionGrow::grow(const GrowDomain& domain, Progress& progress) {
   return added + std::exchange(mState->fromSeeds, 0);
 }
 
+VoxelBox RegionGrow::reach() const {
+  VoxelBox box{mState->tiles.dims(), glm::ivec3(0)};
+  mState->tiles.forEach([&](const RowTile& tile) {
+    box.first = glm::min(box.first, tile.first());
+    box.end = glm::max(box.end, tile.end());
+  });
+  return box;
+}
+
 bool RegionGrow::has(glm::ivec3 voxel) const { return mState->isIn(voxel); }
 
-const std::uint64_t* RegionGrow::row(int y, int z) const {
-  const RowTile* tile = std::as_const(mState->tiles).find(y, z);
-  return tile ? tile->region(tile->rowAt(y, z)) : nullptr;
+std::uint64_t RegionGrow::word(int y, int z, int w) const {
+  const RowTile* tile = mState->tiles.find({w * kWordBits, y, z});
+  return tile ? tile->region(tile->rowAt(y, z))[w - tile->firstWord()] : 0;
 }
+
+bool RegionGrow::read(int y, int z, std::uint64_t* bits) const { return mState->read(y, z, bits); }
 
 std::size_t RegionGrow::countIn(const GrowDomain& domain) const {
   std::size_t count = 0;
-  int width = mState->tiles.dims().x;
-  mState->tiles.forEach([&](const RowTile& tile) {
-    if (!domain.mayMeet({0, tile.first()}, {width - 1, tile.first() + tile.count() - 1})) return;
-    for (int row = 0; row < tile.count().y * RowTile::kEdge; ++row) {
-      if (row % RowTile::kEdge >= tile.count().x) continue;
-      glm::ivec2 place = tile.placeOf(row);
-      RowSpan span = domain.rowSpan(place.x, place.y, width);
-      const Word* bits = tile.region(row);
-      for (int w = span.first / kWordBits; w * kWordBits < span.end; ++w)
-        count += std::size_t(countBits(bits[w] & spanBits(w, span.first, span.end)));
-    }
+  mState->tiles.forSpans(domain, [&](const RowTile& tile, int row, RowSpan span) {
+    const Word* bits = tile.region(row);
+    for (int w = span.first / kWordBits; w * kWordBits < span.end; ++w)
+      count += std::size_t(countBits(bits[w] & spanBits(w, span.first, span.end)));
   });
   return count;
 }
 
+std::vector<glm::ivec2> RegionGrow::rowsIn(const GrowDomain& domain) const {
+  std::vector<glm::ivec2> rows;
+  mState->tiles.forSpans(domain, [&](const RowTile& tile, int row, RowSpan span) {
+    Word any = 0;
+    for (int w = span.first / kWordBits; w * kWordBits < span.end; ++w)
+      any |= tile.region(row)[w] & spanBits(w, span.first, span.end);
+    if (any != 0) rows.push_back(tile.placeOf(row));
+  });
+  std::sort(rows.begin(), rows.end(), [](auto a, auto b) { return std::pair(a.y, a.x) < std::pair(b.y, b.x); });
+  rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+  return rows;
+}
+
 RegionGrow::Changed RegionGrow::takeChanged() {
   Changed changed;
-  int words = wordsOf(mState->tiles.dims().x);
   glm::ivec3 low(mState->tiles.dims()), high(0);
   mState->tiles.forEach([&](RowTile& tile) {
     for (int row : tile.takeChanged()) {
       glm::ivec2 place = tile.placeOf(row);
       const Word* bits = tile.region(row);
-      int first = 0, last = words - 1;
+      int first = 0, last = tile.wordCount() - 1;
       while (bits[first] == 0) ++first;
       while (bits[last] == 0) --last;
-      low = glm::min(low, glm::ivec3(first * kWordBits, place));
-      high = glm::max(high, glm::ivec3(std::min((last + 1) * kWordBits, mState->tiles.dims().x), place + 1));
+      low = glm::min(low, glm::ivec3((tile.firstWord() + first) * kWordBits, place));
+      high = glm::max(high, glm::ivec3(std::min((tile.firstWord() + last + 1) * kWordBits, tile.end().x), place + 1));
       changed.rows.push_back(place);
     }
   });

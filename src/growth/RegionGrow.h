@@ -31,7 +31,8 @@ struct VoxelBox {
 class RegionGrow {
  public:
   /// Begins as the voxels that a structure has in the labels, whatever their values. @param structure  0: begins empty
-  /// @throw ArgumentError when the labels are not on the volume's grid, or there is no such channel or time step
+  /// @throw ArgumentError when the labels are not on the grid of the volume's finest level, or there is no such channel
+  /// or time step
   RegionGrow(Shared<Volume> volume, const Shared<LabelVolume>& labels, int structure, GrowRule rule);
   ~RegionGrow();
   RegionGrow(RegionGrow&&) noexcept;
@@ -46,18 +47,24 @@ class RegionGrow {
   void forgetSeeds();
   /// Grows by one step. Voxels that have joined before a cancel stay, and the next step goes on from there.
   /// @return voxels that joined, new seeds included
-  /// @throw Cancelled
+  /// @throw Cancelled; InputError when a brick cannot be read, after which this object must not be used any more
   std::size_t grow(const GrowDomain& domain, Progress& progress);
 
   bool has(glm::ivec3 voxel) const;
+  /// A box that holds the region, in whole tiles of rows. Empty where no voxel was tried.
+  VoxelBox reach() const;
   std::size_t voxelCount() const { return mCount; }
   /// Voxels of the region that lie in a domain.
   std::size_t countIn(const GrowDomain& domain) const;
-  /// The words of bits of a row; may be nullptr where the region has no voxel in the row.
-  const std::uint64_t* row(int y, int z) const;
+  /// The rows, as (y, z), in which the region has voxels that lie in a domain: ascending by z, then by y.
+  std::vector<glm::ivec2> rowsIn(const GrowDomain& domain) const;
+  /// A word of the bits of a row.
+  std::uint64_t word(int y, int z, int w) const;
+  /// A row as bits. @param bits  wordsOf(dims.x), all written @return false only where the row has no voxel
+  bool read(int y, int z, std::uint64_t* bits) const;
 
-  /// The rows, as (y, z), that grew since takeChanged() was last called, and the box around the region's voxels in
-  /// these rows, in whole words along x.
+  /// The rows, as (y, z), that grew since takeChanged() was last called, some of them twice, and the box around the
+  /// region's voxels in these rows, in whole words along x.
   struct Changed {
     VoxelBox box;
     std::vector<glm::ivec2> rows;

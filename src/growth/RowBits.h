@@ -9,6 +9,11 @@ namespace velum::growth {
 using Word = std::uint64_t;
 constexpr int kWordBits = 64;
 
+/// Words of a row, from `first` to before `end`.
+struct WordSpan {
+  int first = 0, end = 0;
+};
+
 inline int wordsOf(int width) { return (width + kWordBits - 1) / kWordBits; }
 inline bool bitAt(const Word* row, int x) { return row[x / kWordBits] >> (x % kWordBits) & 1; }
 inline void setBit(Word* row, int x) { row[x / kWordBits] |= Word(1) << (x % kWordBits); }

@@ -28,7 +28,8 @@ struct Smoothed {
 /// voxels that are not joined by faces to the border of the volume through voxels of the step's domain outside the
 /// structure. So a hollow structure counts as closed where the cut or the distance ends it, and marrow is a hole of its
 /// bone.
-/// @param others  Grown::others of the step: voxels with label 1 there do not join either @throw Cancelled
+/// @param others  Grown::others of the step: voxels with label 1 there do not join either
+/// @throw Cancelled; InputError when a brick cannot be read, or the structure reaches too far for the memory
 Smoothed smoothRegion(const Shared<Volume>& volume, const Shared<LabelVolume>& labels, const scene::Growth& step,
                       const Progress& progress, const Shared<LabelVolume>& others = {});
 

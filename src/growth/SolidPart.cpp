@@ -12,13 +12,22 @@ namespace {
 
 /// Layers that are kept of each stage: those that the next one looks at are not farther apart.
 constexpr int kKept = 8;
+/// Rows around those that are asked for that are looked at.
+constexpr int kAround = 2;
 
 /// The stages of eroding a region, row by row as they are asked for. Bits outside of what is known, of the volume and
 /// behind a row's end are 1.
 class Erosion {
  public:
-  Erosion(const RegionGrow& region, glm::ivec3 dims, const GrowDomain& known)
-      : mRegion(region), mDims(dims), mKnown(known), mWords(std::size_t(wordsOf(dims.x))), mOutside(mWords, ~Word(0)) {}
+  /// @param low, high  least and largest y of the rows that are asked for
+  Erosion(const RegionGrow& region, glm::ivec3 dims, const GrowDomain& known, int low, int high)
+      : mRegion(region),
+        mDims(dims),
+        mKnown(known),
+        mWords(std::size_t(wordsOf(dims.x))),
+        mLow(std::max(low - kAround, 0)),
+        mRows(std::size_t(std::min(high + kAround + 1, dims.y) - mLow)),
+        mOutside(mWords, ~Word(0)) {}
 
   /// What is left of a row, not of the region where it is unknown. @param bits  [word], all written
   void rest(int y, int z, Word* bits) {
@@ -32,7 +41,7 @@ class Erosion {
   struct Layer {
     int z = -1;
     std::vector<Word> bits;
-    std::vector<char> known;  ///< [y]
+    std::vector<char> known;  ///< [y - mLow]
   };
   using Stage = std::array<Layer, kKept>;
 
@@ -41,12 +50,13 @@ class Erosion {
     Layer& layer = stage[std::size_t(z % kKept)];
     if (layer.z != z) {
       layer.z = z;
-      layer.bits.resize(mWords * std::size_t(mDims.y));
-      layer.known.assign(std::size_t(mDims.y), 0);
+      layer.bits.resize(mWords * mRows);
+      layer.known.assign(mRows, 0);
     }
-    isMade = layer.known[std::size_t(y)] != 0;
-    layer.known[std::size_t(y)] = 1;
-    return layer.bits.data() + mWords * std::size_t(y);
+    auto row = std::size_t(y - mLow);
+    isMade = layer.known[row] != 0;
+    layer.known[row] = 1;
+    return layer.bits.data() + mWords * row;
   }
 
   bool isOutside(int y, int z) const { return y < 0 || z < 0 || y >= mDims.y || z >= mDims.z; }
@@ -60,9 +70,9 @@ class Erosion {
     bool isMade;
     Word* bits = place(mWhole, y, z, isMade);
     if (isMade) return bits;
-    const Word* row = mRegion.row(y, z);
+    mRegion.read(y, z, bits);
     RowSpan span = mKnown.rowSpan(y, z, mDims.x);
-    for (std::size_t w = 0; w < mWords; ++w) bits[w] = (row ? row[w] : 0) | unknown(w, span);
+    for (std::size_t w = 0; w < mWords; ++w) bits[w] |= unknown(w, span);
     return bits;
   }
 
@@ -93,6 +103,8 @@ class Erosion {
   glm::ivec3 mDims;
   const GrowDomain& mKnown;
   std::size_t mWords;
+  int mLow;           ///< y of the first row of a layer
+  std::size_t mRows;  ///< of a layer
   std::vector<Word> mOutside;
   Stage mWhole, mFaces;
 };
@@ -100,23 +112,18 @@ class Erosion {
 }  // namespace
 
 std::size_t countSolid(const RegionGrow& region, glm::ivec3 dims, const GrowDomain& known, const GrowDomain& slab) {
-  Erosion erosion(region, dims, known);
-  std::vector<Word> rest(static_cast<std::size_t>(wordsOf(dims.x)));
+  std::vector<glm::ivec2> rows = region.rowsIn(slab);
+  if (rows.empty()) return 0;
+  auto [low, high] = std::minmax_element(rows.begin(), rows.end(), [](auto a, auto b) { return a.x < b.x; });
+  Erosion erosion(region, dims, known, low->x, high->x);
+  std::vector<Word> rest(static_cast<std::size_t>(wordsOf(dims.x))), row(rest.size());
   std::size_t count = 0;
-  for (int z = 0; z < dims.z; ++z) {
-    if (!slab.mayMeet({0, 0, z}, {dims.x - 1, dims.y - 1, z})) continue;
-    for (int y = 0; y < dims.y; ++y) {
-      const Word* row = region.row(y, z);
-      RowSpan span = row ? slab.rowSpan(y, z, dims.x) : RowSpan{};
-      if (span.isEmpty()) continue;
-      int first = span.first / kWordBits, last = (span.end - 1) / kWordBits;
-      auto mine = [&](int w) { return row[w] & spanBits(w, span.first, span.end); };
-      bool isThere = false;
-      for (int w = first; w <= last; ++w) isThere = isThere || mine(w) != 0;
-      if (!isThere) continue;
-      erosion.rest(y, z, rest.data());
-      for (int w = first; w <= last; ++w) count += std::size_t(countBits(mine(w) & rest[std::size_t(w)]));
-    }
+  for (glm::ivec2 place : rows) {
+    region.read(place.x, place.y, row.data());
+    erosion.rest(place.x, place.y, rest.data());
+    RowSpan span = slab.rowSpan(place.x, place.y, dims.x);
+    for (int w = span.first / kWordBits; w * kWordBits < span.end; ++w)
+      count += std::size_t(countBits(row[std::size_t(w)] & rest[std::size_t(w)] & spanBits(w, span.first, span.end)));
   }
   return count;
 }

@@ -89,10 +89,11 @@ void compare(const T* samples, RawRange<T> range, int count, std::uint8_t* isIn)
 template <class T>
 class KernelOf final : public ValueBits::Kernel {
  public:
-  KernelOf(RawRange<T> range, int stride) : mRange(range), mStride(std::size_t(stride)) {}
+  explicit KernelOf(RawRange<T> range) : mRange(range) {}
 
-  void of(const void* all, std::size_t sample, int width, Word* bits) const override {
-    const T* samples = static_cast<const T*>(all) + sample;
+  void of(const SampleRun& run, int width, Word* bits) const override {
+    const T* samples = static_cast<const T*>(run.samples) + run.first;
+    auto stride = std::size_t(run.stride);
     alignas(16) std::uint8_t isIn[kWordBits];
     for (int x = 0; x < width; x += kWordBits, ++bits) {
       int count = std::min(width - x, kWordBits);
@@ -100,11 +101,11 @@ class KernelOf final : public ValueBits::Kernel {
         *bits = 0;
         continue;
       }
-      if (mStride == 1 && count == kWordBits) {
+      if (stride == 1 && count == kWordBits) {
         compare(samples + x, mRange, kWordBits, isIn);
       } else {
         T some[kWordBits] = {};
-        for (int i = 0; i < count; ++i) some[i] = samples[std::size_t(x + i) * mStride];
+        for (int i = 0; i < count; ++i) some[i] = samples[std::size_t(x + i) * stride];
         compare(some, mRange, kWordBits, isIn);
         std::memset(isIn + count, 0, std::size_t(kWordBits - count));
       }
@@ -114,23 +115,36 @@ class KernelOf final : public ValueBits::Kernel {
 
  private:
   RawRange<T> mRange;
-  std::size_t mStride;
 };
 
 }  // namespace
 
-ValueBits::ValueBits(const Volume& volume, double low, double high, int channel, int timeStep) {
-  mFirst = std::size_t(timeStep) * voxelCount(volume) * std::size_t(volume.channels) + std::size_t(channel);
+ValueBits::ValueBits(const Volume& volume, double low, double high, int channel, int timeStep)
+    : mChannel(channel), mTimeStep(timeStep) {
   visitSamples(volume, [&](auto* p) {
     using T = std::remove_const_t<std::remove_pointer_t<decltype(p)>>;
-    mKernel = std::make_unique<KernelOf<T>>(rawRange<T>(volume, low, high), volume.channels);
+    mKernel = std::make_unique<KernelOf<T>>(rawRange<T>(volume, low, high));
   });
 }
 
-void ValueBits::of(const Volume& volume, int y, int z, Word* bits) const {
-  std::size_t row = std::size_t(z) * std::size_t(volume.dims.y) + std::size_t(y);
-  mKernel->of(volume.voxels.data(), mFirst + row * std::size_t(volume.dims.x) * std::size_t(volume.channels),
-              volume.dims.x, bits);
+void ValueBits::of(const FinestVoxels& voxels, int y, int z, WordSpan words, Word* bits) const {
+  int end = std::min(words.end * kWordBits, voxels.grid().dims.x);
+  for (int x = words.first * kWordBits; x < end;) {
+    SampleRun run = voxels.run({x, y, z}, mChannel, mTimeStep);
+    int place = x % kWordBits, count = std::min(run.count, end - x);
+    if (x + count < end) count -= (x + count) % kWordBits;
+    if (place == 0 && count > 0) {
+      mKernel->of(run, count, bits + (x / kWordBits - words.first));
+    } else {
+      // A word of several bricks.
+      count = std::min({run.count, end - x, kWordBits - place});
+      Word part;
+      mKernel->of(run, count, &part);
+      Word& word = bits[x / kWordBits - words.first];
+      word = (place == 0 ? 0 : word) | part << place;
+    }
+    x += count;
+  }
 }
 
 }  // namespace velum::growth

@@ -1,7 +1,7 @@
 #pragma once
 #include <memory>
 
-#include "core/Volume.h"
+#include "core/FinestVoxels.h"
 #include "growth/RowBits.h"
 
 namespace velum::growth {
@@ -13,16 +13,18 @@ class ValueBits {
   /// The comparison for one type of sample.
   struct Kernel {
     virtual ~Kernel() = default;
-    /// @param sample  place of the row's first sample, counted in samples from the volume's first
-    virtual void of(const void* samples, std::size_t sample, int width, Word* bits) const = 0;
+    /// @param count  how many samples of the run
+    virtual void of(const SampleRun& run, int count, Word* bits) const = 0;
   };
 
+  /// @param volume  of which no voxels are looked at
   ValueBits(const Volume& volume, double low, double high, int channel, int timeStep);
-  /// @param bits  wordsOf(dims.x)
-  void of(const Volume& volume, int y, int z, Word* bits) const;
+  /// @param words  which of the row are asked for @param bits  these words, all written
+  /// @throw InputError when a brick cannot be read
+  void of(const FinestVoxels& voxels, int y, int z, WordSpan words, Word* bits) const;
 
  private:
-  std::size_t mFirst = 0;  ///< sample of voxel 0, 0, 0
+  int mChannel, mTimeStep;
   std::unique_ptr<Kernel> mKernel;
 };
 

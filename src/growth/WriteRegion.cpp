@@ -11,26 +11,28 @@ namespace {
 constexpr int kBrick = LabelVolume::kBrickSize;
 
 /// The part of a row's bits that lies in a brick.
-std::uint32_t halfWord(const RegionRow& region, glm::ivec2 row, int bx) {
-  return std::uint32_t(region(row.x, row.y)[bx / 2] >> (bx % 2 * kBrick));
+std::uint32_t halfWord(const RegionWord& region, glm::ivec2 row, int bx) {
+  return std::uint32_t(region(row.x, row.y, bx / 2) >> (bx % 2 * kBrick));
 }
 
 class BrickWriter {
  public:
-  BrickWriter(const RegionRow& region, std::uint16_t id, LabelVolume& labels)
+  BrickWriter(const RegionWord& region, std::uint16_t id, LabelVolume& labels)
       : mRegion(region), mId(id), mLabels(labels), mIds(std::size_t(kBrick) * kBrick * kBrick) {}
 
   /// @param rows  of the region that lie in the brick, as y and z
   void write(glm::ivec3 brick, const std::vector<glm::ivec2>& rows) {
-    if (std::none_of(rows.begin(), rows.end(), [&](glm::ivec2 row) { return halfWord(mRegion, row, brick.x) != 0; }))
-      return;
+    mBits.clear();
+    std::uint32_t any = 0;
+    for (glm::ivec2 row : rows) any |= mBits.emplace_back(halfWord(mRegion, row, brick.x));
+    if (any == 0) return;
     glm::ivec3 corner = brick * kBrick, size = glm::min(mLabels.dims() - corner, glm::ivec3(kBrick));
     mLabels.read(corner, size, mIds);
     std::size_t before = mWritten.voxels;
-    for (glm::ivec2 row : rows) {
-      glm::ivec2 in = row - glm::ivec2(corner.y, corner.z);
-      label(mIds.data() + (std::size_t(in.y) * std::size_t(size.y) + std::size_t(in.x)) * std::size_t(size.x),
-            halfWord(mRegion, row, brick.x), glm::ivec3(corner.x, row));
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      glm::ivec2 row = rows[i], in = row - glm::ivec2(corner.y, corner.z);
+      label(mIds.data() + (std::size_t(in.y) * std::size_t(size.y) + std::size_t(in.x)) * std::size_t(size.x), mBits[i],
+            glm::ivec3(corner.x, row));
     }
     if (mWritten.voxels != before) mLabels.write(corner, size, mIds);
   }
@@ -53,16 +55,17 @@ class BrickWriter {
     box = box.isEmpty() ? row : VoxelBox{glm::min(box.first, row.first), glm::max(box.end, row.end)};
   }
 
-  const RegionRow& mRegion;
+  const RegionWord& mRegion;
   std::uint16_t mId;
   LabelVolume& mLabels;
   std::vector<std::uint16_t> mIds;
+  std::vector<std::uint32_t> mBits;  ///< of the rows in the brick that is written
   Written mWritten;
 };
 
 }  // namespace
 
-Written writeRegion(const RegionRow& region, const RegionGrow::Changed& changed, std::uint16_t id,
+Written writeRegion(const RegionWord& region, const RegionGrow::Changed& changed, std::uint16_t id,
                     LabelVolume& labels) {
   if (changed.rows.empty()) return {};
   glm::ivec3 first = changed.box.first / kBrick, last = (changed.box.end - 1) / kBrick, count = last - first + 1;

@@ -13,10 +13,11 @@ struct Written {
   std::size_t voxels = 0;
 };
 
-/// The bits of a row of a region.
-using RegionRow = std::function<const std::uint64_t*(int y, int z)>;
+/// A word of the bits of a region's row.
+using RegionWord = std::function<std::uint64_t(int y, int z, int word)>;
 
 /// Gives a label to the region's voxels in the rows that have grown, brick by brick; the other bricks stay shared.
-Written writeRegion(const RegionRow& region, const RegionGrow::Changed& changed, std::uint16_t id, LabelVolume& labels);
+Written writeRegion(const RegionWord& region, const RegionGrow::Changed& changed, std::uint16_t id,
+                    LabelVolume& labels);
 
 }  // namespace velum::growth

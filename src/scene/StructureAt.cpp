@@ -6,6 +6,7 @@
 #include <mutex>
 #include <optional>
 
+#include "core/FinestVoxels.h"
 #include "scene/Scene.h"
 #include "scene/Shown.h"
 
@@ -59,7 +60,7 @@ std::vector<ValueBorder> valueBordersOf(const Scene& scene) {
   std::vector<ValueBorder> borders;
   const LabelLayer& labels = scene.labels;
   const Shared<Volume>& volume = scene.volume.data;
-  if (!volume || !labels.data || labels.data->dims() != volume->dims) return borders;
+  if (!volume || !labels.data || labels.data->dims() != FinestVoxels(*volume).grid().dims) return borders;
   std::map<int, const Growth*> steps;  // by structure; nothing where they differ
   for (const Growth& step : labels.grown) {
     auto [known, isNew] = steps.emplace(step.structure, &step);

@@ -1,6 +1,8 @@
 """velum-batch grow: what it grows, what it writes, what it refuses."""
+import array
 import json
 import unittest
+import zlib
 
 from velum_cli import CliTest
 
@@ -73,6 +75,47 @@ class Grow(CliTest):
         inside = self.report("grow", path, "--labels", "given.nrrd", "--seed", "2,9,9", "--range", "50,150", "--within", "7",
                              "-o", "m.nrrd")
         self.assertEqual(inside["voxels"], 10 * SIZE * SIZE)
+
+    def test_a_streamed_volume_grows_in_the_voxels_of_its_finest_level(self):
+        whole = self.sample("vessels", 160, "v.nrrd")
+        self.run_batch("convert", whole, "v.ome.zarr")
+        streamed = {"VELUM_WHOLE_MB": "1"}
+        bright = self.brightest(whole)
+        common = ("--seed", bright, "--range", "700,3000", "--closing", "2", "--fill-holes", "--json")
+        reports = [json.loads(self.run_batch("grow", file, *common, "-o", f"{file}.l.nrrd", env=streamed).stdout)
+                   for file in ("v.nrrd", "v.ome.zarr")]
+        self.assertGreater(reports[0]["voxels"], 2000)
+        for key in ("voxels", "smoothed", "volume", "box", "values"):
+            self.assertEqual(reports[0][key], reports[1][key], key)
+        self.assertEqual((self.folder / "v.nrrd.l.nrrd").read_bytes(), (self.folder / "v.ome.zarr.l.nrrd").read_bytes())
+        # In scenes as on the command line.
+        scene = {"velum": 2, "volume": {"source": {"path": "v.ome.zarr"}},
+                 "labels": {"growths": [{"structure": 1, "seeds": [[float(n) for n in bright.split(",")]], "low": 700, "high": 3000}]}}
+        (self.folder / "s.json").write_text(json.dumps(scene))
+        self.run_batch("convert", "s.json", "s.nii", env=streamed)
+        self.run_batch("grow", whole, *common[:4], "-o", "p.nii")
+        ids = [(self.folder / name).read_bytes()[-160 ** 3:] for name in ("s.nii", "p.nii")]  # without names and colours
+        self.assertGreater(sum(ids[0]), 2000)
+        self.assertEqual(ids[0], ids[1])
+        # A store that lost a piece: one line.
+        shards = sorted(p for p in (self.folder / "v.ome.zarr" / "0").rglob("*") if p.is_file() and p.stat().st_size > 5000)
+        for shard in shards:
+            shard.write_bytes(shard.read_bytes()[:4000])
+        self.refuse("grow", "v.ome.zarr", *common[:4], "-o", "d.nrrd", code=2)
+
+    def brightest(self, path):
+        """The place of the brightest voxel, x,y,z."""
+        data = path.read_bytes()
+        head, samples = data.split(b"\n\n", 1)
+        lines = dict(line.split(": ", 1) for line in head.decode().splitlines() if ": " in line)
+        if lines["encoding"] == "gzip":
+            samples = zlib.decompress(samples, 31)
+        sizes = [int(n) for n in lines["sizes"].split()]
+        values = array.array("H", samples)
+        x, y, z = (lambda i: (i % sizes[0], i // sizes[0] % sizes[1], i // (sizes[0] * sizes[1])))(values.index(max(values)))
+        axes = [[float(n) for n in axis.strip("()").split(",")] for axis in lines["space directions"].split()]
+        origin = [float(n) for n in lines["space origin"].strip("()").split(",")]
+        return ",".join(str(origin[i] + axes[0][i] * x + axes[1][i] * y + axes[2][i] * z) for i in range(3))
 
     def test_stops_at_steep_places(self):
         path = self.volume(lambda x, y, z: 100 if x < 20 else 130)

@@ -52,7 +52,7 @@ TEST(DivideRegion, GivesEachVoxelToTheKindWhoseWayIsCheaper) {
     RegionGrow region(volume, labels, 0, {.low = 40.0, .high = 80.0, .barriers = {}});
     for (int i = 0; i < 5; ++i) region.addSeed(draw.voxel(volume->dims));
     region.grow(domain, progress);
-    PassageCosts costs(region, *volume, domain, progress);
+    PassageCosts costs(region, FinestVoxels(*volume), domain, progress);
     std::vector<std::size_t> in;
     for (std::size_t place = 0; place < costs.box().count(); ++place)
       if (costs.holds(place)) in.push_back(place);
@@ -81,7 +81,7 @@ TEST(DivideRegion, WaysCostTheSameFromEitherSideAndNeverNothing) {
   RegionGrow region(volume, labelsFor(*volume, {}), 0, {.low = 40.0, .high = 80.0, .barriers = {}});
   for (int i = 0; i < 30; ++i) region.addSeed(draw.voxel(volume->dims));
   region.grow(GrowDomain(), progress);
-  PassageCosts costs(region, *volume, GrowDomain(), progress);
+  PassageCosts costs(region, FinestVoxels(*volume), GrowDomain(), progress);
   int steps = 0;
   for (std::size_t place = 0; place < costs.box().count(); ++place)
     for (int axis = 0; axis < 3 && costs.holds(place); ++axis) {

@@ -147,7 +147,7 @@ TEST(RegionGrow, CancelledItGoesOnWithoutLoss) {
     std::size_t count = 0;
     for (int z = 0; z < 300; z += 7)
       for (int y = 0; y < 300; ++y)
-        if (const auto* row = region.row(y, z)) count += row[0] != 0;
+        count += region.word(y, z, 0) != 0;
     ASSERT_LE(count, region.voxelCount());
   }
   EXPECT_EQ(region.voxelCount(), all);

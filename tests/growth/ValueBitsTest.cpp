@@ -14,11 +14,12 @@ constexpr SampleType kTypes[] = {SampleType::UInt8,  SampleType::Int8,  SampleTy
                                  SampleType::UInt32, SampleType::Int32, SampleType::Float32, SampleType::Float64};
 
 void expectWhatValuesSay(const Volume& v, double low, double high, int channel, int timeStep) {
+  FinestVoxels voxels(v);
   ValueBits values(v, low, high, channel, timeStep);
   std::vector<Word> bits(std::size_t(wordsOf(v.dims.x)), ~Word(0));
   for (int z = 0; z < v.dims.z; ++z)
     for (int y = 0; y < v.dims.y; ++y) {
-      values.of(v, y, z, bits.data());
+      values.of(voxels, y, z, {0, int(bits.size())}, bits.data());
       for (int x = 0; x < v.dims.x; ++x) {
         double value = valueAt(v, {x, y, z}, channel, timeStep);
         ASSERT_EQ(bitAt(bits.data(), x), value >= low && value <= high) << value << " in " << low << " to " << high;

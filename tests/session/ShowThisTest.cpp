@@ -47,9 +47,10 @@ TEST(MeasureTissue, FindsMedianAndNoise) {
 TEST(MeasureTissue, AHistogramIsCountedOnceAVolume) {
   scene::Scene scene = organs(), other = organs();
   HistogramMemo histograms;
-  auto tissue = measureTissue(scene.volume, kLeftMm, histograms);
+  auto tissue = measureTissue(scene.volume, kLeftMm, histograms.of(scene.volume));
   const std::uint64_t* counted = histograms.of(scene.volume).counts.data();
-  auto again = measureTissue(scene.volume, kLeftMm, histograms), alone = measureTissue(scene.volume, kLeftMm);
+  auto again = measureTissue(scene.volume, kLeftMm, histograms.of(scene.volume));
+  auto alone = measureTissue(scene.volume, kLeftMm);
   EXPECT_EQ(histograms.of(scene.volume).counts.data(), counted) << "not counted again";
   ASSERT_TRUE(tissue && again && alone);
   for (const auto& one : {again, alone}) EXPECT_EQ(one->low, tissue->low);

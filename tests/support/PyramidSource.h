@@ -1,6 +1,7 @@
 #pragma once
 #include <algorithm>
 #include <atomic>
+#include <functional>
 #include <set>
 
 #include "core/BrickCache.h"
@@ -22,6 +23,7 @@ class PyramidSource : public VoxelSource {
   const Volume& level(int i) const { return mVolumes[std::size_t(i)]; }
   void read(const BrickAddress& address, const SampleTarget& target) const override {
     ++reads;
+    if (whenRead) whenRead();
     if (damaged && address.level == 0) throw InputError("brick is damaged");
     BrickBox box = boxOf(*this, address);
     const Volume& v = mVolumes[std::size_t(address.level)];
@@ -41,7 +43,8 @@ class PyramidSource : public VoxelSource {
   }
 
   mutable std::atomic<int> reads{0};
-  bool damaged = false;  ///< the finest level cannot be read
+  bool damaged = false;            ///< the finest level cannot be read
+  std::function<void()> whenRead;  ///< called at each read, if anything
 
  private:
   static Volume halved(const Volume& fine) {

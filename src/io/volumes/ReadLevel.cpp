@@ -121,7 +121,7 @@ Volume readFitting(std::unique_ptr<VoxelSource> pyramid, const scene::Source& so
       fmt::format("level {} of 0 to {}, {} voxels", level, levels.size() - 1, sizeOf(levels[std::size_t(level)]));
   if (isStreamed)
     volume.warnings.push_back(fmt::format(
-        "streamed: pictures and sections show up to {} voxels; what works on all voxels at once works on {}",
+        "streamed: pictures, sections and what grows have up to {} voxels; what works on all voxels at once works on {}",
         sizeOf(levels.front()), which));
   else
     volume.warnings.push_back(fmt::format("{}, were read; the finest has {}", which, sizeOf(levels.front())));

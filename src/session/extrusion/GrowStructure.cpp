@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "core/Error.h"
+#include "core/FinestVoxels.h"
 #include "growth/GrowRule.h"
 #include "growth/LabelsFor.h"
 #include "scene/Scene.h"
@@ -42,18 +43,22 @@ std::vector<glm::dvec3> pathOf(const Volume& volume, const char* field, const st
   return path;
 }
 
-bool hasValueOf(const scene::Growth& step, const Volume& volume, glm::dvec3 place) {
-  double value = valueAt(volume, growth::voxelAt(volume, place), step.channel, step.timeStep);
+double valueThere(const scene::Growth& step, const FinestVoxels& voxels, glm::dvec3 place) {
+  return voxels.value(growth::voxelAt(voxels.grid(), place), step.channel, step.timeStep);
+}
+
+bool hasValueOf(const scene::Growth& step, const FinestVoxels& voxels, glm::dvec3 place) {
+  double value = valueThere(step, voxels, place);
   return value >= step.low && value <= step.high;
 }
 
 /// The voxels along strokes that have values of a step's range.
 void addStrokes(const std::vector<std::string>& strokes, const char* field, const scene::Growth& step,
-                const Volume& volume, std::vector<glm::dvec3>& places) {
+                const FinestVoxels& voxels, std::vector<glm::dvec3>& places) {
   for (const std::string& text : strokes) {
     std::size_t before = places.size();
-    for (glm::dvec3 place : placesAlong(volume, pathOf(volume, field, text)))
-      if (hasValueOf(step, volume, place)) places.push_back(place);
+    for (glm::dvec3 place : placesAlong(voxels.grid(), pathOf(voxels.grid(), field, text)))
+      if (hasValueOf(step, voxels, place)) places.push_back(place);
     if (places.size() == before)
       throw ArgumentError(
           fmt::format("{} {}: no value along it is from {:.6g} to {:.6g}; draw it elsewhere, or give the range", field,
@@ -62,26 +67,27 @@ void addStrokes(const std::vector<std::string>& strokes, const char* field, cons
 }
 
 /// Places that are not of it. One that has no value of it would say nothing.
-void addOtherPlaces(scene::Growth& step, const GrowStructure& asked, const Volume& volume) {
+void addOtherPlaces(scene::Growth& step, const GrowStructure& asked, const FinestVoxels& voxels) {
   for (glm::dvec3 place : asked.others) {
-    expectInside(volume, "others", place, textOf(place));
-    if (!hasValueOf(step, volume, place))
+    expectInside(voxels.grid(), "others", place, textOf(place));
+    if (!hasValueOf(step, voxels, place))
       throw ArgumentError(
           fmt::format("others {}: the value there is not from {:.6g} to {:.6g}, so it does not grow there; choose a "
                       "place that it takes",
                       textOf(place), step.low, step.high));
     step.others.push_back(place);
   }
-  addStrokes(asked.otherStrokes, "otherStrokes", step, volume, step.others);
+  addStrokes(asked.otherStrokes, "otherStrokes", step, voxels, step.others);
   if (asked.guard && !step.others.empty())
     throw ArgumentError("guard and others: what is told where it leaks is not guarded; leave one of them out");
 }
 
-void setRange(scene::Growth& step, const GrowStructure& asked, const scene::VolumeLayer& layer) {
-  const Volume& volume = *layer.data;
+void setRange(scene::Growth& step, const GrowStructure& asked, const scene::VolumeLayer& layer,
+              const FinestVoxels& voxels) {
   if (!asked.range.empty() && asked.range.size() != 2) throw ArgumentError("range: give A,B");
   if (asked.range.empty()) {
-    glm::dvec3 first = step.seeds.empty() ? pathOf(volume, "strokes", asked.strokes.front()).at(0) : step.seeds.front();
+    glm::dvec3 first =
+        step.seeds.empty() ? pathOf(voxels.grid(), "strokes", asked.strokes.front()).at(0) : step.seeds.front();
     auto material = materialRangeAt(layer, first);
     if (!material)
       throw ArgumentError(fmt::format("seeds {}: nothing is known of the values there; give the range", textOf(first)));
@@ -91,12 +97,11 @@ void setRange(scene::Growth& step, const GrowStructure& asked, const scene::Volu
     step.low = asked.range[0], step.high = asked.range[1];
   }
   for (const auto& seed : step.seeds)
-    if (!hasValueOf(step, volume, seed))
+    if (!hasValueOf(step, voxels, seed))
       throw ArgumentError(
           fmt::format("seeds {}: the value there is {:.6g}, not from {:.6g} to {:.6g}; choose another place, or the "
                       "range",
-                      textOf(seed), valueAt(volume, growth::voxelAt(volume, seed), step.channel, step.timeStep),
-                      step.low, step.high));
+                      textOf(seed), valueThere(step, voxels, seed), step.low, step.high));
 }
 
 void setPlane(scene::Growth& step, const GrowStructure& asked) {
@@ -129,22 +134,22 @@ scene::Growth stepOf(const scene::Scene& scene, const GrowStructure& asked) {
   if (!scene.volume.data) throw InputError("there is no volume to grow in: name a file that has one");
   if (asked.seeds.empty() && asked.strokes.empty())
     throw ArgumentError("seeds or strokes are needed: a place on the structure");
-  const Volume& volume = *scene.volume.data;
+  FinestVoxels voxels(*scene.volume.data);
   scene::Growth step;
   auto id = freeStructureId(scene);
   if (!id || scene.labels.growths.size() >= scene::kMostGrowths)
     throw InputError("the labels have no number left for another structure");
   step.structure = *id;
-  for (glm::dvec3 seed : asked.seeds) expectInside(volume, "seeds", seed, textOf(seed));
+  for (glm::dvec3 seed : asked.seeds) expectInside(voxels.grid(), "seeds", seed, textOf(seed));
   step.seeds = asked.seeds;
   step.channel = scene::shownChannel(scene.volume);
   step.timeStep = scene::shownTimeStep(scene.volume);
   step.steepest = asked.steepest;
   step.closing = asked.closing;
   step.fillHoles = asked.fillHoles;
-  setRange(step, asked, scene.volume);
-  addStrokes(asked.strokes, "strokes", step, volume, step.seeds);
-  addOtherPlaces(step, asked, volume);
+  setRange(step, asked, scene.volume, voxels);
+  addStrokes(asked.strokes, "strokes", step, voxels, step.seeds);
+  addOtherPlaces(step, asked, voxels);
   setPlane(step, asked);
   setWithin(step, asked, scene);
   return step;

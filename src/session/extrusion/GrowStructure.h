@@ -42,7 +42,8 @@ struct GrowStructure {
 };
 
 /// The step of growth that is asked for, for a structure whose id is free. Any thread.
-/// @throw ArgumentError that begins with the name of the field that does not fit; InputError without a volume
+/// @throw ArgumentError that begins with the name of the field that does not fit; InputError without a volume, or where
+/// a brick of it cannot be read
 scene::Growth stepOf(const scene::Scene& scene, const GrowStructure& asked);
 /// Adds a step of growth to the scene, and a row for its structure.
 void addGrowth(scene::Scene& scene, const scene::Growth& step, const std::string& name);

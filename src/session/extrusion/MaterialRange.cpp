@@ -5,6 +5,8 @@
 #include <optional>
 #include <vector>
 
+#include "core/Error.h"
+#include "core/FinestVoxels.h"
 #include "scene/Scene.h"
 #include "scene/Shown.h"
 #include "session/extrusion/Populations.h"
@@ -22,6 +24,8 @@ constexpr double kSpreads = 3.0;
 constexpr double kEnd = 0.1;
 /// Voxels around the place within which materials lie beside it.
 constexpr int kNeighbourhood = 16;
+/// As many, and those that are looked at from the next voxel.
+constexpr int kRoom = kNeighbourhood + 2;
 /// A material that is shown, too, is another one where it ends before this share of the way to the value, and is not as
 /// bright as this share of the data. Tuned, with the neighbourhood and the constants of populations, on the rows of
 /// RealPulls that say so, and held against the others.
@@ -167,6 +171,43 @@ std::optional<glm::dvec3> shownBeside(const scene::VolumeLayer& layer, glm::dvec
   return glm::dvec3(volume.worldFromVoxel * glm::dvec4(*nearest, 1.0));
 }
 
+/// What decides, and lies around a place: of a volume that is streamed the voxels of its finest level, as a volume.
+std::optional<scene::VolumeLayer> finestAround(const scene::VolumeLayer& layer, glm::dvec3 world) {
+  if (!layer.data || !layer.data->finer) return std::nullopt;
+  FinestVoxels voxels(*layer.data);
+  glm::dvec3 place(glm::inverse(voxels.grid().worldFromVoxel) * glm::dvec4(world, 1.0));
+  glm::dvec3 end(voxels.grid().dims);
+  bool isInside = glm::all(glm::greaterThanEqual(place, glm::dvec3(-0.5))) && glm::all(glm::lessThan(place, end - 0.5));
+  if (!isInside) return std::nullopt;
+  scene::VolumeLayer near = layer;
+  glm::ivec3 first = glm::ivec3(glm::floor(place + 0.5)) - kRoom;
+  try {
+    near.data = Shared<Volume>(voxels.read(first, glm::ivec3(2 * kRoom + 1), -1, scene::shownTimeStep(layer)));
+  } catch (const InputError&) {  // the coarse level says it as well as it can
+    return std::nullopt;
+  }
+  near.timeStep = 0;
+  return near;
+}
+
+/// @param histogram  of the whole data
+std::optional<MaterialRange> rangeIn(const scene::VolumeLayer& layer, glm::dvec3 world, const Histogram& histogram) {
+  std::optional<Tissue> tissue = measureTissue(layer, world, histogram);
+  if (!tissue) return std::nullopt;
+  const Volume& volume = *layer.data;
+  const scene::TransferFunction& transfer = scene::currentTransfer(layer);
+  // Beside borders the middle of what was measured may be hidden though the place itself is seen.
+  for (double value : {tissue->value, tissue->here})
+    if (auto segment = segmentOf(transfer, value, volume.range))
+      return withoutOthers(*segment, value, *tissue, valuesAround(layer, world), histogram);
+  // Asked once more at most: that voxel is shown.
+  if (auto beside = shownBeside(layer, world)) return rangeIn(layer, *beside, histogram);
+  double value = tissue->value, around = kSpreads * tissue->spread;
+  bool isBrightest = value > quantile(histogram, 1.0 - kEnd), isDarkest = value < quantile(histogram, kEnd);
+  return MaterialRange{tissue->low.value_or(isDarkest ? volume.range.x : value - around),
+                       tissue->high.value_or(isBrightest ? volume.range.y : value + around)};
+}
+
 }  // namespace
 
 std::optional<MaterialRange> segmentOf(const scene::TransferFunction& transfer, double value, glm::dvec2 range) {
@@ -182,21 +223,9 @@ std::optional<MaterialRange> materialRangeAt(const scene::VolumeLayer& layer, gl
 
 std::optional<MaterialRange> materialRangeAt(const scene::VolumeLayer& layer, glm::dvec3 world,
                                              HistogramMemo& histograms) {
-  std::optional<Tissue> tissue = measureTissue(layer, world, histograms);
-  if (!tissue) return std::nullopt;
-  const Volume& volume = *layer.data;
-  const scene::TransferFunction& transfer = scene::currentTransfer(layer);
-  const Histogram& histogram = histograms.of(layer);
-  // Beside borders the middle of what was measured may be hidden though the place itself is seen.
-  for (double value : {tissue->value, tissue->here})
-    if (auto segment = segmentOf(transfer, value, volume.range))
-      return withoutOthers(*segment, value, *tissue, valuesAround(layer, world), histogram);
-  // Asked once more at most: that voxel is shown.
-  if (auto beside = shownBeside(layer, world)) return materialRangeAt(layer, *beside, histograms);
-  double value = tissue->value, around = kSpreads * tissue->spread;
-  bool isBrightest = value > quantile(histogram, 1.0 - kEnd), isDarkest = value < quantile(histogram, kEnd);
-  return MaterialRange{tissue->low.value_or(isDarkest ? volume.range.x : value - around),
-                       tissue->high.value_or(isBrightest ? volume.range.y : value + around)};
+  if (!layer.data) return std::nullopt;
+  auto finest = finestAround(layer, world);
+  return rangeIn(finest ? *finest : layer, world, histograms.of(layer));
 }
 
 }  // namespace velum::session

@@ -24,6 +24,9 @@ struct MaterialRange {
 ///
 /// Differs: the paper takes the curve's segment as it is; where skin and bone are one segment bone would take its flesh
 /// with it.
+///
+/// Of a volume that is streamed the voxels of its finest level around the place count; where these cannot be read,
+/// those in memory.
 /// @param histograms  holds the layer's histogram, or counts it
 /// @return nothing outside the volume
 std::optional<MaterialRange> materialRangeAt(const scene::VolumeLayer& layer, glm::dvec3 world,

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/FinestVoxels.h"
 #include "scene/SectionPlane.h"
 #include "scene/Shown.h"
 #include "scene/StructureAt.h"
@@ -39,10 +40,11 @@ glm::vec3 colorAt(const scene::TransferFunction& transfer, double value) {
 }
 
 double valueNear(const scene::VolumeLayer& layer, glm::dvec3 world) {
-  const Volume& volume = *layer.data;
-  glm::ivec3 voxel(glm::round(glm::dvec3(glm::inverse(volume.worldFromVoxel) * glm::dvec4(world, 1.0))));
-  voxel = glm::clamp(voxel, glm::ivec3(0), volume.dims - 1);
-  return valueAt(volume, voxel, scene::shownChannel(layer), scene::shownTimeStep(layer));
+  FinestVoxels voxels(*layer.data);
+  const Volume& grid = voxels.grid();
+  glm::ivec3 voxel(glm::round(glm::dvec3(glm::inverse(grid.worldFromVoxel) * glm::dvec4(world, 1.0))));
+  voxel = glm::clamp(voxel, glm::ivec3(0), grid.dims - 1);
+  return voxels.valueOrNan(voxel, scene::shownChannel(layer), scene::shownTimeStep(layer));
 }
 
 /// The voxel of a range nearest to a place on the face, of those that lie before it: that of the place itself may lie
@@ -51,13 +53,14 @@ double valueNear(const scene::VolumeLayer& layer, glm::dvec3 world) {
 std::optional<glm::dvec3> seedBefore(const scene::Scene& scene, const scene::Cut& cut, glm::dvec3 world,
                                      const MaterialRange& range, int within) {
   constexpr int kFurthest = 2;  // voxels
-  const Volume& volume = *scene.volume.data;
+  FinestVoxels voxels(*scene.volume.data);
+  const Volume& grid = voxels.grid();
   auto field = within != 0 ? scene::structureFieldOf(scene) : nullptr;  // held while it is asked
   auto isWanted = [&](glm::ivec3 voxel) {
-    if (glm::any(glm::lessThan(voxel, glm::ivec3(0))) || glm::any(glm::greaterThanEqual(voxel, volume.dims)))
+    if (glm::any(glm::lessThan(voxel, glm::ivec3(0))) || glm::any(glm::greaterThanEqual(voxel, grid.dims)))
       return false;
-    double value = valueAt(volume, voxel, scene.volume.channel, scene.volume.timeStep);
-    glm::dvec3 middle(volume.worldFromVoxel * glm::dvec4(voxel, 1.0));
+    double value = voxels.valueOrNan(voxel, scene.volume.channel, scene.volume.timeStep);
+    glm::dvec3 middle(grid.worldFromVoxel * glm::dvec4(voxel, 1.0));
     return value >= range.low && value <= range.high && depthInCut(cut, middle) > 0.0 &&
            (within == 0 || int(scene::structureAt(scene, middle).id) == within);
   };
@@ -70,7 +73,7 @@ std::optional<glm::dvec3> seedBefore(const scene::Scene& scene, const scene::Cut
       }
     return false;
   };
-  glm::ivec3 here(glm::round(glm::dvec3(glm::inverse(volume.worldFromVoxel) * glm::dvec4(world, 1.0))));
+  glm::ivec3 here(glm::round(glm::dvec3(glm::inverse(grid.worldFromVoxel) * glm::dvec4(world, 1.0))));
   std::optional<glm::dvec3> best;
   std::pair<bool, double> least(true, scene::Growth::kEndless);  // alone, how far off
   for (glm::ivec3 off(-kFurthest); off.z <= kFurthest; ++off.z)
@@ -78,7 +81,7 @@ std::optional<glm::dvec3> seedBefore(const scene::Scene& scene, const scene::Cut
       for (off.x = -kFurthest; off.x <= kFurthest; ++off.x) {
         glm::ivec3 voxel = here + off;
         if (!isWanted(voxel)) continue;
-        glm::dvec3 middle(volume.worldFromVoxel * glm::dvec4(voxel, 1.0));
+        glm::dvec3 middle(grid.worldFromVoxel * glm::dvec4(voxel, 1.0));
         std::pair<bool, double> now(!hasNeighbour(voxel), glm::distance(middle, world));
         if (now < least) least = now, best = middle;
       }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/Clock.h"
+#include "core/FinestVoxels.h"
 #include "growth/FirstDoubt.h"
 #include "growth/GrowDomain.h"
 
@@ -25,8 +26,9 @@ bool isContinued(const scene::Growth& grown, scene::Growth wanted) {
 
 /// Beyond this depth nothing of the volume lies; 0 where a step has no plane, and grows at once.
 double deepest(const Volume& volume, const scene::Growth& step) {
-  growth::GrowDomain domain(volume, step.centre, step.axis, step.distance);
-  return domain.isEverywhere() ? 0.0 : domain.depthRange({0, 0, 0}, volume.dims - 1).y;
+  FinestVoxels voxels(volume);
+  growth::GrowDomain domain(voxels.grid(), step.centre, step.axis, step.distance);
+  return domain.isEverywhere() ? 0.0 : domain.depthRange({0, 0, 0}, voxels.grid().dims - 1).y;
 }
 
 }  // namespace
@@ -90,7 +92,7 @@ double GrowInParts::growPart(const Shared<Volume>& of, Progressed& to, const sce
     return 0.0;
   };
   if (isFirst && reached == 0.0 && growth::reachesTheDarkest(*of, step)) return hold();
-  double next = reached + slabs * growth::slabThickness(*of);
+  double next = reached + slabs * growth::slabThickness(FinestVoxels(*of).grid());
   if (next < std::min(step.distance, deepest(*of, step))) part.distance = next;
   auto start = Clock::now();
   growth::Grown grown = mGrower.grow(of, to.rough, part, {.guard = watch != Watch::Not, .begun = {}}, progress);

@@ -7,6 +7,7 @@
 #include <set>
 #include <tuple>
 
+#include "core/FinestVoxels.h"
 #include "growth/GrowRule.h"
 #include "scene/Scene.h"
 #include "scene/Shown.h"
@@ -21,24 +22,27 @@ constexpr double kMostAlong = 1e5;
 constexpr int kBeside = 2;
 
 /// The voxel nearest to `here` whose value is in the range of a step.
-std::optional<glm::ivec3> voxelNear(const Volume& volume, const scene::Growth& step, int timeStep, glm::ivec3 here) {
+std::optional<glm::ivec3> voxelNear(const FinestVoxels& voxels, const scene::Growth& step, int timeStep,
+                                    glm::ivec3 here) {
+  const Volume& grid = voxels.grid();
   std::optional<glm::ivec3> best;
   double least = scene::Growth::kEndless;
   for (glm::ivec3 off(-kBeside); off.z <= kBeside; ++off.z)
     for (off.y = -kBeside; off.y <= kBeside; ++off.y)
       for (off.x = -kBeside; off.x <= kBeside; ++off.x) {
-        double away = glm::length(glm::dmat3(volume.worldFromVoxel) * glm::dvec3(off));
-        if (away >= least || !growth::isInside(volume, here + off)) continue;
-        double value = valueAt(volume, here + off, step.channel, timeStep);
+        double away = glm::length(glm::dmat3(grid.worldFromVoxel) * glm::dvec3(off));
+        if (away >= least || !growth::isInside(grid, here + off)) continue;
+        double value = voxels.valueOrNan(here + off, step.channel, timeStep);
         if (value >= step.low && value <= step.high) least = away, best = here + off;
       }
   return best;
 }
 
-bool isSeed(const scene::Scene& scene, int structure, glm::ivec3 voxel) {
+/// @param grid  of the volume's finest level
+bool isSeed(const scene::Scene& scene, const Volume& grid, int structure, glm::ivec3 voxel) {
   return std::any_of(scene.labels.growths.begin(), scene.labels.growths.end(), [&](const scene::Growth& step) {
     return step.structure == structure && std::any_of(step.seeds.begin(), step.seeds.end(), [&](glm::dvec3 seed) {
-             return growth::voxelAt(*scene.volume.data, seed) == voxel;
+             return growth::voxelAt(grid, seed) == voxel;
            });
   });
 }
@@ -93,18 +97,20 @@ void changeGrowth(scene::Scene& scene, int structure, const std::function<void(s
 
 std::vector<glm::dvec3> placesAlong(const Volume& volume, std::span<const glm::dvec3> path) {
   constexpr double kStep = 0.25;  // voxels
-  glm::dmat4 voxelFromWorld = glm::inverse(volume.worldFromVoxel);
+  FinestVoxels voxels(volume);
+  const Volume& grid = voxels.grid();
+  glm::dmat4 voxelFromWorld = glm::inverse(grid.worldFromVoxel);
   std::set<std::tuple<int, int, int>> seen;
   std::vector<glm::dvec3> places;
   auto add = [&](glm::dvec3 place) {
-    glm::ivec3 voxel = growth::voxelAt(volume, place);
-    if (growth::isInside(volume, voxel) && seen.insert({voxel.x, voxel.y, voxel.z}).second)
-      places.push_back(glm::dvec3(volume.worldFromVoxel * glm::dvec4(voxel, 1.0)));
+    glm::ivec3 voxel = growth::voxelAt(grid, place);
+    if (growth::isInside(grid, voxel) && seen.insert({voxel.x, voxel.y, voxel.z}).second)
+      places.push_back(glm::dvec3(grid.worldFromVoxel * glm::dvec4(voxel, 1.0)));
   };
   for (std::size_t i = 0; i < path.size(); ++i) {
     glm::dvec3 from = path[i], to = path[std::min(i + 1, path.size() - 1)];
-    double voxels = glm::length(glm::dmat3(voxelFromWorld) * (to - from));
-    int count = int(std::ceil(std::min(voxels / kStep, kMostAlong)));
+    double length = glm::length(glm::dmat3(voxelFromWorld) * (to - from));
+    int count = int(std::ceil(std::min(length / kStep, kMostAlong)));
     for (int k = 0; k <= count; ++k) add(glm::mix(from, to, count > 0 ? double(k) / count : 0.0));
   }
   return places;
@@ -114,14 +120,14 @@ std::size_t addSeeds(scene::Scene& scene, int structure, std::span<const glm::dv
   const scene::Growth* last = lastGrowth(scene, structure);
   auto& steps = scene.labels.growths;
   if (!last || !scene.volume.data || steps.size() >= scene::kMostGrowths) return 0;
-  const Volume& volume = *scene.volume.data;
+  FinestVoxels voxels(*scene.volume.data);
   scene::Growth step = *last;
   step.timeStep = scene::shownTimeStep(scene.volume);
   step.seeds.clear();
   for (glm::dvec3 place : places) {
-    glm::ivec3 voxel = growth::voxelAt(volume, place);
-    if (!growth::isInside(volume, voxel)) continue;
-    double value = valueAt(volume, voxel, step.channel, step.timeStep);
+    glm::ivec3 voxel = growth::voxelAt(voxels.grid(), place);
+    if (!growth::isInside(voxels.grid(), voxel)) continue;
+    double value = voxels.valueOrNan(voxel, step.channel, step.timeStep);
     if (value >= step.low && value <= step.high) step.seeds.push_back(place);
   }
   if (step.seeds.empty()) return 0;
@@ -132,13 +138,13 @@ std::size_t addSeeds(scene::Scene& scene, int structure, std::span<const glm::dv
 std::size_t addOthers(scene::Scene& scene, int structure, std::span<const glm::dvec3> places) {
   const scene::Growth* last = lastGrowth(scene, structure);
   if (!last || !scene.volume.data) return 0;
-  const Volume& volume = *scene.volume.data;
+  FinestVoxels voxels(*scene.volume.data);
   int timeStep = scene::shownTimeStep(scene.volume);
   std::vector<glm::dvec3> others;
   for (glm::dvec3 place : places) {
-    auto voxel = voxelNear(volume, *last, timeStep, growth::voxelAt(volume, place));
-    if (!voxel || isSeed(scene, structure, *voxel)) continue;
-    glm::dvec3 middle(volume.worldFromVoxel * glm::dvec4(*voxel, 1.0));
+    auto voxel = voxelNear(voxels, *last, timeStep, growth::voxelAt(voxels.grid(), place));
+    if (!voxel || isSeed(scene, voxels.grid(), structure, *voxel)) continue;
+    glm::dvec3 middle(voxels.grid().worldFromVoxel * glm::dvec4(*voxel, 1.0));
     bool isKnown = std::find(last->others.begin(), last->others.end(), middle) != last->others.end();
     if (!isKnown && std::find(others.begin(), others.end(), middle) == others.end()) others.push_back(middle);
   }

@@ -39,8 +39,8 @@ const scene::Growth* lastGrowth(const scene::Scene& scene, int structure);
 /// Changes each step of a structure: another range, a gradient stop, barriers, places that are not of the structure.
 /// The structure then grows anew from its seeds, as far as it is pulled, because what held it before may be mended.
 void changeGrowth(scene::Scene& scene, int structure, const std::function<void(scene::Growth&)>& change);
-/// The middles of the voxels along a stroke, world, each once, in the order of the stroke. Voxels outside the volume
-/// are left out.
+/// The middles of the voxels of the finest level along a stroke, world, each once, in the order of the stroke. Voxels
+/// outside the volume are left out.
 std::vector<glm::dvec3> placesAlong(const Volume& volume, std::span<const glm::dvec3> path);
 /// Lets a structure that was grown go on from more places, as far as it goes already: adds a step behind its other
 /// steps, so that nothing is grown anew. The places are those of a click, or of a stroke, see placesAlong(). Places

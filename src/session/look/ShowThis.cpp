@@ -206,10 +206,10 @@ void brighten(std::vector<scene::ColorPoint>& colors, const Tissue& tissue) {
 
 std::optional<Tissue> measureTissue(const scene::VolumeLayer& layer, glm::dvec3 world) {
   HistogramMemo histograms;
-  return measureTissue(layer, world, histograms);
+  return layer.data ? measureTissue(layer, world, histograms.of(layer)) : std::nullopt;
 }
 
-std::optional<Tissue> measureTissue(const scene::VolumeLayer& layer, glm::dvec3 world, HistogramMemo& histograms) {
+std::optional<Tissue> measureTissue(const scene::VolumeLayer& layer, glm::dvec3 world, const Histogram& histogram) {
   if (!layer.data) return std::nullopt;
   const Volume& volume = *layer.data;
   glm::dvec3 place(glm::inverse(volume.worldFromVoxel) * glm::dvec4(world, 1.0));
@@ -219,7 +219,6 @@ std::optional<Tissue> measureTissue(const scene::VolumeLayer& layer, glm::dvec3 
   glm::ivec3 middle = glm::clamp(glm::ivec3(glm::floor(place + 0.5)), glm::ivec3(0), last);
   auto here = voxelsAround(layer, middle, 0);
   if (here.empty()) return std::nullopt;
-  const Histogram& histogram = histograms.of(layer);
   Tissue borders;
   findBorders(layer, middle, here.front().value, quantile(histogram, 0.999) - quantile(histogram, 0.001), borders);
   auto withinBorders = [&](int radius) {

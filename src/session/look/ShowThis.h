@@ -23,8 +23,8 @@ struct Tissue {
 /// values beyond halfway to the materials beside do not count at all, so that a thin vessel is not taken for what is
 /// around it. Nothing outside the volume.
 std::optional<Tissue> measureTissue(const scene::VolumeLayer& layer, glm::dvec3 world);
-/// @param histograms  holds the layer's histogram, or counts it
-std::optional<Tissue> measureTissue(const scene::VolumeLayer& layer, glm::dvec3 world, HistogramMemo& histograms);
+/// @param histogram  of the whole data; the layer may have a part of it only
+std::optional<Tissue> measureTissue(const scene::VolumeLayer& layer, glm::dvec3 world, const Histogram& histogram);
 
 /// Makes the material at a place opaque: a bump of opacity over its values, in the colour that the colour map has there
 /// or, where this colour is dark, a brighter tone of it. All other values become a veil that hides about a third of

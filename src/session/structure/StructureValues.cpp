@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "core/FinestVoxels.h"
 #include "core/Parallel.h"
 
 namespace velum::session {
@@ -82,27 +83,64 @@ struct PlaneReader {
   }
 };
 
+/// One layer of bricks of labels along z, which lie on the grid of a streamed scan's finest level.
+struct LayerReader {
+  const LabelVolume& labels;
+  const FinestVoxels& scan;
+  int channel, timeStep;
+
+  Sums read(int layer) const {
+    Sums sums;
+    constexpr int kEdge = LabelVolume::kBrickSize;
+    glm::ivec3 grid = labels.brickGrid();
+    for (glm::ivec3 at(0, 0, layer); at.y < grid.y; ++at.y)
+      for (at.x = 0; at.x < grid.x; ++at.x) {
+        const LabelVolume::Brick& ids = labels.brick(at);
+        if (std::all_of(ids.begin(), ids.end(), [](std::uint16_t id) { return id == 0; })) continue;
+        glm::ivec3 first = at * kEdge, size = glm::min(labels.dims() - first, glm::ivec3(kEdge));
+        Volume part = scan.read(first, size, channel, timeStep);
+        for (glm::ivec3 v(0); v.z < size.z; ++v.z)
+          for (v.y = 0; v.y < size.y; ++v.y)
+            for (v.x = 0; v.x < size.x; ++v.x)
+              if (int id = labels.at(first + v); id != 0)
+                if (double value = valueAt(part, v); std::isfinite(value)) sums[id].add(value);
+      }
+    return sums;
+  }
+};
+
+bool isOnGrid(const LabelVolume& labels, const Volume& scan) {
+  return labels.dims() == scan.dims && labels.worldFromVoxel() == worldFromVoxelIn(labels.lengthUnit(), scan);
+}
+
+/// The sums of planes, or layers, in their order, so that they are the same whatever the machine.
+template <class Reader>
+Sums sumsOf(const Reader& reader, int count, int slab, Progress& progress) {
+  std::vector<Sums> parts(static_cast<std::size_t>(count));
+  for (int z = 0; z < count; z += slab) {  // planes between two looks at whether somebody has cancelled
+    progress.report(double(z) / count, "measuring values");
+    parallelFor(z, std::min(z + slab, count), [&](int part) { parts[std::size_t(part)] = reader.read(part); });
+  }
+  Sums all;
+  for (const Sums& part : parts)
+    for (const auto& [id, sum] : part) all[id].join(sum);
+  return all;
+}
+
 }  // namespace
 
 std::map<int, StructureValues> measureValues(const LabelVolume& labels, const Volume& scan, int channel, int timeStep,
                                              Progress& progress) {
   glm::dmat4 labelFromScan = glm::inverse(labels.worldFromVoxel()) * worldFromVoxelIn(labels.lengthUnit(), scan);
-  bool sharesGrid =
-      labels.dims() == scan.dims && labels.worldFromVoxel() == worldFromVoxelIn(labels.lengthUnit(), scan);
-  PlaneReader reader{
-      labels,        scan,      std::clamp(channel, 0, scan.channels - 1), std::clamp(timeStep, 0, scan.timeSteps - 1),
-      labelFromScan, sharesGrid};
-  std::vector<Sums> planes(std::size_t(scan.dims.z));
-  constexpr int kSlab = 16;  // planes between two looks at whether somebody has cancelled
-  for (int z = 0; z < scan.dims.z; z += kSlab) {
-    progress.report(double(z) / scan.dims.z, "measuring values");
-    parallelFor(z, std::min(z + kSlab, scan.dims.z),
-                [&](int plane) { planes[std::size_t(plane)] = reader.read(plane); });
-  }
-  // In the planes' order, so that the sums are the same whatever the machine.
+  channel = std::clamp(channel, 0, scan.channels - 1);
+  timeStep = std::clamp(timeStep, 0, scan.timeSteps - 1);
+  FinestVoxels finest(scan);
   Sums all;
-  for (const Sums& plane : planes)
-    for (const auto& [id, sum] : plane) all[id].join(sum);
+  if (finest.isStreamed() && isOnGrid(labels, finest.grid()))
+    all = sumsOf(LayerReader{labels, finest, channel, timeStep}, labels.brickGrid().z, 4, progress);
+  else
+    all = sumsOf(PlaneReader{labels, scan, channel, timeStep, labelFromScan, isOnGrid(labels, scan)}, scan.dims.z, 16,
+                 progress);
   std::map<int, StructureValues> values;
   for (const auto& [id, sum] : all) values[id] = valuesOf(sum);
   return values;

@@ -1,0 +1,121 @@
+#include "core/FinestVoxels.h"
+
+#include <algorithm>
+#include <cstring>
+#include <limits>
+
+#include "core/Error.h"
+#include "core/VoxelSource.h"
+
+namespace velum {
+
+namespace {
+
+/// A volume as its finest level, without voxels.
+Volume headOf(const Volume& volume) {
+  Volume head;
+  const Volume& coarse = volume;
+  head.dims = volume.finer->bricks->source().levels().front().dims;
+  head.worldFromVoxel = worldFromLevel(volume, 0);
+  head.type = coarse.type;
+  head.channels = coarse.channels;
+  head.timeSteps = coarse.timeSteps;
+  head.isColor = coarse.isColor;
+  head.lengthUnit = coarse.lengthUnit;
+  head.scale = coarse.scale;
+  head.offset = coarse.offset;
+  head.range = coarse.range;
+  head.unit = coarse.unit;
+  head.modality = coarse.modality;
+  return head;
+}
+
+/// The same of a box of a volume in memory.
+Volume copyBox(const Volume& volume, glm::ivec3 first, glm::ivec3 size, int channel, int timeStep) {
+  Volume part;
+  part.type = volume.type;
+  part.channels = channel < 0 ? volume.channels : 1;
+  part.dims = size;
+  part.voxels.resize(timeStepBytes(part));
+  std::size_t sample = sampleSize(volume.type), voxel = sample * std::size_t(volume.channels);
+  std::size_t kept = sample * std::size_t(part.channels);
+  const std::byte* from = volume.voxels.data() + std::size_t(timeStep) * timeStepBytes(volume);
+  std::byte* to = part.voxels.data();
+  for (int z = first.z; z < first.z + size.z; ++z)
+    for (int y = first.y; y < first.y + size.y; ++y) {
+      std::size_t row = (std::size_t(z) * std::size_t(volume.dims.y) + std::size_t(y)) * std::size_t(volume.dims.x);
+      const std::byte* at = from + (row + std::size_t(first.x)) * voxel + std::size_t(std::max(channel, 0)) * sample;
+      for (int x = 0; x < size.x; ++x, at += voxel, to += kept) std::memcpy(to, at, kept);
+    }
+  return part;
+}
+
+}  // namespace
+
+FinestVoxels::FinestVoxels(const Volume& volume) : mGrid(&volume) {
+  if (!volume.finer) return;
+  mHead = std::make_shared<const Volume>(headOf(volume));
+  mGrid = mHead.get();
+  mBricks = volume.finer->bricks.get();
+}
+
+SampleRun FinestVoxels::run(glm::ivec3 voxel, int channel, int timeStep) const {
+  auto place = [](glm::ivec3 at, glm::ivec3 dims) {
+    return (std::size_t(at.z) * std::size_t(dims.y) + std::size_t(at.y)) * std::size_t(dims.x) + std::size_t(at.x);
+  };
+  SampleRun run;
+  if (!mBricks) {
+    run.samples = mGrid->voxels.data();
+    run.stride = mGrid->channels;
+    run.count = mGrid->dims.x - voxel.x;
+    std::size_t step = std::size_t(timeStep) * voxelCount(*mGrid);
+    run.first = (step + place(voxel, mGrid->dims)) * std::size_t(run.stride) + std::size_t(channel);
+    return run;
+  }
+  const VoxelSource& source = mBricks->source();
+  const VoxelLevel& level = source.levels().front();
+  BrickAddress address{0, voxel / level.brickSize, channel / level.brickChannels, timeStep / level.brickTimeSteps};
+  run.kept = mBricks->brick(address);
+  BrickBox box = boxOf(source, address);
+  std::size_t step = std::size_t(timeStep - box.timeStep) * std::size_t(box.size.x) * std::size_t(box.size.y) *
+                     std::size_t(box.size.z);
+  run.samples = run.kept->data();
+  run.stride = box.channels;
+  run.count = box.origin.x + box.size.x - voxel.x;
+  run.first =
+      (step + place(voxel - box.origin, box.size)) * std::size_t(run.stride) + std::size_t(channel - box.channel);
+  return run;
+}
+
+double FinestVoxels::value(glm::ivec3 voxel, int channel, int timeStep) const {
+  if (!mBricks) return valueAt(*mGrid, voxel, channel, timeStep);
+  Volume one = read(voxel, glm::ivec3(1), channel, timeStep);
+  return valueAt(one, glm::ivec3(0));
+}
+
+double FinestVoxels::valueOrNan(glm::ivec3 voxel, int channel, int timeStep) const {
+  try {
+    return value(voxel, channel, timeStep);
+  } catch (const InputError&) {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+}
+
+Volume FinestVoxels::read(glm::ivec3 first, glm::ivec3 size, int channel, int timeStep) const {
+  glm::ivec3 end = glm::clamp(first + size, glm::ivec3(1), mGrid->dims);
+  first = glm::clamp(first, glm::ivec3(0), end - 1);
+  Volume part = mBricks ? mBricks->read({0, first, end - first}, channel, timeStep)
+                        : copyBox(*mGrid, first, end - first, channel, timeStep);
+  part.isColor = mGrid->isColor && channel < 0;
+  part.worldFromVoxel = mGrid->worldFromVoxel;
+  part.worldFromVoxel[3] = mGrid->worldFromVoxel * glm::dvec4(glm::dvec3(first), 1.0);
+  part.lengthUnit = mGrid->lengthUnit;
+  part.scale = mGrid->scale;
+  part.offset = mGrid->offset;
+  part.range = mGrid->range;
+  part.unit = mGrid->unit;
+  part.modality = mGrid->modality;
+  return part;
+}
+
+}  // namespace velum

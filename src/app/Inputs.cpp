@@ -79,8 +79,9 @@ void addInput(CLI::App& verb, InputOptions& input, bool withScene) {
   verb.add_option("input", input.inputs,
                   "data file, DICOM folder, scene or picture of ours, - for standard input; then labels and surfaces")
       ->required();
-  verb.add_option("--series", input.series,
-                  "DICOM series UID, when a folder holds several; of a store: path of an image in it, as info lists them");
+  verb.add_option(
+      "--series", input.series,
+      "DICOM series UID, when a folder holds several; of a store: path of an image in it, as info lists them");
   verb.add_option("--level", input.level,
                   "of a pyramid: 0 reads the finest level; else the finest that fits into memory")
       ->check(CLI::Range(0, 62));

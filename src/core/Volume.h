@@ -71,12 +71,12 @@ struct Volume {
   glm::dvec2 range{0.0, 0.0};  ///< Smallest and largest finite value, over all time steps and channels.
   std::string unit;            ///< "HU", "m/s", empty when unknown.
   Modality modality = Modality::Unknown;
-  bool isSpacingKnown = true;             ///< False: the file gave no spacing, and 1 was taken.
-  bool isOrientationKnown = true;         ///< False: patient letters must not be shown.
-  double timeStepSeconds = 0.0;           ///< Time from one time step to the next; 0 when unknown.
-  std::string name;                       ///< For people: series description or file name.
-  std::vector<std::string> channelNames;  ///< Empty, or one per channel.
-  std::vector<glm::vec3> channelColors;   ///< As the file gives them, sRGB: empty, or one per channel.
+  bool isSpacingKnown = true;              ///< False: the file gave no spacing, and 1 was taken.
+  bool isOrientationKnown = true;          ///< False: patient letters must not be shown.
+  double timeStepSeconds = 0.0;            ///< Time from one time step to the next; 0 when unknown.
+  std::string name;                        ///< For people: series description or file name.
+  std::vector<std::string> channelNames;   ///< Empty, or one per channel.
+  std::vector<glm::vec3> channelColors;    ///< As the file gives them, sRGB: empty, or one per channel.
   std::vector<glm::dvec2> channelWindows;  ///< Samples between which the file shows each channel: empty, or one each.
   std::vector<glm::ivec2> gaps;  ///< Planes along z for which the file has no slice, {first, count}; their values are
                                  ///< interpolated linearly.

@@ -41,8 +41,9 @@ struct Frame {
   /// size, the membrane is drawn as `Cut::membrane` says, or flat.
   std::map<int, FrameSheet> sheets;
   InlayParts parts;
-  bool marksOverlaps = false;    ///< colours where spares of joined cuts overlap ([ACS] fig. 6), for editing them
-  double brickBytes = 0;  ///< most of the GPU's memory for bricks of a streamed volume; 0: a quarter of it, 2 GiB at most
+  bool marksOverlaps = false;  ///< colours where spares of joined cuts overlap ([ACS] fig. 6), for editing them
+  double brickBytes =
+      0;  ///< most of the GPU's memory for bricks of a streamed volume; 0: a quarter of it, 2 GiB at most
   bool countsInstances = false;  ///< the model's instances are counted, for Renderer::bits()
   bool operator==(const Frame&) const = default;
 };

@@ -9,8 +9,8 @@
 
 namespace velum::gui {
 
-/// Asks which of several DICOM series, or images of a store, is to be opened, and with which of its segments; shows each
-/// with its middle image.
+/// Asks which of several DICOM series, or images of a store, is to be opened, and with which of its segments; shows
+/// each with its middle image.
 class SeriesDialog : public QDialog {
   Q_OBJECT
  public:

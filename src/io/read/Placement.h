@@ -29,7 +29,8 @@ inline constexpr const char* kNoAxes =
 /// missing place.
 void placeOn(Volume& volume, const glm::dmat4& worldFromVoxel, LengthUnit unit);
 
-/// Uses the user's spacing (Source::spacing) where it is positive, of a streamed volume for the finest level; then warns when the spacing is still unknown.
+/// Uses the user's spacing (Source::spacing) where it is positive, of a streamed volume for the finest level; then
+/// warns when the spacing is still unknown.
 void applySpacing(Volume& volume, const scene::Source& source);
 
 /// What readers leave to be done when all but the voxels is known: the user's spacing, a place that can be drawn where

@@ -103,10 +103,9 @@ Opened openAll(std::vector<scene::Source> sources, Progress& progress, const Dat
 
 void addAll(scene::Scene& scene, const std::vector<std::string>& paths, Progress& progress,
             std::vector<std::string>* notes, const DataPolicy& policy) {
-  auto refused = openEach(sourcesOf(paths), false,
-                          [&](const scene::Source& source) {
-                            add(scene, atLevel(foundInStore(source), policy), progress, notes, policy);
-                          });
+  auto refused = openEach(sourcesOf(paths), false, [&](const scene::Source& source) {
+    add(scene, atLevel(foundInStore(source), policy), progress, notes, policy);
+  });
   tell(refused, notes);
   tellScale(scene, notes);
 }

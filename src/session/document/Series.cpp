@@ -72,8 +72,8 @@ Image planePicture(const Volume& section, int size) {
   return picture;
 }
 
-Loaded readSeries(const std::string& path, const std::string& uid, const SeriesLabels& labels,
-                  Progress& progress, const DataPolicy& policy) {
+Loaded readSeries(const std::string& path, const std::string& uid, const SeriesLabels& labels, Progress& progress,
+                  const DataPolicy& policy) {
   scene::Source source;
   source.path = path;
   source.series = uid;

@@ -29,12 +29,13 @@ struct Series {
                                      ///< series they belong
 };
 
-/// True for folders, for a medium's index (DICOMDIR) and for stores, which may hold several series. The first bytes of a
-/// file are read. Any thread.
+/// True for folders, for a medium's index (DICOMDIR) and for stores, which may hold several series. The first bytes of
+/// a file are read. Any thread.
 bool mayHoldSeries(const std::filesystem::path& path);
 
 /// Series in a folder and all below it, or of a medium's index (DICOMDIR), the largest first; images in a store, in its
-/// order, or its labels where there is nothing else; empty for anything else. Headers only. Any thread. @throw InputError, Cancelled
+/// order, or its labels where there is nothing else; empty for anything else. Headers only. Any thread. @throw
+/// InputError, Cancelled
 std::vector<Series> seriesIn(const std::filesystem::path& path, Progress& progress);
 
 /// The series' middle image in grey, from its dark to its light values. Any thread. @throw InputError, Cancelled
@@ -44,8 +45,8 @@ Image seriesPicture(const Series& series, int size, Progress& progress);
 /// A volume of one section in grey, from its dark to its light values. @param size  as of seriesPicture()
 Image planePicture(const Volume& section, int size);
 
-/// Reads one series, with labels. @param path  what seriesIn() was given  @param labels  without a file: none. Throws as
-/// readPaths().
+/// Reads one series, with labels. @param path  what seriesIn() was given  @param labels  without a file: none. Throws
+/// as readPaths().
 Loaded readSeries(const std::string& path, const std::string& uid, const SeriesLabels& labels, Progress& progress,
                   const DataPolicy& policy);
 

@@ -88,8 +88,8 @@ Loaded readPaths(const std::vector<std::string>& paths, Progress& progress, cons
 void rereadVolume(scene::Scene& scene, const scene::Source& source, Progress& progress) {
   if (!scene.volume.data) throw ArgumentError("there is no volume to read anew");
   Shared<Volume> before = scene.volume.given ? scene.volume.given : scene.volume.data;
-  glm::dvec3 ratio =
-      glm::all(glm::greaterThan(source.spacing, glm::dvec3(0))) ? source.spacing / finestSpacing(*before) : glm::dvec3(1.0);
+  glm::dvec3 ratio = glm::all(glm::greaterThan(source.spacing, glm::dvec3(0))) ? source.spacing / finestSpacing(*before)
+                                                                               : glm::dvec3(1.0);
   double factor = std::cbrt(ratio.x * ratio.y * ratio.z);
   bool isEven = glm::all(glm::lessThan(glm::abs(ratio / factor - 1.0), glm::dvec3(kEven)));
   if (!scene.labels.growths.empty() && (!isEven || !(source.raw == scene.volume.source.raw)))

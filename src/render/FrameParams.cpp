@@ -24,15 +24,15 @@ Spaces spacesOf(const FrameGrid& grid) {
   return {sceneFromTex, glm::inverse(sceneFromTex)};
 }
 
-void setSpaces(shared::FrameParams& params, const scene::Scene& scene, const FrameGrid& grid, double unit) {
+void setSpaces(shared::FrameParams& params, const FrameGrid& grid, double unit) {
   Spaces spaces = spacesOf(grid);
   params.texFromScene = glm::mat4(spaces.texFromScene);
   params.sceneFromTex = glm::mat4(spaces.sceneFromTex);
-  if (!scene.labels.data) return;
+  if (grid.labelDims.x == 0) return;
   glm::dmat4 toWorld = glm::dmat4(glm::dmat3(unit));
   toWorld[3] = glm::dvec4(sceneOrigin(grid) * unit, 1.0);
-  params.labelSize = v4(glm::dvec3(scene.labels.data->dims()));
-  params.labelFromScene = glm::mat4(glm::inverse(scene.labels.data->worldFromVoxel()) * toWorld);
+  params.labelSize = v4(glm::dvec3(grid.labelDims));
+  params.labelFromScene = glm::mat4(glm::inverse(grid.worldFromLabel) * toWorld);
 }
 
 void setRays(shared::FrameParams& params, const Frame& frame, const FrameGrid& grid) {
@@ -122,7 +122,7 @@ void setFlags(shared::FrameParams& params, const scene::Scene& scene) {
 shared::FrameParams makeFrameParams(const Frame& frame, const FrameGrid& grid, const TransferTable& table,
                                     double unit) {
   shared::FrameParams params{};
-  setSpaces(params, frame.scene, grid, unit);
+  setSpaces(params, grid, unit);
   setRays(params, frame, grid);
   setGrid(params, frame, grid);
   setValues(params, frame.scene, grid, table);

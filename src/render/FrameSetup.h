@@ -18,7 +18,9 @@ struct FrameGrid {
   CellGrid cells;
   glm::dmat4 worldFromTex{1.0};
   double valueScale = 1, valueOffset = 0;
-  double gradientScale = 0;  ///< As GpuVolume::gradientScale.
+  double gradientScale = 0;        ///< As GpuVolume::gradientScale.
+  glm::ivec3 labelDims{0};         ///< Voxels of the labels as they are drawn,
+  glm::dmat4 worldFromLabel{1.0};  ///< and where they lie; nothing where none are drawn.
 };
 
 /// Length of the diagonal of the data's box.

@@ -191,6 +191,8 @@ void Renderer::Impl::noteStats() {
   stats.reduction = isDrawn && data.residency                           ? data.residency->shortfall()
                     : isDrawn && data.volume && !data.volumeKey.isQuick ? data.volume->reduction
                                                                         : "";
+  if (std::string words = isDrawn ? upload.labelShortfall(data) : ""; !words.empty())
+    stats.reduction += (stats.reduction.empty() ? "" : "; ") + words;
   stats.streaming = isDrawn && data.residency ? data.residency->streaming() : Streaming{};
   if (queue.isEmpty()) stats.passesMs = queue.timesMs();
 }

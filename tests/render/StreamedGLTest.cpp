@@ -9,6 +9,7 @@
 #include "render/upload/BlockGradients.h"
 #include "render/upload/GradientPlanes.h"
 #include "render/upload/GradientTexels.h"
+#include "render/upload/LabelBricks.h"
 
 namespace velum {
 namespace {
@@ -161,6 +162,36 @@ TEST_F(StreamedGL, EditedStructuresAreThoseInMemory) {
   edited.write({10, 24, 20}, {36, 34, 20}, ids);
   scene.labels.data = Shared<LabelVolume>(std::move(edited));
   expectSameAs(source->level(0), scene, {160, 160}, "edited", 0.05, 3);
+}
+
+/// Where borders have no room structures are drawn coarser, and that is said; when there are few again, they are not.
+TEST_F(StreamedGL, StructuresWithoutRoomAreDrawnCoarserAndThatIsSaid) {
+  glm::ivec3 dims(256);
+  auto labelled = [&](int edge) {
+    LabelVolume labels(dims, glm::dmat4(1.0));
+    std::vector<std::uint16_t> ids;
+    glm::ivec3 p;
+    for (p.z = 0; p.z < edge; ++p.z)
+      for (p.y = 0; p.y < edge; ++p.y)
+        for (p.x = 0; p.x < edge; ++p.x) ids.push_back(std::uint16_t((p.x / 10 + p.y / 10 + p.z / 10) % 2));
+    labels.write(glm::ivec3(0), glm::ivec3(edge), ids);
+    return Shared<LabelVolume>(std::move(labels));
+  };
+  scene::Scene scene = lookOf(streamedVolume(makeSource(SampleType::UInt8), 2), scene::RenderMode::Volume);
+  scene.labels.data = labelled(256);
+  gpu::Limits limits = context().limits();
+  limits.memoryBytes = std::size_t(400) << 20;  // 256 slots, or a few more
+  render::LabelBricks bricks(limits);
+  bricks.begin(scene, false);
+  while (!bricks.step()) {
+  }
+  EXPECT_EQ(bricks.labels().dims(), dims / 2);
+  EXPECT_NE(bricks.shortfall().find("2 times coarser"), std::string::npos) << bricks.shortfall();
+  scene.labels.data = labelled(20);
+  bricks.begin(scene, false);
+  bricks.begin(scene, false);
+  EXPECT_EQ(bricks.labels().dims(), dims);
+  EXPECT_EQ(bricks.shortfall(), "");
 }
 
 /// A terabyte: 10,000 voxels along each axis whose values are a formula's, at each level.

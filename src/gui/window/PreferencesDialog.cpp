@@ -173,7 +173,7 @@ void PreferencesDialog::addVolumes(QWidget& page, QFormLayout& form) {
       tr("A quarter of the card's, 2048 MiB at most"),
       tr("Most of the graphics card's memory for a streamed volume: where less is there than is seen, all is shown "
          "coarser. Counts at once, and the picture begins anew"));
-  add("wholeSize", tr("Read &whole up to"), &MemoryBudget::wholeBytes, 1, {},
+  add("wholeSize", tr("Read whole &up to"), &MemoryBudget::wholeBytes, 1, {},
       tr("Volumes with levels of detail up to this size are read whole, larger ones are streamed. Counts for what is "
          "opened next"));
   QStringList levels{tr("As the screen shows it"), tr("0, the finest")};
@@ -183,7 +183,7 @@ void PreferencesDialog::addVolumes(QWidget& page, QFormLayout& form) {
                  tr("The level of detail at which volumes open. A level that is chosen here is read whole, or "
                     "the next that fits into half of the memory. Counts for what is opened next"));
   connect(level, &QComboBox::activated, this, [](int index) { Preferences().setLevel(index - 1); });
-  form.addRow(tr("&Level of detail"), level);
+  form.addRow(tr("Level of &detail"), level);
 }
 
 }  // namespace velum::gui

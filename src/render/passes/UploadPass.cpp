@@ -128,10 +128,15 @@ void UploadPass::complete(FrameData& data) {
   data.volumeKey = drawn ? drawn->key : VolumeKey{};
   data.labelUse = labelUseOf(data.frame.scene);
   data.grid = gridOf(data);
+  data.hasLabelBricks = hasLabelBricks(data.frame.scene);
+  if (data.labelUse != LabelUse::None) {
+    const LabelVolume& labels = data.hasLabelBricks ? mBricks.labels() : *data.frame.scene.labels.data;
+    data.grid.labelDims = labels.dims();
+    data.grid.worldFromLabel = labels.worldFromVoxel();
+  }
   mLabelBytes = 0;
   if (data.labelUse != LabelUse::None) {
     data.labelKey = {data.frame.scene.labels.data.id(), {data.grid.cells, data.grid.dims, data.grid.worldFromTex}};
-    data.hasLabelBricks = hasLabelBricks(data.frame.scene);
     mLabels.update(data.frame.scene.labels.data, data.labelKey.over, !data.hasLabelBricks);
     mLabelBytes = data.hasLabelBricks ? mBricks.bytesSent() : mLabels.bytesSent();
     data.labelCells = &mLabels.cells();

@@ -33,6 +33,8 @@ class UploadPass : public Pass {
   /// Time of uploads for this frame alone.
   double frameMs() const { return mMs - mMsBefore; }
   std::size_t labelBytes() const { return mLabelBytes; }
+  /// In words for people: of a frame with label bricks, how much coarser they are drawn; else empty.
+  std::string labelShortfall(const FrameData& data) const { return data.hasLabelBricks ? mBricks.shortfall() : ""; }
 
  private:
   struct Uploaded {

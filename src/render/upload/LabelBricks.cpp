@@ -23,6 +23,10 @@ constexpr std::size_t kLayer =
     std::size_t(shared::kLabelSlotsAlong) * shared::kLabelSlotsAlong;  ///< slots of one layer
 constexpr std::size_t kBricksPerStep = 48;                             ///< some 20 ms on two cores
 constexpr double kMostShare = 0.25;                                    ///< of the driver's memory
+constexpr std::size_t kMostHalves = 8;
+constexpr std::size_t kOfFiner = 12;  ///< twice as fine, they have at most so many times as many borders
+
+struct NoRoom {};
 
 /// Texels of a box of a slot out of those of a smaller box, of which the outermost are repeated.
 /// @param low  of the smaller box, in the slot  @param bytes  of a texel
@@ -62,16 +66,17 @@ void LabelBricks::restart(glm::ivec3 grid) {
   mEndChanged = mPages.size();
 }
 
+/// Whole layers of them.
+std::size_t LabelBricks::mostSlots() const {
+  double bytes = double(kSlotTexels) * double(3 + gpu::texelBytes(mLayout.format()) * 9 / 8);
+  double layers = kMostShare * double(mLimits.memoryBytes) / (bytes * double(kLayer));
+  return std::size_t(std::min(layers, double(mLimits.texture3d / kSlot))) * kLayer;
+}
+
 /// Twice as many slots as before. All of them must be sent anew.
 void LabelBricks::makeRoom() {
-  std::size_t room = std::max(2 * mRoom, kLayer);
-  std::size_t layers = room / kLayer;
-  double bytes = double(room) * double(kSlotTexels) * double(3 + gpu::texelBytes(mLayout.format()) * 9 / 8);
-  if (int(layers) * kSlot > mLimits.texture3d || bytes > kMostShare * double(mLimits.memoryBytes))
-    throw gpu::GpuError(
-        fmt::format("structures meet in more than {} bricks of the labels, for which the driver's 3D "
-                    "textures or memory have no room; hide the labels, or reduce them",
-                    mRoom));
+  std::size_t room = std::min(std::max(2 * mRoom, kLayer), mostSlots()), layers = room / kLayer;
+  if (room <= mRoom) throw NoRoom();
   glm::ivec3 size(shared::kLabelSlotsAlong * kSlot, shared::kLabelSlotsAlong * kSlot, int(layers) * kSlot);
   for (gpu::Texture* texture : {&mIds, &mCovers, &mShares}) *texture = {};
   mIds = gpu::Texture::make3d("labels", gpu::Format::R16ui, size);
@@ -141,14 +146,22 @@ void LabelBricks::place(const std::vector<std::size_t>& bricks) {
   }
 }
 
-void LabelBricks::begin(const scene::Scene& scene, bool isAlone) {
-  std::shared_ptr<const StructureField> field = scene::structureFieldOf(scene), before = mField;
+/// Of the labels as they are drawn. Borders by values are those of the scene's own voxels.
+std::shared_ptr<const StructureField> LabelBricks::fieldOf(const scene::Scene& scene) {
+  std::shared_ptr<const StructureField> field = scene::structureFieldOf(scene);
+  if (mHalves.empty()) return field;
+  Shared<LabelVolume> labels = field->cover().labels();
+  for (HalvedLabels& half : mHalves) labels = half.update(labels);
+  if (mField && mField->cover().labels().id() == labels.id()) return mField;
+  return std::make_shared<const StructureField>(LabelCover(labels), mField.get());
+}
+
+void LabelBricks::placeAll(std::shared_ptr<const StructureField> field, StructureSets sets) {
+  std::shared_ptr<const StructureField> before = mField;
   const LabelVolume& labels = *field->cover().labels();
-  StructureSets sets = makeStructureSets(scene, isAlone);
   ShareLayout layout = shareLayoutOf(sets);
   bool isOther = !before || before->cover().labels()->dims() != labels.dims() || layout != mLayout;
   bool hasOtherTexels = sets != mSets || (before && field->cover().borders() != before->cover().borders());
-  mBytesSent = 0;
   mSets = std::move(sets);
   mLayout = std::move(layout);
   mField = std::move(field);
@@ -167,12 +180,32 @@ void LabelBricks::begin(const scene::Scene& scene, bool isAlone) {
         if (changed[i]) bricks.push_back(i);
     }
   }
-  try {
-    place(bricks);
-  } catch (...) {
-    mField.reset();  // half of it is placed: the next one begins anew
-    throw;
+  place(bricks);
+}
+
+void LabelBricks::begin(const scene::Scene& scene, bool isAlone) {
+  mBytesSent = 0;
+  if (!mHalves.empty() && mField && kOfFiner * mOwn.size() < mostSlots()) {
+    mHalves.pop_back();
+    mField.reset();
   }
+  StructureSets sets = makeStructureSets(scene, isAlone);
+  for (;;) {
+    try {
+      return placeAll(fieldOf(scene), sets);
+    } catch (const NoRoom&) {  // half of it is placed
+      mField.reset();
+      if (mHalves.size() == kMostHalves)
+        throw gpu::GpuError("the driver's memory has no room for the borders of the structures; hide the labels");
+      mHalves.emplace_back();
+    }
+  }
+}
+
+std::string LabelBricks::shortfall() const {
+  if (mHalves.empty()) return {};
+  return fmt::format("structures are drawn {} times coarser than they are: their borders have no room in {} MiB",
+                     1 << mHalves.size(), std::size_t(kMostShare * double(mLimits.memoryBytes)) >> 20);
 }
 
 LabelBricks::SlotTexels LabelBricks::texelsOf(glm::ivec3 index) const {

@@ -4,8 +4,10 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <string>
 #include <vector>
 
+#include "core/HalvedLabels.h"
 #include "gpu/Buffer.h"
 #include "gpu/Context.h"
 #include "gpu/Texture.h"
@@ -16,17 +18,22 @@ namespace velum::render {
 /// The labels of a streamed volume on the GPU (shaders/common/labels.glsl): what LabelUpload and ShareUpload make of
 /// whole grids, brick by brick. A brick at which structures meet has a slot of the textures, with two voxels of what is
 /// around it; all bricks that are one structure's alone, with all around them, share a slot of that structure. So
-/// memory grows with the borders of structures, and with the grid only by a word a brick. Follows edits brick by brick.
-/// GL thread; works on all cores.
+/// memory grows with the borders of structures, and with the grid only by a word a brick. Where borders have no room
+/// the labels are drawn in voxels twice as long, and so on, and that is said. Follows edits brick by brick. GL thread;
+/// works on all cores.
 class LabelBricks {
  public:
   explicit LabelBricks(const gpu::Limits& limits) : mLimits(limits) {}
-  /// Chooses slots for the scene's labels. @throw gpu::GpuError when there is no room for all borders
+  /// Chooses slots for the scene's labels. @throw gpu::GpuError when there is no room for them, however coarse
   void begin(const scene::Scene& scene, bool isAlone);
   /// Makes and sends some bricks. @return true when the textures agree with the scene
   bool step();
   void bind() const;
 
+  /// The labels as they are drawn: the scene's, or coarser ones.
+  const LabelVolume& labels() const { return *mField->cover().labels(); }
+  /// In words for people: how much coarser they are drawn, and why; empty when they are not.
+  std::string shortfall() const;
   /// Sets of the scene for which begin() was called last.
   const StructureSets& sets() const { return mSets; }
   /// How many slots are in use.
@@ -39,6 +46,9 @@ class LabelBricks {
     std::vector<std::uint16_t> ids;
     std::vector<std::uint8_t> covers, shares, means;
   };
+  std::shared_ptr<const StructureField> fieldOf(const scene::Scene& scene);
+  void placeAll(std::shared_ptr<const StructureField> field, StructureSets sets);
+  std::size_t mostSlots() const;
   void restart(glm::ivec3 grid);
   void place(const std::vector<std::size_t>& bricks);
   std::uint32_t takeSlot();
@@ -51,6 +61,7 @@ class LabelBricks {
   void send(std::uint32_t slot, const SlotTexels& texels);
 
   gpu::Limits mLimits;
+  std::vector<HalvedLabels> mHalves;             ///< each of the one before, down to those that are drawn
   std::shared_ptr<const StructureField> mField;  ///< the field that the textures show, once no brick is stale
   StructureSets mSets;
   ShareLayout mLayout;

@@ -22,7 +22,7 @@ constexpr std::size_t kSlotTexels = std::size_t(kSlot) * kSlot * kSlot;
 constexpr std::size_t kLayer =
     std::size_t(shared::kLabelSlotsAlong) * shared::kLabelSlotsAlong;  ///< slots of one layer
 constexpr std::size_t kBricksPerStep = 48;                             ///< some 20 ms on two cores
-constexpr double kMostShare = 0.25;                                    ///< of the driver's memory
+constexpr double kBorderShare = 0.25;                                  ///< of the driver's memory
 constexpr std::size_t kMostHalves = 8;
 constexpr std::size_t kOfFiner = 12;  ///< twice as fine, they have at most so many times as many borders
 
@@ -69,7 +69,7 @@ void LabelBricks::restart(glm::ivec3 grid) {
 /// Whole layers of them.
 std::size_t LabelBricks::mostSlots() const {
   double bytes = double(kSlotTexels) * double(3 + gpu::texelBytes(mLayout.format()) * 9 / 8);
-  double layers = kMostShare * double(mLimits.memoryBytes) / (bytes * double(kLayer));
+  double layers = kBorderShare * double(mLimits.memoryBytes) / (bytes * double(kLayer));
   return std::size_t(std::min(layers, double(mLimits.texture3d / kSlot))) * kLayer;
 }
 
@@ -205,7 +205,7 @@ void LabelBricks::begin(const scene::Scene& scene, bool isAlone) {
 std::string LabelBricks::shortfall() const {
   if (mHalves.empty()) return {};
   return fmt::format("structures are drawn {} times coarser than they are: their borders have no room in {} MiB",
-                     1 << mHalves.size(), std::size_t(kMostShare * double(mLimits.memoryBytes)) >> 20);
+                     1 << mHalves.size(), std::size_t(kBorderShare * double(mLimits.memoryBytes)) >> 20);
 }
 
 LabelBricks::SlotTexels LabelBricks::texelsOf(glm::ivec3 index) const {

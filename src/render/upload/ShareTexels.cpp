@@ -9,7 +9,7 @@ namespace velum::render {
 
 namespace {
 
-constexpr int kBrickVoxels = LabelVolume::kBrickSize;
+constexpr int kShareBrick = LabelVolume::kBrickSize;
 
 /// Of how many labels sets speak, and of those that they say nothing of.
 std::vector<bool> membersOf(const StructureSets& sets, std::uint8_t bit) {
@@ -20,7 +20,7 @@ std::vector<bool> membersOf(const StructureSets& sets, std::uint8_t bit) {
 }
 
 std::size_t inBrick(glm::ivec3 at) {
-  return (std::size_t(at.z) * kBrickVoxels + std::size_t(at.y)) * kBrickVoxels + std::size_t(at.x);
+  return (std::size_t(at.z) * kShareBrick + std::size_t(at.y)) * kShareBrick + std::size_t(at.x);
 }
 
 /// Means over 2 x 2 x 2 texels, of as many as there are.
@@ -46,14 +46,14 @@ std::vector<std::uint8_t> meansOf(const std::vector<std::uint8_t>& texels, glm::
 /// The covers of a box of voxels.
 std::vector<std::uint8_t> coversOf(const StructureField& field, glm::ivec3 low, glm::ivec3 size) {
   std::vector<std::uint8_t> covers(countOf(size), 255);
-  glm::ivec3 first = low / kBrickVoxels, last = (low + size - 1) / kBrickVoxels, index;
+  glm::ivec3 first = low / kShareBrick, last = (low + size - 1) / kShareBrick, index;
   for (index.z = first.z; index.z <= last.z; ++index.z)
     for (index.y = first.y; index.y <= last.y; ++index.y)
       for (index.x = first.x; index.x <= last.x; ++index.x) {
         const LabelCover::Brick& brick = field.brick(index);
         if (brick.size() == 1 && brick[0] == 255) continue;
-        glm::ivec3 corner = index * kBrickVoxels;
-        glm::ivec3 from = glm::max(low, corner), to = glm::min(low + size, corner + kBrickVoxels), v;
+        glm::ivec3 corner = index * kShareBrick;
+        glm::ivec3 from = glm::max(low, corner), to = glm::min(low + size, corner + kShareBrick), v;
         for (v.z = from.z; v.z < to.z; ++v.z)
           for (v.y = from.y; v.y < to.y; ++v.y)
             for (v.x = from.x; v.x < to.x; ++v.x)
@@ -110,11 +110,11 @@ class BoxShares {
     return around;
   }
   int coverOfSet(std::map<std::size_t, LabelCover::Brick>& made, glm::ivec3 voxel, std::uint8_t bit) const {
-    glm::ivec3 index = voxel / kBrickVoxels;
+    glm::ivec3 index = voxel / kShareBrick;
     auto [found, isNew] = made.try_emplace(indexIn(mLabels.labels()->brickGrid(), index));
     if (isNew)
       found->second = mLabels.brickOfSet(index, [&](std::uint16_t other) { return (mSets.bits(other) & bit) != 0; });
-    return found->second.size() == 1 ? found->second[0] : found->second[inBrick(voxel - index * kBrickVoxels)];
+    return found->second.size() == 1 ? found->second[0] : found->second[inBrick(voxel - index * kShareBrick)];
   }
 
   const LabelCover& mLabels;

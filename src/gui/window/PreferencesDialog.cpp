@@ -173,7 +173,7 @@ void PreferencesDialog::addVolumes(QWidget& page, QFormLayout& form) {
       tr("A quarter of the card's, 2048 MiB at most"),
       tr("Most of the graphics card's memory for a streamed volume: where less is there than is seen, all is shown "
          "coarser. Counts at once, and the picture begins anew"));
-  add("wholeSize", tr("Read whole &up to"), &MemoryBudget::wholeBytes, 1, {},
+  add("wholeSize", tr("Read whole up &to"), &MemoryBudget::wholeBytes, 1, {},
       tr("Volumes with levels of detail up to this size are read whole, larger ones are streamed. Counts for what is "
          "opened next"));
   QStringList levels{tr("As the screen shows it"), tr("0, the finest")};

@@ -24,7 +24,7 @@ constexpr std::size_t kLayer =
 constexpr std::size_t kBricksPerStep = 48;                             ///< some 20 ms on two cores
 constexpr double kBorderShare = 0.25;                                  ///< of the driver's memory
 constexpr std::size_t kMostHalves = 8;
-constexpr std::size_t kOfFiner = 12;  ///< twice as fine, they have at most so many times as many borders
+constexpr std::size_t kPerMixed = 4;  ///< slots for a brick of several ids, with those that it needs around it
 
 struct NoRoom {};
 
@@ -42,6 +42,14 @@ std::vector<T> widenedBox(const std::vector<T>& texels, glm::ivec3 low, glm::ive
         wide.insert(wide.end(), from, from + std::ptrdiff_t(each));
       }
   return wide;
+}
+
+/// How many bricks have several ids.
+std::size_t mixedBricks(const LabelVolume& labels) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < countOf(labels.brickGrid()); ++i)
+    count += labels.brick(cellIn(labels.brickGrid(), i)).size() > 1;
+  return count;
 }
 
 glm::ivec3 placeOf(std::uint32_t slot) {
@@ -185,10 +193,13 @@ void LabelBricks::placeAll(std::shared_ptr<const StructureField> field, Structur
 
 void LabelBricks::begin(const scene::Scene& scene, bool isAlone) {
   mBytesSent = 0;
-  if (!mHalves.empty() && mField && kOfFiner * mOwn.size() < mostSlots()) {
-    mHalves.pop_back();
+  // Labels that were edited may have room again. The same ones have not.
+  const Shared<LabelVolume>& labels = scene.labels.data;
+  if (!mHalves.empty() && labels.id() != mPlacedId && kPerMixed * mixedBricks(*labels) < mostSlots()) {
+    mHalves.clear();
     mField.reset();
   }
+  mPlacedId = labels.id();
   StructureSets sets = makeStructureSets(scene, isAlone);
   for (;;) {
     try {
@@ -198,6 +209,9 @@ void LabelBricks::begin(const scene::Scene& scene, bool isAlone) {
       if (mHalves.size() == kMostHalves)
         throw gpu::GpuError("the driver's memory has no room for the borders of the structures; hide the labels");
       mHalves.emplace_back();
+    } catch (...) {
+      mField.reset();
+      throw;
     }
   }
 }

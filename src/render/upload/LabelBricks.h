@@ -62,6 +62,7 @@ class LabelBricks {
 
   gpu::Limits mLimits;
   std::vector<HalvedLabels> mHalves;             ///< each of the one before, down to those that are drawn
+  std::uint64_t mPlacedId = 0;                   ///< of the scene's labels at the last begin()
   std::shared_ptr<const StructureField> mField;  ///< the field that the textures show, once no brick is stale
   StructureSets mSets;
   ShareLayout mLayout;

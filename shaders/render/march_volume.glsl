@@ -30,8 +30,9 @@ bool mayBeSolid(vec2 a, vec2 b) { return max(a.y, b.y) > 0.5; }
 #endif
 
 /// Shades and composites one segment.
+/// @param slot  of groupSlot(), of its group
 /// @param faceT  where the face lies that the ray has come through last; < 0: none
-void addSegment(inout Hit hit, Ray ray, Walk walk, Segment segment, float faceT, vec3 faceNormal, bool sparedOnly) {
+void addSegment(inout Hit hit, Ray ray, Walk walk, Segment segment, int slot, float faceT, vec3 faceNormal, bool sparedOnly) {
   float tm = 0.5 * (segment.t0 + segment.t1);
   vec2 classes = vec2(1.0, 0.0);
 #if LABELS != 0
@@ -81,7 +82,7 @@ void addSegment(inout Hit hit, Ray ray, Walk walk, Segment segment, float faceT,
   gradient = -slope;
 #else
   if (asksGradient) {
-    gradient = gradientAt(tex);
+    gradient = gradientIn(gradientStoredInGroup(slot, tex), tex);
     // Where the value hardly changes the gradient is noise: less of it counts.
     steepness = smoothstep(0.0, 1.0, length(gradient) * frame.tablePerValue * 60.0 / frame.voxelsPerLength);
   }
@@ -197,13 +198,16 @@ float shownPartOf(Group group, int i, bool sparedOnly) {
 
 float middleOf(Group group, Walk walk, int i) { return 0.5 * (timeIn(group, walk, i) + timeIn(group, walk, i + 1)); }
 
+/// Texture coordinates of its middle.
+vec3 middleOf(Group group, Walk walk) { return texAt(walk, 0.5 * (timeIn(group, walk, 0) + timeIn(group, walk, kGroup))); }
+
 Group groupAt(Walk walk, Ray ray, float lattice, float from, float to, bool sparedOnly) {
   Group group;
   group.lattice = lattice;
   group.from = from;
   group.to = to;
 #if LABELS != 2
-  GroupBrick brick = groupBrick(texAt(walk, 0.5 * (timeIn(group, walk, 0) + timeIn(group, walk, kGroup))));
+  GroupBrick brick = groupBrick(middleOf(group, walk));
   for (int i = 0; i <= kGroup; ++i) group.x[i] = tableIn(storedInGroup(brick, texAt(walk, timeIn(group, walk, i))));
 #endif
 #if LABELS != 0
@@ -421,9 +425,13 @@ void march(inout Hit hit, Ray ray, Walk walk, float a, float b, Face face, bool 
     // Shade it.
     Depths depths = depthsOf(group, walk, ray, asked, sparedOnly);
     uint marks = depths.marks;
+    int slot = 0;
+#if LABELS != 2
+    slot = groupSlot(middleOf(group, walk));
+#endif
     do {
       Segment segment = segmentAt(group, walk, depths, max(findLSB(marks), 0), sparedOnly);
-      if (marks != 0u) addSegment(hit, ray, walk, segment, faceT, faceNormal, sparedOnly);
+      if (marks != 0u) addSegment(hit, ray, walk, segment, slot, faceT, faceNormal, sparedOnly);
       marks &= marks - 1u;
     } while (marks != 0u && hit.color.a < cutoff);
   } while (t < b && hit.color.a < cutoff);

@@ -58,9 +58,10 @@ class PageGrid {
 
   /// The lowest voxel that the slot of a brick holds; may lie outside the level.
   glm::ivec3 slotOrigin(const PageBrick& brick) const;
-  /// True when the pages of a level are whole voxels of it, so that page * kPageVoxels - shared::kBrickBefore is the
-  /// origin of each one's slot.
-  bool hasWholePages(int level) const;
+  /// Where a brick begins among the voxels of its level, whose corners are at whole numbers.
+  glm::dvec3 lowCorner(const PageBrick& brick) const;
+  /// Voxels along its edges.
+  glm::dvec3 edges(int level) const;
   /// The brick of another level in which a brick lies. @param level  not finer than its own
   PageBrick parent(const PageBrick& brick, int level) const;
 

@@ -198,16 +198,13 @@ float shownPartOf(Group group, int i, bool sparedOnly) {
 
 float middleOf(Group group, Walk walk, int i) { return 0.5 * (timeIn(group, walk, i) + timeIn(group, walk, i + 1)); }
 
-/// Texture coordinates of its middle.
-vec3 middleOf(Group group, Walk walk) { return texAt(walk, 0.5 * (timeIn(group, walk, 0) + timeIn(group, walk, kGroup))); }
-
 Group groupAt(Walk walk, Ray ray, float lattice, float from, float to, bool sparedOnly) {
   Group group;
   group.lattice = lattice;
   group.from = from;
   group.to = to;
 #if LABELS != 2
-  GroupBrick brick = groupBrick(middleOf(group, walk));
+  GroupBrick brick = groupBrick(texBetween(walk, timeIn(group, walk, 0), timeIn(group, walk, kGroup)));
   for (int i = 0; i <= kGroup; ++i) group.x[i] = tableIn(storedInGroup(brick, texAt(walk, timeIn(group, walk, i))));
 #endif
 #if LABELS != 0
@@ -409,7 +406,6 @@ void march(inout Hit hit, Ray ray, Walk walk, float a, float b, Face face, bool 
   do {
     // Go on to the next group with material.
     Group group;
-    bool found;
     uint asked;
     float end;
     do {
@@ -417,18 +413,14 @@ void march(inout Hit hit, Ray ray, Walk walk, float a, float b, Face face, bool 
       group = groupAt(walk, ray, walk.first + floor((t - walk.first) * perGroup + 1e-4) * groupLength, t, b, sparedOnly);
       asked = mayShow(group) ? 255u : 0u;
       if (sparedOnly || usesShares(sparedOnly)) asked &= shownIn(group, sparedOnly);
-      found = asked != 0u;
       end = max(timeIn(group, walk, kGroup), afterAll(t));
-      t = found ? t : end;
-    } while (!found && t < b);
+      t = asked != 0u ? t : end;
+    } while (asked == 0u && t < b);
     t = end;
     // Shade it.
     Depths depths = depthsOf(group, walk, ray, asked, sparedOnly);
     uint marks = depths.marks;
-    int slot = 0;
-#if LABELS != 2
-    slot = groupSlot(middleOf(group, walk));
-#endif
+    int slot = groupSlot(texBetween(walk, timeIn(group, walk, 0), timeIn(group, walk, kGroup)));
     do {
       Segment segment = segmentAt(group, walk, depths, max(findLSB(marks), 0), sparedOnly);
       if (marks != 0u) addSegment(hit, ray, walk, segment, slot, faceT, faceNormal, sparedOnly);

@@ -211,6 +211,17 @@ glm::dmat4 worldFromLevel(const Volume& volume, int level) {
          levels[std::size_t(level)].worldFromVoxel;
 }
 
+double smallestSpacing(const glm::dmat4& worldFromVoxel) {
+  glm::dmat3 m(worldFromVoxel);
+  return std::min(glm::length(m[0]), std::min(glm::length(m[1]), glm::length(m[2])));
+}
+
+int levelForPixel(const Volume& volume, double pixel) {
+  int level = volume.finer->level;
+  while (level > 0 && smallestSpacing(worldFromLevel(volume, level)) > kVoxelsPerPixel * pixel) --level;
+  return level;
+}
+
 glm::ivec3 finestDims(const Volume& volume) {
   return volume.finer ? volume.finer->bricks->source().levels().front().dims : volume.dims;
 }

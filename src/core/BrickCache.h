@@ -73,6 +73,14 @@ struct FinerLevels {
 /// @param volume  with finer levels
 glm::dmat4 worldFromLevel(const Volume& volume, int level);
 
+/// A voxel may be so many pixels wide before a finer level is wanted: halfway between two levels.
+inline constexpr double kVoxelsPerPixel = 1.42;
+/// The level of a volume with finer levels whose voxels are about as large as a pixel, down to its own.
+/// @param pixel  length of its edge, world
+int levelForPixel(const Volume& volume, double pixel);
+/// Length of the smallest edge of a voxel, world.
+double smallestSpacing(const glm::dmat4& worldFromVoxel);
+
 /// Voxels along x, y, z and the edges of one, of the finest level that there is: the volume's own where it knows no
 /// finer one.
 glm::ivec3 finestDims(const Volume& volume);

@@ -15,9 +15,6 @@ inline constexpr int kPageVoxels = shared::kPageEdge;
 inline constexpr double kGroupReach = 2.0;
 inline constexpr int kSlotEdge = shared::kBrickSlotEdge;
 
-/// A voxel may be so many pixels wide before a finer level is wanted: halfway between two levels.
-inline constexpr double kVoxelsPerPixel = 1.42;
-
 /// A brick of a level, as it lies in a slot.
 struct PageBrick {
   int level = 0;

@@ -36,6 +36,8 @@ class BrickCache {
   /// A volume of the voxels of a box, one channel or all, at one time step; its place and range are those of the
   /// source's head. @param channel  -1: all. @throw InputError when a brick cannot be read
   Volume read(const VoxelBox& box, int channel, int timeStep);
+  /// True when read() of the box would wait for no disk.
+  bool has(const VoxelBox& box, int channel, int timeStep);
 
   std::size_t bytes() const;
   std::size_t mostBytes() const;

@@ -101,6 +101,10 @@ TEST_F(Answers, WhileADiskIsSlow) {
   std::printf("nobody was answered for %.1f ms at most\n", heart.longestMs);
   EXPECT_LT(heart.longestMs, 0.8 * kReadMs);
   isOver = true;
+  // What was pressed and was still on the disk is there now: the next press takes hold of it.
+  PaintCount painted(viewport());
+  timeDrag(viewport(), 20, [&] { return painted.count; });
+  EXPECT_FALSE(scene().labels.growths.empty());
   mWindow->newScene();
 }
 

@@ -4,7 +4,6 @@
 
 #include <numbers>
 
-#include "PyramidSource.h"
 #include "makeVolume.h"
 #include "scene/PatientDirections.h"
 
@@ -134,30 +133,6 @@ TEST(SectionPlane, TheMiddleOfAnOddNumberOfVoxelsIsAVoxelHoweverTheFrameRounds) 
     glm::dvec3 voxel(glm::inverse(scene.volume.data->worldFromVoxel) * glm::dvec4(scene.sections.crosshair, 1));
     EXPECT_LT(glm::length(voxel - glm::dvec3(20, 15, 10)), 1e-6) << i;
   }
-}
-
-TEST(SectionPlane, PlanesOfAStreamedVolumeAreThoseOfItsFinestLevel) {
-  Volume whole = *boxScene().volume.data;
-  Scene scene;
-  scene.volume.data = Shared<Volume>(streamedVolume(std::make_shared<PyramidSource>(whole, 3, glm::ivec3(16)), 2));
-  placeSections(scene);
-  EXPECT_EQ(sectionIndex(scene, SectionKind::Axial)->count, 20);
-  EXPECT_EQ(sectionIndex(scene, SectionKind::Sagittal)->count, 40);
-  // A step is a plane of the level that is seen: of the finest where voxels are wider than pixels, of the coarsest
-  // where four of them have one.
-  SectionPlane plane = makeSectionPlane(scene, SectionKind::Axial, kSize);
-  for (auto [pixel, planes] : {std::pair(0.1, 1), {0.7, 1}, {1.5, 2}, {3.0, 4}, {100.0, 4}}) {
-    plane.lengthPerPixel = pixel;
-    EXPECT_EQ(planesPerStep(scene, plane), planes) << pixel;
-  }
-  auto before = sectionIndex(scene, SectionKind::Axial);
-  scrollSection(scene, SectionKind::Axial, -1);
-  EXPECT_EQ(std::abs(sectionIndex(scene, SectionKind::Axial)->index - before->index), 1);
-  EXPECT_NEAR(finestStep(scene), 1.0, 1e-9);
-  EXPECT_NEAR(sectionStep(scene), 4.0, 1e-9);
-  // In memory each plane is a step.
-  plane.lengthPerPixel = 100;
-  EXPECT_EQ(planesPerStep(boxScene(), plane), 1);
 }
 
 TEST(SectionPlane, ScrollingShowsEachPlaneOnceAndStopsAtTheLast) {

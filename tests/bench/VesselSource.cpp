@@ -147,14 +147,15 @@ void VesselSource::read(const BrickAddress& address, const SampleTarget& target)
         }
   }
   // Noise: less in what is the mean of many voxels.
-  float loud = 25.0f / float(1 << address.level);
+  float loud = 40.0f / float(1 << address.level);
   const float* value = values.data();
   for (int z = 0; z < box.size.z; ++z)
     for (int y = 0; y < box.size.y; ++y) {
       std::uint64_t row =
           hash(std::uint64_t(address.level), (std::uint64_t(box.origin.z + z) << 32) ^ std::uint64_t(box.origin.y + y));
       for (int x = 0; x < box.size.x; ++x, ++value) {
-        float noisy = *value + loud * gaussian(hash(row + std::uint64_t(box.origin.x + x)));
+        row = row * 6364136223846793005ull + 1442695040888963407ull;
+        float noisy = *value + loud * (float(row >> 40) * (2.0f / 16777216.0f) - 1.0f);
         auto sample = std::uint16_t(glm::clamp(noisy + 0.5f, 0.0f, 65535.0f));
         std::memcpy(target.first + x * target.x + y * target.y + z * target.z, &sample, sizeof(sample));
       }

@@ -27,6 +27,7 @@ class StreamedMembranesGL : public GlTest {
     scene.camera.target = centreOf(*mWhole);
     scene.camera.eye = scene.camera.target + axis * 1000.0;
     scene.cuts = {makeCut(scene, scene::CutShape::Membrane)};
+    scene.cuts[0].id = 1;
     scene.cuts[0].centre = centreOf(*mWhole);
     scene.cuts[0].size *= share;
     protectValues(*scene.cuts[0].membrane, 700, 4000);

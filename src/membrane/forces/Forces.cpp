@@ -22,6 +22,8 @@ namespace {
 constexpr double kMostProtected = 48e6;
 /// And where something attracts, of which all nodes count, with so many nodes: a quarter of a gigabyte.
 constexpr double kMostDrawn = 32e6;
+/// Boxes of streamed volumes with more nodes than this are solved in two looks; volumes in memory as they ever were.
+constexpr std::size_t kTwoLooks = 1000000;
 /// So far the sheet may go from one time step to the next to follow what moves, in mean edges of the rest plane: 10
 /// over a heart, whose walls move up to 7 mm in an eighth of a beat; with half of it the sheet lost them.
 constexpr double kFollowShare = 1.0 / 16.0;
@@ -174,7 +176,7 @@ struct ForceMaker::Finer {
 };
 
 ForceMaker::ForceMaker(Potential potential, int timeStep, int timeSteps)
-    : mPotential(std::move(potential)), mTimeStep(timeStep), mTimeSteps(timeSteps) {}
+    : mPotential(std::move(potential)), mTimeStep(timeStep), mTimeSteps(timeSteps), mIsFiner(true) {}
 ForceMaker::~ForceMaker() = default;
 
 /// Null where the data in memory are the finest.
@@ -273,7 +275,9 @@ Corridor ForceMaker::corridorOf(const scene::Cut& cut, const CurrentSheet& curre
     return corridor;
   };
   if (current.height) return around(cutByCurrent(lattice, cut, current, progress));
-  known.corridor = around(computeCutInBands(lattice, cut.membrane->field.side, CutMetric::Smooth, progress));
+  bool inTwoLooks = mIsFiner && lattice.layer.size() > kTwoLooks;
+  known.corridor = around(inTwoLooks ? computeSmoothNearPairs(lattice, field.side, progress)
+                                     : computeCutInBands(lattice, field.side, CutMetric::Smooth, progress));
   known.cut = asked;
   return known.corridor;
 }

@@ -123,6 +123,7 @@ class ForceMaker {
 
   Potential mPotential;
   int mTimeStep = 0, mTimeSteps = 1;
+  bool mIsFiner = false;                    ///< a box of a streamed volume
   std::optional<scene::ForceField> mField;  ///< the field that mKernels were made from
   std::vector<KernelGrid> mKernels;         ///< from the field's level to that of previews
   std::optional<scene::Cut> mVoxelsCut;

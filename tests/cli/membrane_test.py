@@ -141,7 +141,7 @@ class Membrane(CliTest):
             self.refuse("membrane", path, "--least-piece", wrong, code=1, words=["--least-piece", "auto"])
 
     def test_a_streamed_volume_is_worked_out_in_the_voxels_of_its_finest_level(self):
-        whole = self.sample("vessels", 128, "v.nrrd")
+        whole = self.sample("vessels", 160, "v.nrrd")
         self.run_batch("convert", whole, "v.ome.zarr")
         streamed = {"VELUM_WHOLE_MB": "1"}
         asked = ["--protect", "700,3000", "--axis", "0,0,1", "--position", "0.5", "--reach", "20", "--least-piece", "1"]

@@ -10,6 +10,7 @@
 #include "io/labels/NumberReader.h"
 #include "io/stores/HalvedSource.h"
 #include "io/stores/ReadBox.h"
+#include "io/stores/SpareBytes.h"
 #include "io/stores/WideIds.h"
 
 namespace velum::io {
@@ -92,7 +93,7 @@ void LevelReader::forBricks(const char* what, const Work& work, const Take& take
 
 Bytes LevelReader::samplesOf(const BrickAddress& address) const {
   BrickBox box = boxOf(mSource, address);
-  Bytes samples(bytesOf(box, mSource.head().type));
+  Bytes samples = takeBytes(bytesOf(box, mSource.head().type));
   mSource.read(address, targetIn(samples.data(), box, mSource.head().type));
   return samples;
 }
@@ -110,11 +111,13 @@ LevelReader::Ids LevelReader::idsOf(const BrickAddress& address, LabelNumbers& n
     return found->second;
   };
   Ids ids;
-  NumberReader{mSource.head(), mHow}.forRuns(samplesOf(address), count, [&](std::uint64_t number, std::size_t run) {
+  Bytes samples = samplesOf(address);
+  NumberReader{mSource.head(), mHow}.forRuns(samples, count, [&](std::uint64_t number, std::size_t run) {
     std::uint16_t id = idOf(number);
     ids.reserve(run == count ? 1 : count);
     ids.insert(ids.end(), run == count ? 1 : run, id);
   });
+  giveBytes(std::move(samples));
   return ids;
 }
 

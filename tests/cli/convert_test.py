@@ -80,10 +80,10 @@ class Convert(CliTest):
             info = self.report("info", f"{name}.nrrd")
             self.assertEqual(info["dims"], [50, 30, 40])
             self.assertEqual(voxels("box.nrrd"), voxels(f"{name}.nrrd"))
-            steps = [[row[i] * before["spacingMm"][i] for row in before["direction"]] for i in range(3)]
-            for axis in range(3):
-                first = before["originMm"][axis] + sum(n * step[axis] for n, step in zip((10, 20, 30), steps))
-                self.assertAlmostEqual(info["originMm"][axis], first, delta=1e-3)
+            rows = [before["direction"][3 * i:3 * i + 3] for i in range(3)]
+            for row, origin, first in zip(rows, before["originMm"], info["originMm"]):
+                steps = [n * cosine * edge for n, cosine, edge in zip((10, 20, 30), row, before["spacingMm"])]
+                self.assertAlmostEqual(first, origin + sum(steps), delta=1e-3)
         self.refuse("convert", "a.zarr", "c.nrrd", "--box", "10,20,30,60,50,7000", code=1, words=["does not lie in"])
         self.refuse("convert", "a.zarr", "c.nrrd", "--box", "10,20,30,60,20,70", code=1, words=["does not lie in"])
 

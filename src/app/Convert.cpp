@@ -9,9 +9,11 @@
 #include "io/labels/LabelStore.h"
 #include "io/labels/ReadLabels.h"
 #include "io/labels/WriteLabels.h"
+#include "io/stores/CroppedSource.h"
 #include "io/stores/OpenStore.h"
 #include "io/stores/WriteStore.h"
 #include "io/volumes/OpenSource.h"
+#include "io/volumes/ReadLevel.h"
 #include "io/volumes/ReadVolume.h"
 #include "io/volumes/WriteVolume.h"
 #include "session/document/Open.h"
@@ -32,6 +34,7 @@ struct ConvertOptions {
   double smoothness = session::StructureExport().smoothness;
   bool apart = false;
   std::string zarr = "0.5";
+  std::vector<int> box;  ///< first voxel, and one past the last one
 
   io::OmeVersion version() const { return zarr == "0.4" ? io::OmeVersion::V04 : io::OmeVersion::V05; }
 };
@@ -67,13 +70,21 @@ bool isOfModel(const scene::Scene& scene, const ConvertOptions& options) {
   return scene.model.data && session::isModelFile(options.output) && !wantsLabels;
 }
 
+/// A volume is written as fine as it is where nobody asks for another level, or not at all where that does not fit.
+scene::Source atItsFinest(scene::Source source) {
+  bool isVolume = source.level == scene::kFittingLevel && io::kindOf(source) == io::FileKind::Volume;
+  if (isVolume && io::openPyramid(source)) source.level = 0;
+  return source;
+}
+
 /// Reads the input. @throw ArgumentError when surfaces are to be made and the input holds no labels
 std::variant<Volume, LabelVolume> readVoxels(const scene::Source& source, const ConvertOptions& options,
                                              Progress& progress) {
   if (options.labels) return io::readLabels(source, progress);
   bool needsLabels = session::isSurfaceFile(options.output);
   std::variant<Volume, LabelVolume> voxels;
-  if (!needsLabels || io::kindOf(source) == io::FileKind::Labels) voxels = io::readVoxels(source, progress);
+  if (!needsLabels || io::kindOf(source) == io::FileKind::Labels)
+    voxels = io::readVoxels(atItsFinest(source), progress);
   if (needsLabels && !std::holds_alternative<LabelVolume>(voxels))
     throw ArgumentError(
         fmt::format("{} does not look like labels, of which surfaces are made; say --labels if it is", source.path));
@@ -94,6 +105,8 @@ Streamed openStreamed(const scene::Source& source, const ConvertOptions& options
   if (isStored && options.input.spacing.empty()) {
     auto image = io::openImage(source.path, source.series);
     streamed.how.isLabels = options.labels || image->facts().isLabels;
+    if (streamed.how.isLabels) image->carryIds();
+    streamed.how.carriesIds = image->carriesIds();
     streamed.how.structures = image->facts().structures;
     streamed.source = std::move(image);
   } else if (!isStored && !options.labels && io::kindOf(source) == io::FileKind::Volume) {
@@ -102,18 +115,50 @@ Streamed openStreamed(const scene::Source& source, const ConvertOptions& options
   return streamed;
 }
 
+/// The level that is asked for, or the finest. @throw ArgumentError where there is none
+int levelOf(const VoxelSource& source, int wanted) {
+  int level = std::max(wanted, 0), count = int(source.levels().size());
+  if (level >= count) throw ArgumentError(fmt::format("--level {}: the levels are 0 to {}", level, count - 1));
+  return level;
+}
+
+constexpr const char* kNoBox = "--box: takes voxels out of volumes and label volumes only; leave it out";
+
+/// The voxels of a box, and no others. @throw ArgumentError for a box that is not inside, or an input of another kind
+void crop(Streamed& streamed, const scene::Source& source, const ConvertOptions& options, Progress& progress) {
+  bool isLabels = options.labels || io::kindOf(source) == io::FileKind::Labels;
+  if (!isLabels && io::kindOf(source) != io::FileKind::Volume) throw ArgumentError(kNoBox);
+  if (!streamed.source && isLabels)
+    throw ArgumentError("--box: of labels it is written from a store to a store (.zarr, .ozx)");
+  if (!streamed.source && options.input.spacing.empty()) {
+    if (io::isStore(source.path))
+      streamed.source = io::openImage(source.path, source.series);
+    else
+      streamed.source = io::openSource(source);
+  }
+  bool isRead = !streamed.source;
+  if (isRead)
+    streamed.source = std::make_unique<VolumeSource>(Shared<Volume>(io::readVolume(atItsFinest(source), progress)));
+  int level = isRead ? 0 : levelOf(*streamed.source, source.level);
+  glm::ivec3 first(options.box[0], options.box[1], options.box[2]), end(options.box[3], options.box[4], options.box[5]);
+  streamed.source =
+      std::make_unique<io::CroppedSource>(std::move(streamed.source), VoxelBox{level, first, end - first});
+}
+
 /// Writes a store, from the source's finest level or the one that is asked for.
 Lines writeStreamed(Streamed& streamed, int level, const ConvertOptions& options, Json& json) {
   const VoxelSource& from = *streamed.source;
   streamed.how.version = options.version();
-  streamed.how.level = std::max(level, 0);
-  if (streamed.how.level >= int(from.levels().size()))
-    throw ArgumentError(
-        fmt::format("--level {}: the levels are 0 to {}", streamed.how.level, from.levels().size() - 1));
+  streamed.how.level = levelOf(from, level);
   printWarnings(options.input.inputs.front(), from.head().warnings);
   glm::ivec3 dims = from.levels()[std::size_t(streamed.how.level)].dims;
   json["dims"] = {dims.x, dims.y, dims.z};
-  json["type"] = std::string(enumName(from.head().type));
+  json["type"] = streamed.how.carriesIds ? "uint64" : std::string(enumName(from.head().type));
+  if (!io::isStoreFormat(options.output)) {
+    Volume volume = readLevel(from, streamed.how.level, consoleProgress());
+    computeRange(volume);
+    return io::writeVolume(volume, options.output, consoleProgress());
+  }
   return io::writeStore(from, options.output, streamed.how, consoleProgress());
 }
 
@@ -139,6 +184,7 @@ int run(const ConvertOptions& options) {
   bool isModel = !isScene && !options.labels && io::kindOf(source) == io::FileKind::Model;
   if (!options.input.sets.empty() && !isScene && !isModel)
     throw ArgumentError("--set: changes what is written of scenes and models only; leave it out");
+  if (!options.box.empty() && (isScene || isModel || session::isLookFile(options.output))) throw ArgumentError(kNoBox);
   session::Session session;
   session.setContextKind(options.common.context);
   if (isModel && !session::isLookFile(options.output)) {
@@ -152,8 +198,9 @@ int run(const ConvertOptions& options) {
       tell(options.output, writeModel(session, options, json));
     else
       tell(options.output, writeStructures(session.scene(), options, json));
-  } else if (Streamed streamed = openStreamed(source, options); streamed.source) {
-    tell(options.output, writeStreamed(streamed, source.level, options, json));
+  } else if (Streamed streamed = openStreamed(source, options); streamed.source || !options.box.empty()) {
+    if (!options.box.empty()) crop(streamed, source, options, progress);
+    tell(options.output, writeStreamed(streamed, options.box.empty() ? source.level : 0, options, json));
   } else {
     auto voxels = readVoxels(source, options, progress);
     std::visit([&](const auto& data) { tell(source.path, data.warnings); }, voxels);
@@ -201,6 +248,11 @@ Run registerConvert(CLI::App& verb) {
                   "how far surfaces of structures are rounded off: 0 as pictures show them .. 1")
       ->check(CLI::Range(0.0, 1.0));
   verb.add_flag("--apart", options->apart, "a file for each structure: OUTPUT-aorta.stl");
+  verb.add_option("--box", options->box,
+                  "of a volume, or of labels in a store: only these voxels of its level: x,y,z of the first and of one "
+                  "past the last")
+      ->delimiter(',')
+      ->expected(6);
   verb.add_option("--zarr", options->zarr, "of .zarr: version of OME-Zarr, 0.4 or 0.5")
       ->check(CLI::IsMember({"0.4", "0.5"}));
   return [options] { return run(*options); };

@@ -85,6 +85,7 @@ Json describeStructures(const LabelVolume& labels) {
   for (const auto& info : labels.table) {
     const session::StructureSize& size = sizes[info.id];
     structures.push_back({{"id", info.id},
+                          {"fileId", info.fileId != 0 ? info.fileId : info.id},
                           {"name", info.name},
                           {"color", listOf(info.color, 3)},
                           {"opacity", info.opacity},
@@ -116,8 +117,7 @@ Json describe(const LabelVolume& labels) {
 Json describeBeside(const Volume& scan, const std::string& path) {
   scene::Source source;
   source.path = path;
-  LabelVolume labels =
-      io::readLabels(source, consoleProgress(), io::LabelGrid{scan.dims, scan.worldFromVoxel, scan.lengthUnit});
+  LabelVolume labels = io::readLabels(source, consoleProgress(), io::gridOf(scan));
   auto values = session::measureValues(labels, scan, 0, 0, consoleProgress());
   Json json = describe(labels);
   json["valueUnit"] = scene::valueUnit(scan);

@@ -53,7 +53,8 @@ Json describeStore(const scene::Source& source) {
   Json json = {{"kind", image->facts().isLabels ? "labels" : "volume"},
                {"name", head.name.empty() ? std::filesystem::path(source.path).filename().string() : head.name},
                {"dims", listOf(head.dims, 3)},
-               {"type", std::string(enumName(head.type))},
+               {"type", image->facts().isLabels ? io::nameOf(image->facts().levels.front().type)
+                                                : std::string(enumName(head.type))},
                {"spacingMm", listOf(spacingOf(head) * unitsPer(head.lengthUnit, LengthUnit::Millimetre), 3)},
                {"unitInFile", image->facts().unit},
                {"axes", image->facts().axes},

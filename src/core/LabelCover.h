@@ -99,7 +99,7 @@ class StructureField {
   float coverAt(glm::ivec3 voxel) const;
   float labelledShareAt(glm::ivec3 voxel) const;
   LabelCover mCover;
-  std::vector<std::shared_ptr<Entry>> mEntries;  ///< [brick grid]
+  BrickTable<std::shared_ptr<Entry>> mEntries;
 };
 
 /// For each brick of `now`, x fastest, whether its cover may differ from that in `before`: true for bricks whose labels

@@ -15,10 +15,6 @@ constexpr int kBrickEdge = LabelVolume::kBrickSize;
 std::size_t brickIndex(glm::ivec3 grid, glm::ivec3 at) {
   return (std::size_t(at.z) * std::size_t(grid.y) + std::size_t(at.y)) * std::size_t(grid.x) + std::size_t(at.x);
 }
-glm::ivec3 brickAt(glm::ivec3 grid, std::size_t index) {
-  auto x = std::size_t(grid.x), y = std::size_t(grid.y);
-  return {int(index % x), int(index / x % y), int(index / (x * y))};
-}
 std::size_t voxelIndex(glm::ivec3 at) {
   return (std::size_t(at.z) * kBrickEdge + std::size_t(at.y)) * kBrickEdge + std::size_t(at.x);
 }
@@ -28,22 +24,28 @@ std::size_t voxelIndex(glm::ivec3 at) {
 StructureField::StructureField(LabelCover cover, const StructureField* before) : mCover(std::move(cover)) {
   const LabelVolume& labels = *mCover.labels();
   glm::ivec3 grid = labels.brickGrid();
-  mEntries.resize(std::size_t(grid.x) * std::size_t(grid.y) * std::size_t(grid.z));
-  std::vector<bool> changed(mEntries.size(), true);
-  if (before && before->mCover.borders() == mCover.borders()) changed = changedCovers(*before->mCover.labels(), labels);
   // Where there is no border there is nothing to be made, and one entry does for all.
   auto plain = std::make_shared<Entry>();
   std::call_once(plain->isMade, [&] { plain->cover = {255}; });
   std::call_once(plain->isLabelledMade, [&] { plain->labelled = {255}; });
-  for (std::size_t i = 0; i < mEntries.size(); ++i)
-    mEntries[i] = !changed[i]                                 ? before->mEntries[i]
-                  : isUniformAround(labels, brickAt(grid, i)) ? plain
-                                                              : std::make_shared<Entry>();
+  bool isFollowed = before && before->mEntries.grid() == grid && before->mCover.borders() == mCover.borders();
+  mEntries = isFollowed ? before->mEntries : BrickTable<std::shared_ptr<Entry>>(grid, plain);
+  std::vector<bool> changed;
+  if (isFollowed) changed = changedCovers(*before->mCover.labels(), labels);
+  glm::ivec3 at;
+  std::size_t i = 0;
+  for (at.z = 0; at.z < grid.z; ++at.z)
+    for (at.y = 0; at.y < grid.y; ++at.y)
+      for (at.x = 0; at.x < grid.x; ++at.x, ++i) {
+        if (isFollowed && !changed[i]) continue;
+        if (!isUniformAround(labels, at))
+          mEntries.put(at, std::make_shared<Entry>());
+        else if (mEntries[at] != plain)
+          mEntries.put(at, plain);
+      }
 }
 
-StructureField::Entry& StructureField::entryOf(glm::ivec3 index) const {
-  return *mEntries[brickIndex(mCover.labels()->brickGrid(), index)];
-}
+StructureField::Entry& StructureField::entryOf(glm::ivec3 index) const { return *mEntries[index]; }
 
 const LabelCover::Brick& StructureField::brick(glm::ivec3 index) const {
   Entry& entry = entryOf(index);

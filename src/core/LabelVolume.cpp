@@ -24,20 +24,12 @@ LabelVolume::LabelVolume(glm::ivec3 dims, const glm::dmat4& worldFromVoxel, Leng
     : mDims(dims), mWorldFromVoxel(worldFromVoxel), mLengthUnit(unit) {
   if (dims.x < 1 || dims.y < 1 || dims.z < 1)
     throw ArgumentError("a label volume needs at least one voxel along each axis");
-  mBrickGrid = (dims + kEdge - 1) / kEdge;
-  Shared<Brick> zero(Brick{0});
-  mBricks.assign(std::size_t(mBrickGrid.x) * std::size_t(mBrickGrid.y) * std::size_t(mBrickGrid.z), zero);
+  mBricks = BrickTable<Shared<Brick>>((dims + kEdge - 1) / kEdge, Shared<Brick>(Brick{0}));
 }
 
-std::size_t LabelVolume::brickIndex(glm::ivec3 i) const {
-  VELUM_ASSERT(glm::all(glm::lessThan(glm::uvec3(i), glm::uvec3(mBrickGrid))), "the brick lies in the grid");
-  return (std::size_t(i.z) * std::size_t(mBrickGrid.y) + std::size_t(i.y)) * std::size_t(mBrickGrid.x) +
-         std::size_t(i.x);
-}
+const LabelVolume::Brick& LabelVolume::brick(glm::ivec3 index) const { return *mBricks[index]; }
 
-const LabelVolume::Brick& LabelVolume::brick(glm::ivec3 index) const { return *mBricks[brickIndex(index)]; }
-
-std::uint64_t LabelVolume::brickId(glm::ivec3 index) const { return mBricks[brickIndex(index)].id(); }
+std::uint64_t LabelVolume::brickId(glm::ivec3 index) const { return mBricks[index].id(); }
 
 void LabelVolume::setLengthUnit(LengthUnit unit) {
   double factor = unitsPer(mLengthUnit, unit);
@@ -65,8 +57,8 @@ void LabelVolume::write(glm::ivec3 origin, glm::ivec3 size, std::span<const std:
       for (int bx = first.x; bx <= last.x; ++bx) {
         // Unfold the brick, overwrite the part inside the box, fold it again if one id is left.
         glm::ivec3 corner = glm::ivec3(bx, by, bz) * kEdge;
-        auto& slot = mBricks[brickIndex({bx, by, bz})];
-        Brick b = slot->size() == 1 ? Brick(kBrickVoxels, (*slot)[0]) : *slot;
+        const Brick& before = brick({bx, by, bz});
+        Brick b = before.size() == 1 ? Brick(kBrickVoxels, before[0]) : before;
         glm::ivec3 low = glm::max(origin, corner), high = glm::min(end, corner + kEdge);
         for (int z = low.z; z < high.z; ++z)
           for (int y = low.y; y < high.y; ++y) {
@@ -86,8 +78,13 @@ void LabelVolume::write(glm::ivec3 origin, glm::ivec3 size, std::span<const std:
             uniform = std::all_of(row, row + inside.x, [&](std::uint16_t id) { return id == b[0]; });
           }
         if (uniform) b = Brick{b[0]};
-        if (b != *slot) slot = Shared<Brick>(std::move(b));
+        if (b != before) mBricks.put({bx, by, bz}, Shared<Brick>(std::move(b)));
       }
+}
+
+void LabelVolume::fillBrick(glm::ivec3 index, std::uint16_t id) {
+  const Brick& before = brick(index);
+  if (before.size() > 1 || before[0] != id) mBricks.put(index, Shared<Brick>(Brick{id}));
 }
 
 void LabelVolume::read(glm::ivec3 origin, glm::ivec3 size, std::span<std::uint16_t> ids) const {
@@ -117,16 +114,20 @@ void LabelVolume::read(glm::ivec3 origin, glm::ivec3 size, std::span<std::uint16
 
 std::size_t LabelVolume::storedBytes() const {
   std::size_t bytes = 0;
-  for (const auto& b : mBricks)
-    if (b->size() > 1) bytes += b->size() * sizeof(std::uint16_t);
+  glm::ivec3 grid = brickGrid(), at;
+  for (at.z = 0; at.z < grid.z; ++at.z)
+    for (at.y = 0; at.y < grid.y; ++at.y)
+      for (at.x = 0; at.x < grid.x; ++at.x)
+        if (const Brick& b = brick(at); b.size() > 1) bytes += b.size() * sizeof(std::uint16_t);
   return bytes;
 }
 
 std::vector<std::uint16_t> LabelVolume::idsInUse() const {
   auto used = std::make_unique<std::bitset<65536>>();
-  for (int bz = 0; bz < mBrickGrid.z; ++bz)
-    for (int by = 0; by < mBrickGrid.y; ++by)
-      for (int bx = 0; bx < mBrickGrid.x; ++bx) {
+  glm::ivec3 grid = brickGrid();
+  for (int bz = 0; bz < grid.z; ++bz)
+    for (int by = 0; by < grid.y; ++by)
+      for (int bx = 0; bx < grid.x; ++bx) {
         const Brick& b = brick({bx, by, bz});
         glm::ivec3 inside =
             b.size() == 1 ? glm::ivec3(1) : glm::min(mDims - glm::ivec3(bx, by, bz) * kEdge, glm::ivec3(kEdge));

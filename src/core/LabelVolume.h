@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/BrickTable.h"
 #include "core/Shared.h"
 #include "core/Units.h"
 
@@ -15,15 +16,17 @@ namespace velum {
 struct LabelInfo {
   std::uint16_t id = 0;
   std::string name;
-  glm::vec3 color{1.0f};  ///< sRGB, 0..1
-  float opacity = 1.0f;   ///< 0..1
+  glm::vec3 color{1.0f};     ///< sRGB, 0..1
+  float opacity = 1.0f;      ///< 0..1
+  std::uint64_t fileId = 0;  ///< its number in the file where that is another, of up to 64 bits; else 0
   bool operator==(const LabelInfo&) const = default;
 };
 
 /// Structure ids on a grid of their own, 0 = nothing, up to 65,535 structures.
 ///
 /// Stored in bricks of 32^3 that copies share: an edited copy costs the bricks that it touched, so undo is cheap.
-/// A brick of one id keeps only that id. Shape and frame as in Volume.
+/// A brick of one id keeps only that id; large parts of the grid that were never written to take next to nothing. Shape
+/// and frame as in Volume.
 class LabelVolume {
  public:
   static constexpr int kBrickSize = 32;
@@ -41,10 +44,12 @@ class LabelVolume {
   /// ids do not change keep their brickId().
   /// @throw ArgumentError when the box leaves the grid or the span is short
   void write(glm::ivec3 origin, glm::ivec3 size, std::span<const std::uint16_t> ids);
+  /// Gives all voxels of a brick one id. O(1). @param index  in the brick grid
+  void fillBrick(glm::ivec3 index, std::uint16_t id);
   /// Copies a box out, the counterpart of write().
   void read(glm::ivec3 origin, glm::ivec3 size, std::span<std::uint16_t> ids) const;
 
-  glm::ivec3 brickGrid() const { return mBrickGrid; }
+  glm::ivec3 brickGrid() const { return mBricks.grid(); }
   const Brick& brick(glm::ivec3 index) const;
   /// Number of a brick's contents, never used twice: bricks of two label volumes that have the same number hold the
   /// same ids.
@@ -63,11 +68,10 @@ class LabelVolume {
   void setLengthUnit(LengthUnit unit);
 
  private:
-  std::size_t brickIndex(glm::ivec3 index) const;
-  glm::ivec3 mDims{0}, mBrickGrid{0};
+  glm::ivec3 mDims{0};
   glm::dmat4 mWorldFromVoxel{1.0};
   LengthUnit mLengthUnit = LengthUnit::Millimetre;
-  std::vector<Shared<Brick>> mBricks;
+  BrickTable<Shared<Brick>> mBricks;
 };
 
 /// A calm, colour-blind-friendly colour, sRGB, for an id for which no colour is known. The same id gives the same

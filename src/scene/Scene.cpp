@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -164,9 +165,19 @@ void completeStructures(LabelLayer& labels) {
   std::unordered_set<int> known;
   for (const auto& structure : labels.structures) known.insert(structure.id);
   for (const auto& info : labels.data->table)
-    if (known.insert(info.id).second) labels.structures.push_back({info.id, info.name, info.color, info.opacity, true});
+    if (known.insert(info.id).second) {
+      labels.structures.push_back({info.id, info.name, info.color, info.opacity, true});
+      if (info.fileId != 0) labels.structures.back().fileId = std::to_string(info.fileId);
+    }
   std::sort(labels.structures.begin(), labels.structures.end(),
             [](const Structure& a, const Structure& b) { return a.id < b.id; });
+}
+
+std::uint64_t fileIdOf(const Structure& structure) {
+  std::uint64_t number = 0;
+  const std::string& text = structure.fileId;
+  auto end = std::from_chars(text.data(), text.data() + text.size(), number);
+  return end.ec == std::errc() && end.ptr == text.data() + text.size() ? number : 0;
 }
 
 bool mixesChannels(const VolumeLayer& layer) {

@@ -186,6 +186,8 @@ glm::dmat4 worldFromCut(const Cut& cut);
 
 /// Adds a structure, with name and colour from the label data, for every id that the layer does not list yet.
 void completeStructures(LabelLayer& labels);
+/// Structure::fileId as a number; 0 where there is none.
+std::uint64_t fileIdOf(const Structure& structure);
 
 /// True when the volume's channels are mixed, each by its own look.
 bool mixesChannels(const VolumeLayer& layer);

@@ -22,6 +22,7 @@ struct Structure {
   ShowAs showAs = ShowAs::Material;  ///< its values by the transfer function, or a closed surface of its colour; alone,
                                      ///< in a scene without a volume, it is always a surface
   double smoothing = 0.0;  ///< of its shape in the file: standard deviation of a Gaussian, a length; 0: as it is there
+  std::string fileId;      ///< its number in the file where that is another (LabelInfo::fileId), in decimal digits
   bool operator==(const Structure&) const = default;
   static void fields(auto& o, auto& visit) {
     visit("id", o.id, FieldInfo{"", {1, 65535}, "Label."});
@@ -35,6 +36,8 @@ struct Structure {
     visit("tint", o.tint, FieldInfo{"", {0, 1}, "How far it takes its own colour; a factor on the labels' tint."});
     visit("smoothing", o.smoothing,
           FieldInfo{kLength, {0, 1e6}, "How far its shape is smoothed: a Gaussian's standard deviation.", true});
+    visit("fileId", o.fileId,
+          FieldInfo{"", {}, "Its number in the file of the labels, where that is not its id.", true});
     visit("litSphere", o.litSphere,
           FieldInfo{"", {}, "Lit sphere of a finished picture; empty: that of the finish.", true});
   }

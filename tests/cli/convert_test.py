@@ -60,6 +60,33 @@ class Convert(CliTest):
         self.assertEqual(report["streaming"]["missing"], 0)
         self.assertAlmostEqual(sum(report["streaming"]["shares"]), 1.0, delta=1e-9)
 
+    def test_a_streamed_volume_is_written_at_its_finest_level_and_so_is_a_box_of_it(self):
+        path, streamed = self.sample("torso", 160), ["--read-whole", "100kB"]
+        before = self.report("info", path)
+        self.run_batch("convert", path, "a.zarr")
+
+        def voxels(name):
+            return (self.folder / name).read_bytes().split(b"\n\n", 1)[1]
+
+        self.run_batch("convert", path, "whole.nrrd")
+        self.run_batch("convert", "a.zarr", "streamed.nrrd", *streamed)
+        self.assertEqual(voxels("whole.nrrd"), voxels("streamed.nrrd"))
+        box = ["--box", "10,20,30,60,50,70"]
+        self.run_batch("convert", path, "box.nrrd", *box)
+        self.run_batch("convert", "a.zarr", "streamed-box.nrrd", *box, *streamed)
+        self.run_batch("convert", "a.zarr", "box.zarr", *box, *streamed)
+        self.run_batch("convert", "box.zarr", "stored-box.nrrd")
+        for name in ("box", "streamed-box", "stored-box"):
+            info = self.report("info", f"{name}.nrrd")
+            self.assertEqual(info["dims"], [50, 30, 40])
+            self.assertEqual(voxels("box.nrrd"), voxels(f"{name}.nrrd"))
+            rows = [before["direction"][3 * i:3 * i + 3] for i in range(3)]
+            for row, origin, first in zip(rows, before["originMm"], info["originMm"]):
+                steps = [n * cosine * edge for n, cosine, edge in zip((10, 20, 30), row, before["spacingMm"])]
+                self.assertAlmostEqual(first, origin + sum(steps), delta=1e-3)
+        self.refuse("convert", "a.zarr", "c.nrrd", "--box", "10,20,30,60,50,7000", code=1, words=["does not lie in"])
+        self.refuse("convert", "a.zarr", "c.nrrd", "--box", "10,20,30,60,20,70", code=1, words=["does not lie in"])
+
     def test_stores_of_others_become_pyramids(self):
         for level, factor in (("s0", 1), ("s1", 2)):
             folder = self.folder / "a.n5" / level

@@ -5,6 +5,7 @@
 #include <random>
 
 #include "core/Error.h"
+#include "core/Memory.h"
 
 namespace velum {
 namespace {
@@ -47,6 +48,37 @@ TEST(LabelVolume, OutsideOfItThereIsNoLabel) {
       p[axis] = off;
       EXPECT_EQ(labels.at(p), 0) << p.x << ", " << p.y << ", " << p.z;
     }
+}
+
+TEST(LabelVolume, AFilledBrickIsThatOfAWrittenOneAndChangesNoCopy) {
+  glm::ivec3 dims(150, 140, 70), corner(128, 128, 64), size = dims - corner;
+  LabelVolume written(dims, glm::dmat4(1.0)), filled = written;
+  std::vector<std::uint16_t> ids(std::size_t(size.x * size.y * size.z), 9);
+  written.write(corner, size, ids);
+  LabelVolume before = filled;
+  filled.fillBrick(corner / 32, 9);
+  EXPECT_EQ(filled.storedBytes(), 0u);
+  EXPECT_EQ(filled.idsInUse(), std::vector<std::uint16_t>{9});
+  EXPECT_TRUE(before.idsInUse().empty());
+  std::vector<std::uint16_t> a(std::size_t(dims.x * dims.y * dims.z)), b = a;
+  written.read(glm::ivec3(0), dims, a);
+  filled.read(glm::ivec3(0), dims, b);
+  EXPECT_EQ(a, b);
+  std::uint64_t id = filled.brickId(corner / 32);
+  filled.fillBrick(corner / 32, 9);
+  EXPECT_EQ(filled.brickId(corner / 32), id) << "its ids have not changed";
+}
+
+TEST(LabelVolume, AGridOfAnySizeCostsWhatIsWrittenToIt) {
+  std::size_t before = allocatedBytes();
+  LabelVolume labels(glm::ivec3(8192), glm::dmat4(1.0));
+  std::uint16_t id = 3;
+  labels.write({8191, 4000, 77}, {1, 1, 1}, {&id, 1});
+  std::vector<LabelVolume> copies(10, labels);
+  for (LabelVolume& copy : copies) copy.write({5, 6, 7}, {1, 1, 1}, {&id, 1});
+  EXPECT_LT(double(allocatedBytes()) - double(before), 80e6);
+  EXPECT_EQ(copies[3].at({8191, 4000, 77}), 3);
+  EXPECT_EQ(labels.at({5, 6, 7}), 0);
 }
 
 TEST(LabelVolume, AnEditCostsTheBricksItTouches) {

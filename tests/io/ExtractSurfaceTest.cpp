@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <random>
@@ -129,6 +130,70 @@ TEST(ExtractSurface, SmoothBallsHaveTheAreaOfABall) {
     area += 0.5 * glm::length(glm::cross(at(1) - at(0), at(2) - at(0)));
   }
   EXPECT_NEAR(area, 4 * pi * radius * radius, 0.03 * 4 * pi * radius * radius) << "steps would have some 9 % more";
+}
+
+/// Numbers of a surface that depend on no order.
+std::vector<double> sortedNumbers(const Mesh& mesh) {
+  std::vector<double> all, one;
+  auto take = [&] {
+    std::sort(one.begin(), one.end());
+    all.insert(all.end(), one.begin(), one.end());
+    one.clear();
+  };
+  for (int axis = 0; axis < 3; ++axis, take())
+    for (const auto& p : mesh.positions) one.push_back(p[axis]);
+  for (int axis = 0; axis < 3; ++axis, take())
+    for (const auto& n : mesh.normals) one.push_back(n[axis]);
+  for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+    glm::dvec3 a = mesh.positions[mesh.indices[i]], b = mesh.positions[mesh.indices[i + 1]],
+               c = mesh.positions[mesh.indices[i + 2]];
+    one.push_back(glm::length(glm::cross(b - a, c - a)));
+  }
+  take();
+  return all;
+}
+
+TEST(ExtractSurface, ALargeBoxIsWorkedOnInBlocksThatLeaveNoSeam) {
+  // Two balls in the corners of a grid that is too large to be worked on as a whole; each meets several blocks, and one
+  // the border of the grid.
+  glm::ivec3 dims(660, 640, 650);
+  LabelVolume labels(dims, glm::dmat4(1.0));
+  struct Ball {
+    glm::ivec3 centre;
+    int radius;
+  } balls[] = {{{128, 127, 130}, 38}, {{645, 610, 625}, 24}};
+  std::vector<Mesh> apart;
+  std::vector<std::pair<glm::ivec3, glm::ivec3>> boxes;
+  for (auto [centre, radius] : balls) {
+    glm::ivec3 low = glm::max(centre - radius, glm::ivec3(0)), size = glm::min(centre + radius + 1, dims) - low, v;
+    std::vector<std::uint16_t> ids;
+    for (v.z = 0; v.z < size.z; ++v.z)
+      for (v.y = 0; v.y < size.y; ++v.y)
+        for (v.x = 0; v.x < size.x; ++v.x) {
+          glm::dvec3 off(low + v - centre);
+          double bumps = 0.8 * std::sin(off.x * 1.3) * std::sin(off.y * 1.7);
+          ids.push_back(glm::length(off) + bumps < radius - 1.5 ? 7 : off.x > 3 * off.y ? 2 : 0);
+        }
+    labels.write(low, size, ids);
+    boxes.emplace_back(low, low + size - 1);
+  }
+  StructureField field = fieldOf(labels);
+  Progress progress;
+  Mesh all = extractSurface(field, 7, glm::ivec3(0), dims - 1, 0.0, progress);
+  expectWatertight(all);
+  std::vector<double> numbers = sortedNumbers(all);
+  Mesh joined;
+  for (auto [low, high] : boxes) {
+    Mesh part = extractSurface(field, 7, low, high, 0.0, progress);
+    auto first = std::uint32_t(joined.positions.size());
+    joined.positions.insert(joined.positions.end(), part.positions.begin(), part.positions.end());
+    joined.normals.insert(joined.normals.end(), part.normals.begin(), part.normals.end());
+    for (std::uint32_t i : part.indices) joined.indices.push_back(first + i);
+  }
+  std::vector<double> expected = sortedNumbers(joined);
+  ASSERT_EQ(numbers.size(), expected.size());
+  EXPECT_GT(all.positions.size(), 20'000u);
+  for (std::size_t i = 0; i < numbers.size(); ++i) ASSERT_NEAR(numbers[i], expected[i], 1e-5) << i;
 }
 
 TEST(ExtractSurface, NothingIsRefusedAndACancelIsHeard) {

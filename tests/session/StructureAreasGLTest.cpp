@@ -3,6 +3,7 @@
 #include <map>
 
 #include "GlFixture.h"
+#include "PyramidSource.h"
 #include "makeModel.h"
 #include "makeVolume.h"
 #include "render/Renderer.h"
@@ -67,6 +68,13 @@ class StructureAreasGL : public GlTest {
 };
 
 }  // namespace
+
+TEST_F(StructureAreasGL, AStreamedVolumeChangesNone) {
+  scene::Scene whole = twoBalls(), streamed = whole;
+  auto source = std::make_shared<PyramidSource>(*whole.volume.data, 3, glm::ivec3(16));
+  streamed.volume.data = Shared<Volume>(streamedVolume(source, 2));
+  EXPECT_EQ(areasOf(streamed, draw(streamed)), areasOf(whole, draw(whole)));
+}
 
 TEST_F(StructureAreasGL, RaysAndPicturesTellTheSame) {
   scene::Scene scene = twoBalls();

@@ -11,7 +11,8 @@
 namespace velum::io {
 
 bool holdsAreasOfIds(const Volume& v) {
-  if (v.channels != 1 || v.range.x < 0 || v.range.y > 65535) return false;
+  bool isFloat = v.type == SampleType::Float32 || v.type == SampleType::Float64;
+  if (v.channels != 1 || v.range.x < 0 || (isFloat && v.range.y > 65535)) return false;
   bool isWhole = true;
   std::size_t pairs = 0, equal = 0, row = std::size_t(v.dims.x), count = voxelCount(v);
   visitSamples(v, [&](const auto* samples) {

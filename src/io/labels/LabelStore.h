@@ -8,7 +8,8 @@
 
 namespace velum::io {
 
-/// Writes labels as a store, with names and colours, as writeStore() does. @throw InputError, Cancelled
+/// Writes labels as a store, with names and colours and the ids of the file that they come from (LabelInfo::fileId), as
+/// writeStore() does. @throw InputError, Cancelled
 std::vector<std::string> writeLabelStore(const LabelVolume& labels, const Path& path, OmeVersion version,
                                          Progress& progress);
 

@@ -7,10 +7,12 @@
 
 #include "io/labels/LabelGuess.h"
 #include "io/labels/LabelTables.h"
+#include "io/labels/LargeLabels.h"
 #include "io/read/ByteSource.h"
 #include "io/read/FileNames.h"
 #include "io/read/Placement.h"
 #include "io/stores/OpenStore.h"
+#include "io/stores/WideIds.h"
 #include "io/volumes/DicomFile.h"
 #include "io/volumes/FormatTable.h"
 #include "io/volumes/NiftiHeader.h"
@@ -135,14 +137,25 @@ LabelVolume convert(const Volume& v, Overlay& overlay, const Path& path, Progres
   return labels;
 }
 
-LabelVolume labelsFrom(const Volume& v, const scene::Source& source, Progress& progress) {
+LabelVolume labelsFrom(const Volume& v, const scene::Source& source, Progress& progress, const KnownIds& known = {}) {
   Path path = source.path;
   auto segments = segmentsOf(path);
   if (v.channels > 1 && (segments.empty() || v.isColor))
     refuse(path, fmt::format("is no label volume: it has {} samples per voxel", v.channels));
-  if (v.range.x < 0 || v.range.y > 65535)
-    refuse(path, fmt::format("is no label volume: values run from {:.6g} to {:.6g}, ids from 0 to 65535", v.range.x,
-                             v.range.y));
+  bool isWide = v.range.y > double(kLargestLabel);
+  if (v.range.x < 0 || (isWide && v.channels > 1))
+    refuse(path, fmt::format("is no label volume: values run from {:.6g} to {:.6g}, ids from 0 to {}", v.range.x,
+                             v.range.y, v.channels > 1 ? "65535" : "2^63"));
+  if (isWide) {
+    LabelBrickOptions how;
+    how.path = path;
+    how.known = known;
+    std::vector<std::string> notes;
+    auto named = tableOf(source, notes);
+    LabelVolume labels = labelsByBricks(VolumeSource(v), v, how, std::move(named), progress);
+    labels.warnings.insert(labels.warnings.end(), notes.begin(), notes.end());
+    return labels;
+  }
   auto maps = layerMaps(segments, v.channels);
   Overlay overlay{maps};
   LabelVolume labels = convert(v, overlay, path, progress);
@@ -168,21 +181,6 @@ LabelVolume labelsFrom(const Volume& v, const scene::Source& source, Progress& p
   if (table.empty()) table = tableOf(source, labels.warnings);
   labels.table = completeTable(std::move(table), labels.idsInUse());
   return labels;
-}
-
-/// The file says nothing of where its voxels lie: no size, or one that is no more than a default, or the scan's, and
-/// neither axes of the patient nor an origin.
-bool hasNoPlace(const Volume& v, const LabelGrid& scan) {
-  if (!v.isSpacingKnown) return true;
-  if (v.isOrientationKnown || glm::dvec3(v.worldFromVoxel[3]) != glm::dvec3(0.0)) return false;
-  glm::dvec3 size = spacingOf(v) * millimetresPer(v.lengthUnit), ofScan;
-  for (int i = 0; i < 3; ++i) {
-    ofScan[i] = glm::length(glm::dvec3(scan.worldFromVoxel[i])) * millimetresPer(scan.unit);
-    bool isStraight = std::abs(v.worldFromVoxel[i][i]) == glm::length(glm::dvec3(v.worldFromVoxel[i]));
-    if (!isStraight) return false;
-  }
-  constexpr double kRounding = 1e-3;  // of sizes that another program wrote in single precision or in few digits
-  return size == glm::dvec3(1.0) || glm::all(glm::lessThan(glm::abs(size / ofScan - 1.0), glm::dvec3(kRounding)));
 }
 
 /// The voxels of labels, in the place of the scan where the file has none of its own.
@@ -231,12 +229,23 @@ std::optional<LabelVolume> readDicomLabels(const scene::Source& source, Progress
   return labels;
 }
 
+/// An image of a store that holds whole numbers of 64 bits, as only ids need.
+bool hasWideNumbers(const scene::Source& source) {
+  if (!isStore(source.path)) return false;
+  auto image = openImage(source.path, source.series);
+  image->carryIds();
+  return image->carriesIds();
+}
+
 }  // namespace
 
-LabelVolume readLabels(const scene::Source& source, Progress& progress, const std::optional<LabelGrid>& scan) {
+LabelVolume readLabels(const scene::Source& source, Progress& progress, const std::optional<LabelGrid>& scan,
+                       const KnownIds& known) {
   if (auto labels = readDicomLabels(source, progress)) return std::move(*labels);
+  if (segmentsOf(source.path).empty())
+    if (auto labels = readLargeLabels(source, scan, known, progress)) return std::move(*labels);
   Volume volume = scan ? readOn(*scan, source, progress) : readVolume(source, progress);
-  return labelsFrom(volume, source, progress);
+  return labelsFrom(volume, source, progress, known);
 }
 
 std::variant<Volume, LabelVolume> readVoxels(const scene::Source& source, Progress& progress) {
@@ -247,11 +256,14 @@ std::variant<Volume, LabelVolume> readVoxels(const scene::Source& source, Progre
   if (!looksLikeLabels(path) && !holdsLabels(path, source.series)) {
     Volume volume = readVolume(source, progress);
     if (!holdsNothingButIds(volume)) return volume;
+    if (volume.finer) return readLabels(source, progress);  // this was a coarse level
     return labelsFrom(volume, source, progress);
   }
-  if (!segmentsOf(path).empty() || holdsLabels(path, source.series)) return readLabels(source, progress);
+  if (!segmentsOf(path).empty() || holdsLabels(path, source.series) || hasWideNumbers(source))
+    return readLabels(source, progress);
   Volume volume = readVolume(source, progress);
   if (!holdsAreasOfIds(volume)) return volume;
+  if (volume.finer) return readLabels(source, progress);  // this was a coarse level
   return labelsFrom(volume, source, progress);
 }
 

@@ -6,7 +6,9 @@
 #include <array>
 #include <cstring>
 
+#include "core/Memory.h"
 #include "core/ReplaceFile.h"
+#include "core/VoxelSource.h"
 #include "io/labels/DicomSegWriter.h"
 #include "io/labels/LabelStore.h"
 #include "io/read/FileNames.h"
@@ -18,8 +20,9 @@ namespace velum::io {
 
 namespace {
 
-/// The ids as a plain volume, uint8 where they fit, filled slab by slab.
-Volume volumeOf(const LabelVolume& labels, Progress& progress) {
+/// The ids as a plain volume, uint8 where they fit, filled slab by slab. @throw InputError where they do not fit into
+/// memory
+Volume volumeOf(const LabelVolume& labels, const Path& path, Progress& progress) {
   Volume v;
   v.dims = labels.dims();
   auto used = labels.idsInUse();
@@ -27,6 +30,10 @@ Volume volumeOf(const LabelVolume& labels, Progress& progress) {
   v.worldFromVoxel = labels.worldFromVoxel();
   v.lengthUnit = labels.lengthUnit();
   v.name = labels.name;
+  if (double bytes = levelBytes(VolumeSource(v), 0), most = machineBytes() / 2; bytes > most)
+    refuse(path, fmt::format("labels of {:.1f} GB do not fit into half of the memory, {:.1f} GB, as this format needs; "
+                             "write a store (.zarr)",
+                             bytes / 1e9, most / 1e9));
   v.voxels.resize(timeStepBytes(v));
   std::size_t plane = std::size_t(v.dims.x) * std::size_t(v.dims.y);
   std::vector<std::uint16_t> slab(plane * LabelVolume::kBrickSize);
@@ -88,11 +95,14 @@ using WriteWith = std::vector<std::string> (*)(const Volume&, ReplaceFile&, cons
 
 std::vector<std::string> writeAsVolume(const LabelVolume& labels, ReplaceFile& file, bool isNifti, WriteWith write,
                                        Progress& progress) {
-  Volume v = volumeOf(labels, progress);
+  Volume v = volumeOf(labels, file.target(), progress);
   checkWhole(v, file.target());
   LabelExtras extras = extrasOf(labels, isNifti);
   auto losses = write(v, file, extras, progress);
   Losses more;
+  auto wide =
+      std::count_if(labels.table.begin(), labels.table.end(), [](const auto& info) { return info.fileId != 0; });
+  more.say(wide > 0, "{} structures have other ids than in the file that they come from; a store keeps those", wide);
   more.say(extras.changedNames > 0,
            "{} names of structures are changed: line ends, or what ends a name in XML, cannot stand in them",
            extras.changedNames);

@@ -1,10 +1,6 @@
 #include "io/meshes/ExtractSurface.h"
 
-#include <fmt/format.h>
 #include <vtkCellArray.h>
-#include <vtkDiscreteFlyingEdges3D.h>
-#include <vtkIdList.h>
-#include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
@@ -24,6 +20,7 @@
 #include "io/meshes/StructureShares.h"
 #include "io/meshes/SurfaceShape.h"
 #include "io/meshes/ThreeWayBorders.h"
+#include "io/meshes/VoxelSurface.h"
 #include "io/read/VtkQuiet.h"
 
 namespace velum::io {
@@ -32,62 +29,6 @@ namespace {
 
 /// How far smoothing may move a point, voxels, at a smoothness of 1: small and thin structures would shrivel without.
 constexpr double kMostMoved = 1.4;
-
-/// 1 in the structure, with a border of 0 all around. @throw InputError when it has no voxel
-vtkSmartPointer<vtkImageData> maskOf(const LabelVolume& labels, std::uint16_t structure, glm::ivec3 low,
-                                     glm::ivec3 size) {
-  glm::ivec3 padded = size + 2;
-  auto image = vtkSmartPointer<vtkImageData>::New();
-  image->SetDimensions(padded.x, padded.y, padded.z);
-  image->SetOrigin(low.x - 1, low.y - 1, low.z - 1);
-  image->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
-  auto* to = static_cast<unsigned char*>(image->GetScalarPointer());
-  std::fill(to, to + std::size_t(image->GetNumberOfPoints()), static_cast<unsigned char>(0));
-  std::vector<std::uint16_t> plane(std::size_t(size.x) * std::size_t(size.y));
-  bool isEmpty = true;
-  for (int z = 0; z < size.z; ++z) {
-    labels.read({low.x, low.y, low.z + z}, {size.x, size.y, 1}, plane);
-    for (int y = 0; y < size.y; ++y)
-      for (int x = 0; x < size.x; ++x) {
-        if (plane[std::size_t(y) * std::size_t(size.x) + std::size_t(x)] != structure) continue;
-        isEmpty = false;
-        to[(std::size_t(z + 1) * std::size_t(padded.y) + std::size_t(y + 1)) * std::size_t(padded.x) +
-           std::size_t(x + 1)] = 1;
-      }
-  }
-  if (isEmpty) throw InputError(fmt::format("structure {} has no voxels, and so no surface", structure));
-  return image;
-}
-
-/// Points midway between voxels in and out, joined to a closed surface.
-vtkSmartPointer<vtkPolyData> trianglesOf(vtkImageData* mask, Progress& progress) {
-  VtkQuiet quiet;
-  vtkNew<vtkDiscreteFlyingEdges3D> edges;
-  quiet.listen(*edges, &progress);
-  edges->SetInputData(mask);
-  edges->SetNumberOfContours(1);
-  edges->SetValue(0, 1);
-  edges->ComputeNormalsOff();
-  edges->ComputeGradientsOff();
-  edges->ComputeScalarsOff();
-  edges->Update();
-  progress.throwIfCancelled();
-  return edges->GetOutput();
-}
-
-SurfaceShape shapeOf(vtkPolyData& surface) {
-  SurfaceShape shape;
-  shape.positions.resize(std::size_t(surface.GetNumberOfPoints()));
-  for (std::size_t i = 0; i < shape.positions.size(); ++i) surface.GetPoint(vtkIdType(i), &shape.positions[i].x);
-  vtkNew<vtkIdList> corners;
-  vtkCellArray* cells = surface.GetPolys();
-  shape.indices.reserve(std::size_t(cells->GetNumberOfCells()) * 3);
-  for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i) {
-    cells->GetCellAtId(i, corners);
-    for (vtkIdType c = 0; c < 3; ++c) shape.indices.push_back(std::uint32_t(corners->GetId(c)));
-  }
-  return shape;
-}
 
 /// What the shape gains when a point moves: a third of the areas around it, along their normals.
 std::vector<glm::dvec3> gains(const SurfaceShape& shape, double& volume) {
@@ -283,7 +224,7 @@ Mesh plugin::extractSurface(const StructureField& field, std::uint16_t structure
                             double smoothness, Progress& progress) {
   const LabelVolume& labels = *field.cover().labels();
   // Which voxels are the structure's says what is joined to what, so that the surface is closed whatever lies between.
-  SurfaceShape shape = shapeOf(*trianglesOf(maskOf(labels, structure, low, high - low + 1), progress));
+  SurfaceShape shape = voxelSurface(labels, structure, low, high, progress);
   std::vector<glm::dvec3> halfway = shape.positions;
   auto hasThird = moveToBorder(shape, field, structure, progress);
   roundOut(shape, halfway, isByValues(field, structure) ? kRoundByValues : kRoundByLabels);

@@ -12,7 +12,7 @@ namespace velum::io {
 
 namespace {
 
-constexpr std::size_t kMostLines = 10'000, kLongestLine = 1 << 16;
+constexpr std::size_t kMostLines = 10'000, kLongestOfHeader = 1 << 16;
 
 std::optional<PlyType> typeNamed(std::string_view name) {
   constexpr std::pair<std::string_view, PlyType> kTypes[] = {
@@ -37,7 +37,7 @@ class Lines {
   std::string_view next() {
     if (mAt >= mText.size()) refuse(mPath, "has no end of its header: it is cut short");
     std::size_t end = std::min(mText.find(mEnd, mAt), mText.size());
-    if (++mCount > kMostLines || end - mAt > kLongestLine) refuse(mPath, "has no end of its header");
+    if (++mCount > kMostLines || end - mAt > kLongestOfHeader) refuse(mPath, "has no end of its header");
     auto line = mText.substr(mAt, end - mAt);
     mAt = std::min(end + 1, mText.size());
     return trimmed(line);

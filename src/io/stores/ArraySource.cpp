@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "io/stores/CopySamples.h"
+#include "io/stores/SpareBytes.h"
 
 namespace velum::io {
 
@@ -63,7 +64,7 @@ ArraySource::ArraySource(ArrayPyramid pyramid) : mIsWhole(pyramid.isWhole), mOpe
 
 void ArraySource::check(const ChunkArray& array, int level) const {
   VoxelLevel found = levelOf(array, mLevels[std::size_t(level)].dims);
-  if (found.brickSize != mLevels[std::size_t(level)].brickSize || sampleTypeOf(array.type) != mHead.type)
+  if (found.brickSize != mLevels[std::size_t(level)].brickSize || sampleTypeOf(givenType(array.type)) != mHead.type)
     refuse(array.path, "its chunks or its type are not those of the first array of its level");
 }
 
@@ -95,8 +96,9 @@ void ArraySource::read(const BrickAddress& address, const SampleTarget& target) 
   steps.z = steps.y * std::ptrdiff_t(chunk->size[1]);
   steps.channel = steps.z * std::ptrdiff_t(chunk->size[2]);
   steps.timeStep = steps.channel * std::ptrdiff_t(chunk->size[3]);
-  if (!copySamples(array->type, chunk->bytes.data(), steps, there, target))
+  if (!copySamples(givenType(array->type), chunk->bytes.data(), steps, there, target))
     refuseWideNumbers(array->type, array->path.string());
+  giveBytes(std::move(chunk->bytes));
 }
 
 }  // namespace velum::io

@@ -100,8 +100,9 @@ Json describeStructures(const std::vector<LabelInfo>& structures, const char* ve
   Json colors = Json::array(), properties = Json::array();
   for (const LabelInfo& info : structures) {
     auto c = glm::ivec4(glm::round(glm::clamp(glm::vec4(info.color, info.opacity), 0.0f, 1.0f) * 255.0f));
-    colors.push_back({{"label-value", info.id}, {"rgba", {c.r, c.g, c.b, c.a}}});
-    properties.push_back({{"label-value", info.id}, {"name", info.name}});
+    std::uint64_t number = info.fileId != 0 ? info.fileId : info.id;
+    colors.push_back({{"label-value", number}, {"rgba", {c.r, c.g, c.b, c.a}}});
+    properties.push_back({{"label-value", number}, {"name", info.name}});
   }
   Json json = {{"version", version}};
   if (!colors.empty()) json["colors"] = colors, json["properties"] = properties;
@@ -150,7 +151,7 @@ MetadataFile describeArray(const OmeLayout& layout, const Volume& head, int numb
     return {".zarray", jsonText({{"zarr_format", 2},
                                  {"shape", shape},
                                  {"chunks", brick},
-                                 {"dtype", kVersion2Types[std::size_t(head.type)]},
+                                 {"dtype", layout.carriesIds ? "<u8" : kVersion2Types[std::size_t(head.type)]},
                                  {"compressor", {{"id", "zstd"}, {"level", layout.zstdLevel}}},
                                  {"fill_value", 0},
                                  {"order", "C"},
@@ -161,7 +162,7 @@ MetadataFile describeArray(const OmeLayout& layout, const Volume& head, int numb
   return {"zarr.json", jsonText({{"zarr_format", 3},
                                  {"node_type", "array"},
                                  {"shape", shape},
-                                 {"data_type", std::string(enumName(head.type))},
+                                 {"data_type", layout.carriesIds ? "uint64" : std::string(enumName(head.type))},
                                  {"chunk_grid", {{"name", "regular"}, {"configuration", {{"chunk_shape", shard}}}}},
                                  {"chunk_key_encoding", {{"name", "default"}, {"configuration", {{"separator", "/"}}}}},
                                  {"fill_value", 0},

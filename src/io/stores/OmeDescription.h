@@ -20,6 +20,7 @@ struct OmeLayout {
   int zstdLevel = 0;
   std::vector<PlannedLevel> levels;
   bool isLabels = false;
+  bool carriesIds = false;        ///< samples are the bits of whole numbers (StoreSource::carryIds)
   bool hasChosenWindows = false;  ///< somebody chose the windows of channels: they are not just their ranges
 };
 

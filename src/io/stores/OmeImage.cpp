@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 
 #include "io/stores/OmeGroup.h"
 #include "io/stores/StoreSource.h"
+#include "io/stores/WideIds.h"
 
 namespace velum::io {
 
@@ -207,19 +209,22 @@ std::vector<OmeChannel> channelsOf(const Json& attributes) {
   return channels;
 }
 
-/// Names and colours of ids that a volume of labels can hold.
+/// Names and colours of ids, in their order.
 std::vector<LabelInfo> structuresOf(const Json& imageLabel) {
-  std::vector<LabelInfo> structures;
+  std::map<std::uint64_t, LabelInfo> structures;
   auto at = [&](const Json& row) -> LabelInfo* {
     const Json& value = memberOf(row, "label-value");
-    if (!value.is_number_unsigned() || value.get<std::uint64_t>() < 1 || value.get<std::uint64_t>() > 65535)
-      return nullptr;
-    auto id = std::uint16_t(value.get<std::uint64_t>());
-    auto place = std::lower_bound(structures.begin(), structures.end(), id,
-                                  [](const LabelInfo& info, std::uint16_t other) { return info.id < other; });
-    if (place == structures.end() || place->id != id)
-      place = structures.insert(place, LabelInfo{id, fmt::format("Structure {}", id), defaultLabelColor(id), 1.0f});
-    return &*place;
+    if (!value.is_number_unsigned() || value.get<std::uint64_t>() < 1) return nullptr;
+    auto number = value.get<std::uint64_t>();
+    LabelInfo& info = structures[number];
+    if (!info.name.empty()) return &info;
+    if (number > kLargestLabel) {
+      info = {0, segmentName(number), defaultLabelColor(std::uint16_t(number)), 1.0f, number};
+    } else {
+      auto id = std::uint16_t(number);
+      info = {id, fmt::format("Structure {}", id), defaultLabelColor(id), 1.0f};
+    }
+    return &info;
   };
   if (const Json& colors = memberOf(imageLabel, "colors"); colors.is_array())
     for (const Json& row : colors) {
@@ -235,7 +240,9 @@ std::vector<LabelInfo> structuresOf(const Json& imageLabel) {
           if (LabelInfo* info = at(row)) info->name = name;
           break;
         }
-  return structures;
+  std::vector<LabelInfo> list;
+  for (auto& [number, info] : structures) list.push_back(std::move(info));
+  return list;
 }
 
 /// An array without a word of OME's: its last axes are those of space, before them channels, then time.

@@ -39,7 +39,7 @@ struct OmeImage {
   std::vector<OmeChannel> channels;
   bool isBare = false;                ///< an array of which nothing says what its axes measure
   bool isLabels = false;              ///< its samples are ids
-  std::vector<LabelInfo> structures;  ///< of labels: names and colours of ids, as far as the file has some
+  std::vector<LabelInfo> structures;  ///< as in StoreFacts
 };
 
 /// The image at a key; nothing where there is none. @throw InputError for one that is damaged or breaks the rules

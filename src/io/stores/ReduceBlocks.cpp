@@ -99,17 +99,23 @@ void chooseRow(const Rows<Sample>& rows, int fromCount, int count, int factorX, 
   }
 }
 
+/// Bits are all that ids are.
+template <class Bits>
+void choose(const std::byte* from, glm::ivec3 fromSize, glm::ivec3 size, glm::ivec3 factor, std::byte* to) {
+  auto* out = reinterpret_cast<Bits*>(to);
+  for (int z = 0; z < size.z; ++z)
+    for (int y = 0; y < size.y; ++y, out += size.x)
+      chooseRow(rowsOf(reinterpret_cast<const Bits*>(from), fromSize, factor, y, z), fromSize.x, size.x, factor.x, out);
+}
+
 template <class Sample>
-void reduce(Reduction reduction, const Sample* from, glm::ivec3 fromSize, glm::ivec3 size, glm::ivec3 factor,
-            Sample* to) {
+void average(const Sample* from, glm::ivec3 fromSize, glm::ivec3 size, glm::ivec3 factor, Sample* to) {
   using Sum = std::conditional_t<sizeof(Sample) <= 2, std::int32_t, std::int64_t>;
   std::vector<Sum> sums(std::size_t(fromSize.x));
   for (int z = 0; z < size.z; ++z)
     for (int y = 0; y < size.y; ++y, to += size.x) {
       Rows<Sample> rows = rowsOf(from, fromSize, factor, y, z);
-      if (reduction == Reduction::Majority)
-        chooseRow(rows, fromSize.x, size.x, factor.x, to);
-      else if constexpr (std::is_floating_point_v<Sample>)
+      if constexpr (std::is_floating_point_v<Sample>)
         averageFloatRow(rows, fromSize.x, size.x, factor.x, to);
       else
         averageWholeRow<Sample, Sum>(rows, fromSize.x, size.x, factor.x, sums, to);
@@ -120,11 +126,23 @@ void reduce(Reduction reduction, const Sample* from, glm::ivec3 fromSize, glm::i
 
 void reduceBlocks(SampleType type, Reduction reduction, const std::byte* from, glm::ivec3 fromSize, glm::ivec3 size,
                   glm::ivec3 factor, std::byte* to) {
+  if (reduction == Reduction::Majority) {
+    switch (sampleSize(type)) {
+      case 1:
+        return choose<std::uint8_t>(from, fromSize, size, factor, to);
+      case 2:
+        return choose<std::uint16_t>(from, fromSize, size, factor, to);
+      case 4:
+        return choose<std::uint32_t>(from, fromSize, size, factor, to);
+      default:
+        return choose<std::uint64_t>(from, fromSize, size, factor, to);
+    }
+  }
   Volume typed;
   typed.type = type;
   visitSamples(typed, [&](auto* null) {
     using Sample = std::remove_const_t<std::remove_pointer_t<decltype(null)>>;
-    reduce(reduction, reinterpret_cast<const Sample*>(from), fromSize, size, factor, reinterpret_cast<Sample*>(to));
+    average(reinterpret_cast<const Sample*>(from), fromSize, size, factor, reinterpret_cast<Sample*>(to));
   });
 }
 

@@ -9,7 +9,8 @@ namespace velum::io {
 /// What stands for a block of samples.
 enum class Reduction {
   Mean,     ///< rounded to the nearest whole number, halves to the even one; NaN count only where all are
-  Majority  ///< the most frequent one; of equally frequent ones the smallest that is not 0: thin things stay
+  Majority  ///< the most frequent one; of equally frequent ones the smallest that is not 0: thin things stay. For
+            ///< ids, whose bits are compared
 };
 
 /// Makes one sample of each block of 1 or 2 along each axis. Samples lie x fastest, without gaps.

@@ -51,6 +51,7 @@ StoreWriter::StoreWriter(const VoxelSource& source, Volume head, Path folder, co
   mLayout.version = options.version;
   mLayout.zstdLevel = options.zstdLevel;
   mLayout.isLabels = options.isLabels;
+  mLayout.carriesIds = options.carriesIds;
   int edge = options.version == OmeVersion::V04 ? kFileEdge : kShardedEdge;
   mLayout.levels = planPyramid(mHead.dims, spacingOf(mHead), edge, sampleSize(mHead.type));
   for (const PlannedLevel& level : mLayout.levels)
@@ -154,6 +155,7 @@ void StoreWriter::reduceInto(Bytes& samples, const VoxelSource& finer, const Pla
 void StoreWriter::writeCoarser(int number) {
   const PlannedLevel& level = mLayout.levels[std::size_t(number)];
   ZarrSource finer = written(number - 1);
+  if (mLayout.carriesIds) finer.carryIds();
   glm::ivec3 shards = divideUp(level.dims, level.shard);
   std::size_t ofChannel = volumeOf(shards), channels = std::size_t(mHead.channels);
   auto fill = [&](const BrickBox& box, Bytes& samples) { reduceInto(samples, finer, level, box); };

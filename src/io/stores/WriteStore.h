@@ -15,7 +15,8 @@ struct StoreOptions {
   OmeVersion version = OmeVersion::V05;
   int level = 0;                                   ///< of the source, that becomes the finest
   bool isLabels = false;                           ///< samples are ids: coarser levels take the most frequent one
-  std::vector<LabelInfo> structures;               ///< of labels
+  bool carriesIds = false;                         ///< of labels: samples are ids of 64 bits (StoreSource::carryIds)
+  std::vector<LabelInfo> structures;               ///< of labels; LabelInfo::fileId, where there is one, is the id
   std::size_t slabBytes = std::size_t(512) << 20;  ///< of the finest level, that are in memory at once
   int zstdLevel = 1;
 };

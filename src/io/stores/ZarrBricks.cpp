@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "io/read/SampleBytes.h"
+#include "io/stores/SpareBytes.h"
 
 namespace velum::io {
 
@@ -32,7 +33,11 @@ Bytes ZarrBricks::unpack(Bytes packed, const std::string& key) const {
   return unpackBytes(mArray.codecs, std::move(packed), brickBytes(mArray), mStore->pathOf(key));
 }
 
-std::optional<Bytes> ZarrBricks::readInShard(std::span<const std::uint64_t> index) const {
+bool ZarrBricks::has(std::span<const std::uint64_t> index) const {
+  return mArray.shard ? find(index).isThere : mStore->open(chunkKey(mArray, index)) != nullptr;
+}
+
+ZarrBricks::Place ZarrBricks::find(std::span<const std::uint64_t> index) const {
   std::vector<std::uint64_t> chunk;
   std::size_t brick = 0;
   for (std::size_t i = 0; i < index.size(); ++i) {
@@ -40,17 +45,25 @@ std::optional<Bytes> ZarrBricks::readInShard(std::span<const std::uint64_t> inde
     chunk.push_back(index[i] / count);
     brick = brick * count + index[i] % count;
   }
-  std::string key = chunkKey(mArray, chunk);
-  auto shard = openShard(key);
-  if (!shard->blob) return std::nullopt;
+  Place place;
+  place.key = chunkKey(mArray, chunk);
+  place.shard = openShard(place.key);
+  if (!place.shard->blob) return place;
   constexpr std::uint64_t kNone = ~std::uint64_t(0);
-  std::uint64_t at = shard->index[2 * brick], size = shard->index[2 * brick + 1];
-  if (at == kNone && size == kNone) return std::nullopt;
-  if (at > shard->blob->size() || size > shard->blob->size() - at || size > kMostChunkBytes)
-    refuse(mStore->pathOf(key), "the index of the shard points beyond its end: it is damaged or cut short");
-  Bytes packed(static_cast<std::size_t>(size));
-  shard->blob->read(at, packed);
-  return unpack(std::move(packed), key);
+  place.at = place.shard->index[2 * brick], place.size = place.shard->index[2 * brick + 1];
+  place.isThere = place.at != kNone || place.size != kNone;
+  return place;
+}
+
+std::optional<Bytes> ZarrBricks::readInShard(std::span<const std::uint64_t> index) const {
+  Place place = find(index);
+  if (!place.isThere) return std::nullopt;
+  const Blob& blob = *place.shard->blob;
+  if (place.at > blob.size() || place.size > blob.size() - place.at || place.size > kMostChunkBytes)
+    refuse(mStore->pathOf(place.key), "the index of the shard points beyond its end: it is damaged or cut short");
+  Bytes packed = takeBytes(static_cast<std::size_t>(place.size));
+  blob.read(place.at, packed);
+  return unpack(std::move(packed), place.key);
 }
 
 std::shared_ptr<const ZarrBricks::Shard> ZarrBricks::openShard(const std::string& key) const {

@@ -13,6 +13,7 @@
 #include "io/stores/OmeGroup.h"
 #include "io/stores/OwnAttributes.h"
 #include "io/stores/PyramidPlan.h"
+#include "io/stores/SpareBytes.h"
 
 namespace velum::io {
 
@@ -186,18 +187,29 @@ void ZarrSource::describeFacts() {
   }
 }
 
-void ZarrSource::read(const BrickAddress& address, const SampleTarget& target) const {
-  const ZarrBricks& bricks = *mArrays[std::size_t(address.level)];
-  const ZarrArray& array = bricks.array();
-  // Find the brick.
-  std::vector<std::uint64_t> index(array.shape.size(), 0);
+std::vector<std::uint64_t> ZarrSource::indexOf(const BrickAddress& address) const {
+  std::vector<std::uint64_t> index(mImage.axes.size(), 0);
   auto put = [&](Role role, int place) {
     if (auto axis = axisOf(mImage, role)) index[*axis] = std::uint64_t(place);
   };
   for (int i = 0; i < 3; ++i) put(kSpace[i], address.brick[i]);
   put(Role::Channel, address.channel);
   put(Role::Time, address.timeStep);
-  auto bytes = bricks.read(index);
+  return index;
+}
+
+std::optional<glm::dvec2> ZarrSource::range(const BrickAddress& address) const {
+  const ZarrBricks& bricks = *mArrays[std::size_t(address.level)];
+  const auto& fill = bricks.array().fill;
+  bool isZero = std::all_of(fill.begin(), fill.end(), [](std::byte byte) { return byte == std::byte(0); });
+  if (!isZero || bricks.has(indexOf(address))) return std::nullopt;
+  return glm::dvec2(0.0);
+}
+
+void ZarrSource::read(const BrickAddress& address, const SampleTarget& target) const {
+  const ZarrBricks& bricks = *mArrays[std::size_t(address.level)];
+  const ZarrArray& array = bricks.array();
+  auto bytes = bricks.read(indexOf(address));
   // See how its samples lie; of a missing one, all in one place.
   std::vector<std::ptrdiff_t> steps(array.shape.size(), 0);
   std::ptrdiff_t step = array.type.bytes;
@@ -213,8 +225,9 @@ void ZarrSource::read(const BrickAddress& address, const SampleTarget& target) c
                    stepAlong(Role::Time)};
   // Copy them, row by row.
   const std::byte* first = bytes ? bytes->data() : array.fill.data();
-  if (!copySamples(array.type, first, from, boxOf(*this, address), target))
+  if (!copySamples(givenType(array.type), first, from, boxOf(*this, address), target))
     refuseWideNumbers(array.type, mStore->pathOf(array.key).string());
+  if (bytes) giveBytes(std::move(*bytes));
 }
 
 }  // namespace velum::io

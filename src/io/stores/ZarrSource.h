@@ -17,12 +17,15 @@ class ZarrSource : public StoreSource {
   ZarrSource(std::shared_ptr<const Store> store, OmeImage image, std::vector<std::string> notes);
 
   void read(const BrickAddress& address, const SampleTarget& target) const override;
+  /// {0, 0} of bricks that the store lacks where such are 0.
+  std::optional<glm::dvec2> range(const BrickAddress& address) const override;
 
   const OmeImage& image() const { return mImage; }
   /// How a level is stored.
   const ZarrArray& stored(int level) const { return mArrays[std::size_t(level)]->array(); }
 
  private:
+  std::vector<std::uint64_t> indexOf(const BrickAddress& address) const;
   void openLevel(const OmeLevel& level);
   void describeHead();
   void placeLevels();

@@ -88,8 +88,14 @@ std::string misplacedLabels(const scene::Scene& scene) {
 
 std::optional<io::LabelGrid> gridOfScan(const scene::Scene& scene) {
   if (!scene.volume.data) return std::nullopt;
-  const Volume& scan = *scene.volume.data;
-  return io::LabelGrid{scan.dims, scan.worldFromVoxel, scan.lengthUnit};
+  return io::gridOf(*scene.volume.data);
+}
+
+LabelVolume readLabelsOf(const scene::Scene& scene, Progress& progress) {
+  io::KnownIds known;
+  for (const scene::Structure& structure : scene.labels.structures)
+    if (std::uint64_t fileId = scene::fileIdOf(structure); fileId != 0) known[fileId] = std::uint16_t(structure.id);
+  return io::readLabels(scene.labels.source, progress, gridOfScan(scene), known);
 }
 
 }  // namespace velum::session

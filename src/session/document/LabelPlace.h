@@ -16,4 +16,8 @@ std::string misplacedLabels(const scene::Scene& scene);
 /// The grid that labels without a place of their own take; nothing where there is no volume.
 std::optional<io::LabelGrid> gridOfScan(const scene::Scene& scene);
 
+/// Reads the labels that the scene names, onto the grid of its scan where they have no place of their own, with the ids
+/// that its structures have. @throw InputError, Cancelled
+LabelVolume readLabelsOf(const scene::Scene& scene, Progress& progress);
+
 }  // namespace velum::session

@@ -114,10 +114,11 @@ void putLabels(scene::Scene& scene, LabelVolume labels, Progress& progress) {
 /// Labels that were open before the scan that they are of, and have no place of their own, go where it is.
 void placeLabels(scene::Scene& scene, Progress& progress) {
   const auto& labels = scene.labels.data;
-  if (!labels || labels->dims() != scene.volume.data->dims || scene.labels.source.path.empty()) return;
-  if (!scene.labels.growths.empty() || labels->worldFromVoxel() == scene.volume.data->worldFromVoxel) return;
+  if (!labels || scene.labels.source.path.empty() || !scene.labels.growths.empty()) return;
+  io::LabelGrid scan = io::gridOf(*scene.volume.data);
+  if (labels->dims() != scan.dims || labels->worldFromVoxel() == scan.worldFromVoxel) return;
   if (std::error_code error; !fs::exists(scene.labels.source.path, error)) return;
-  putLabels(scene, io::readLabels(scene.labels.source, progress, gridOfScan(scene)), progress);
+  putLabels(scene, readLabelsOf(scene, progress), progress);
 }
 
 /// Puts labels in the place of the labels that the scene has.
@@ -219,8 +220,7 @@ void addLabels(scene::Scene& scene, const scene::Source& source, Progress& progr
 
 void add(scene::Scene& scene, const scene::Source& source, Progress& progress, std::vector<std::string>* notes,
          const DataPolicy& policy) {
-  fs::path path(source.path);
-  if (!fs::exists(path)) throw InputError(fmt::format("{}: there is no such file or folder", source.path));
+  if (!fs::exists(source.path)) throw InputError(fmt::format("{}: there is no such file or folder", source.path));
   io::FileKind kind = io::kindOf(source);
   if (kind == io::FileKind::Look)
     throw InputError(
@@ -274,7 +274,7 @@ void loadData(scene::Scene& scene, const fs::path& folder, Progress& progress, c
   }
   settleBody(scene, progress);
   if (isPlaced(scene.labels.source, bool(scene.labels.data), "labels", "labels"))
-    putLabels(scene, io::readLabels(scene.labels.source, progress, gridOfScan(scene)), progress);
+    putLabels(scene, readLabelsOf(scene, progress), progress);
   for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
     auto& surface = scene.surfaces[i];
     if (isPlaced(surface.source, bool(surface.data), fmt::format("surfaces.{}", i), "surface"))

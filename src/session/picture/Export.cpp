@@ -31,6 +31,9 @@ std::vector<std::string> exportSheets(const scene::Scene& settled, const std::ve
 std::vector<std::string> exportClippedVolume(const scene::Scene& settled, const std::filesystem::path& path,
                                              Progress& progress) {
   auto losses = io::writeVolume(clippedVolume(settled, progress), path, progress);
+  if (const Volume& volume = *settled.volume.data; volume.finer)
+    losses.push_back(fmt::format("of a streamed volume the level that is in memory is written, {} x {} x {} voxels",
+                                 volume.dims.x, volume.dims.y, volume.dims.z));
   if (int count = settled.volume.data->timeSteps; count > 1)
     losses.push_back(fmt::format("of {} time steps the one that is shown is written", count));
   return losses;

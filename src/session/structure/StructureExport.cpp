@@ -54,15 +54,23 @@ LabelVolume keepOnly(const LabelVolume& labels, const std::vector<int>& ids, Pro
   for (int id : ids) isKept[std::size_t(id)] = 1;
   constexpr int kBrick = LabelVolume::kBrickSize;
   std::vector<std::uint16_t> voxels;
-  glm::ivec3 dims = labels.dims();
-  for (int z = 0; z < dims.z; z += kBrick) {
-    glm::ivec3 size(dims.x, dims.y, std::min(kBrick, dims.z - z));
-    voxels.resize(std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z));
-    labels.read({0, 0, z}, size, voxels);
-    for (std::uint16_t& id : voxels)
-      if (!isKept[id]) id = 0;
-    kept.write({0, 0, z}, size, voxels);
-    progress.report(0.2 * double(z) / dims.z, "Choosing structures");
+  glm::ivec3 dims = labels.dims(), grid = labels.brickGrid(), at;
+  for (at.z = 0; at.z < grid.z; ++at.z) {
+    progress.report(0.2 * double(at.z) / grid.z, "Choosing structures");
+    for (at.y = 0; at.y < grid.y; ++at.y)
+      for (at.x = 0; at.x < grid.x; ++at.x) {
+        const LabelVolume::Brick& brick = labels.brick(at);
+        if (brick.size() == 1) {
+          if (isKept[brick[0]]) kept.fillBrick(at, brick[0]);
+          continue;
+        }
+        glm::ivec3 first = at * kBrick, size = glm::min(dims - first, glm::ivec3(kBrick));
+        voxels.resize(std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z));
+        labels.read(first, size, voxels);
+        for (std::uint16_t& id : voxels)
+          if (!isKept[id]) id = 0;
+        kept.write(first, size, voxels);
+      }
   }
   return kept;
 }
@@ -177,7 +185,8 @@ LabelVolume labelsOf(const scene::Scene& scene) {
   if (scene.labels.structures.empty()) return labels;
   std::vector<LabelInfo> table;
   for (const scene::Structure& structure : scene.labels.structures)
-    table.push_back({std::uint16_t(structure.id), structure.name, structure.color, float(structure.opacity)});
+    table.push_back({std::uint16_t(structure.id), structure.name, structure.color, float(structure.opacity),
+                     scene::fileIdOf(structure)});
   labels.table = std::move(table);
   return labels;
 }

@@ -22,7 +22,7 @@ struct StructureSize {
 /// uniform).
 /// @throw Cancelled. Any thread.
 std::map<int, StructureSize> countStructures(const LabelVolume& labels, Progress& progress);
-/// The same with their surfaces (see measureSurfaces()). O(voxels).
+/// The same with their surfaces (see measureSurfaces()).
 std::map<int, StructureSize> measureStructures(const LabelVolume& labels, Progress& progress);
 
 /// The middle of the voxel of a structure that is nearest to the structure's centroid, world: a place inside it,

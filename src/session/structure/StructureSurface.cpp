@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <unordered_map>
 #include <vector>
 
+#include "core/LabelCover.h"
 #include "core/Parallel.h"
 
 namespace velum::session {
@@ -12,7 +14,6 @@ namespace velum::session {
 namespace {
 
 constexpr int kDirections = 13;
-constexpr int kSlab = LabelVolume::kBrickSize;
 /// The steps to one neighbour of each pair of opposite neighbours.
 constexpr std::array<glm::ivec3, kDirections> kSteps = {{{1, 0, 0},
                                                          {-1, 1, 0},
@@ -61,76 +62,93 @@ std::array<double, kDirections> weightsOf(const std::array<glm::dvec3, kDirectio
   return weights;
 }
 
-/// Two planes of ids, as numbers of their places in a table, with a border of 0.
-class Planes {
- public:
-  explicit Planes(glm::ivec3 dims)
-      : mWidth(std::size_t(dims.x) + 2), mRows(std::size_t(dims.y) + 2), mLower(cells(), 0), mUpper(cells(), 0) {}
+using CountsById = std::unordered_map<std::uint16_t, Counts>;
 
-  std::size_t width() const { return mWidth; }
-  /// The upper plane becomes the lower one; `z` is read above it.
-  void step(const LabelVolume& labels, int z, const std::vector<std::uint16_t>& places) {
-    std::swap(mLower, mUpper);
-    glm::ivec3 dims = labels.dims();
-    if (z < 0 || z >= dims.z) {
-      std::fill(mUpper.begin(), mUpper.end(), std::uint16_t(0));
-      return;
-    }
-    mRead.resize(std::size_t(dims.x) * std::size_t(dims.y));
-    labels.read({0, 0, z}, {dims.x, dims.y, 1}, mRead);
-    for (std::size_t y = 0; y < std::size_t(dims.y); ++y)
-      for (std::size_t x = 0; x < std::size_t(dims.x); ++x)
-        mUpper[first() + (y + 1) * mWidth + x + 1] = places[mRead[y * std::size_t(dims.x) + x]];
+/// The ids of a brick, with those of the voxels around it, which are 0 beyond the grid.
+class BrickCells {
+ public:
+  BrickCells() {
+    for (std::size_t k = 0; k < kDirections; ++k)
+      mOffsets[k] = (kSteps[k].z * kWidth + kSteps[k].y) * kWidth + kSteps[k].x;
   }
-  /// Adds what changes from each cell of the lower plane to its neighbours.
-  void count(std::vector<Counts>& counts) const {
-    std::array<std::ptrdiff_t, kDirections> offsets;
-    for (std::size_t k = 0; k < kDirections; ++k) offsets[k] = kSteps[k].y * std::ptrdiff_t(mWidth) + kSteps[k].x;
-    const std::uint16_t* lower = mLower.data() + first();
-    const std::uint16_t* upper = mUpper.data() + first();
-    for (std::size_t i = 0; i < mWidth * mRows; ++i) {
-      std::uint16_t here = lower[i];
-      for (std::size_t k = 0; k < kDirections; ++k) {
-        std::uint16_t there = (kSteps[k].z ? upper : lower)[std::ptrdiff_t(i) + offsets[k]];
-        if (here == there) continue;
-        ++counts[here][k];
-        ++counts[there][k];
+
+  void read(const LabelVolume& labels, glm::ivec3 brick) {
+    mDims = labels.dims();
+    mFirst = brick * kBrick;
+    mSize = glm::min(mDims - mFirst, glm::ivec3(kBrick));
+    glm::ivec3 low = glm::max(mFirst - 1, glm::ivec3(0)), high = glm::min(mFirst + mSize + 1, mDims), size = high - low;
+    mRead.resize(std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z));
+    labels.read(low, size, mRead);
+    std::fill(mCells.begin(), mCells.end(), std::uint16_t(0));
+    const std::uint16_t* from = mRead.data();
+    for (int z = low.z; z < high.z; ++z)
+      for (int y = low.y; y < high.y; ++y, from += size.x) std::copy_n(from, size.x, cellAt({low.x, y, z}));
+  }
+
+  /// Adds what changes from each voxel of the brick to its neighbours: to those ahead of it, and to those before it
+  /// that lie beyond the grid, so that each pair counts once.
+  void count(CountsById& counts) {
+    std::uint16_t known = 0;
+    Counts* ofKnown = nullptr;
+    auto add = [&](std::uint16_t id, std::size_t k) {
+      if (!ofKnown || id != known) ofKnown = &counts[known = id];
+      ++(*ofKnown)[k];
+    };
+    for (int z = 0; z < mSize.z; ++z)
+      for (int y = 0; y < mSize.y; ++y) {
+        const std::uint16_t* row = cellAt(mFirst + glm::ivec3(0, y, z));
+        for (std::size_t k = 0; k < kDirections; ++k)
+          for (int x = 0; x < mSize.x; ++x) {
+            std::uint16_t here = row[x], there = row[x + mOffsets[k]];
+            if (here != there) add(here, k), add(there, k);
+            if (here != 0 && isBeyond(mFirst + glm::ivec3(x, y, z) - kSteps[k])) add(here, k);
+          }
       }
-    }
   }
 
  private:
-  /// A row and a cell more on either side, for neighbours of the border.
-  std::size_t first() const { return mWidth + 1; }
-  std::size_t cells() const { return mWidth * mRows + 2 * first(); }
-
-  std::size_t mWidth, mRows;
-  std::vector<std::uint16_t> mLower, mUpper, mRead;
+  static constexpr int kBrick = LabelVolume::kBrickSize, kWidth = kBrick + 2;
+  std::uint16_t* cellAt(glm::ivec3 voxel) {
+    glm::ivec3 at = voxel - mFirst + 1;
+    return mCells.data() + (at.z * kWidth + at.y) * kWidth + at.x;
+  }
+  bool isBeyond(glm::ivec3 voxel) const {
+    return glm::any(glm::greaterThanEqual(glm::uvec3(voxel), glm::uvec3(mDims)));
+  }
+  glm::ivec3 mDims{0}, mFirst{0}, mSize{0};
+  std::array<int, kDirections> mOffsets{};
+  std::vector<std::uint16_t> mCells = std::vector<std::uint16_t>(std::size_t(kWidth) * kWidth * kWidth), mRead;
 };
 
-std::vector<Counts> countChanges(const LabelVolume& labels, const std::vector<std::uint16_t>& used,
-                                 Progress& progress) {
-  std::vector<std::uint16_t> places(65536, 0);
-  for (std::size_t i = 0; i < used.size(); ++i) places[used[i]] = std::uint16_t(i + 1);
-  std::vector<Counts> none(used.size() + 1, Counts{});
-  auto body = [&](int from, int end) {
-    progress.throwIfCancelled();
-    std::vector<Counts> counts = none;
-    Planes planes(labels.dims());
-    planes.step(labels, from, places);
-    for (int z = from; z < end; ++z) {
-      planes.step(labels, z + 1, places);
-      planes.count(counts);
-    }
+/// No surface passes through or along a brick.
+bool isPlain(const LabelVolume& labels, glm::ivec3 brick) {
+  glm::ivec3 last = labels.brickGrid() - 1;
+  bool isInside = glm::all(glm::greaterThan(brick, glm::ivec3(0))) && glm::all(glm::lessThan(brick, last));
+  return isUniformAround(labels, brick) && (isInside || labels.brick(brick)[0] == 0);
+}
+
+CountsById countChanges(const LabelVolume& labels, Progress& progress) {
+  auto body = [&](int first, int end) {
+    CountsById counts;
+    BrickCells cells;
+    glm::ivec3 grid = labels.brickGrid(), at;
+    for (at.z = first; at.z < end; ++at.z)
+      for (at.y = 0; at.y < grid.y; ++at.y) {
+        progress.throwIfCancelled();
+        for (at.x = 0; at.x < grid.x; ++at.x) {
+          if (isPlain(labels, at)) continue;
+          cells.read(labels, at);
+          cells.count(counts);
+        }
+      }
     return counts;
   };
-  auto join = [](std::vector<Counts> a, const std::vector<Counts>& b) {
-    for (std::size_t i = 0; i < a.size(); ++i)
-      for (std::size_t k = 0; k < kDirections; ++k) a[i][k] += b[i][k];
+  auto join = [](CountsById a, const CountsById& b) {
+    for (const auto& [id, counts] : b)
+      for (std::size_t k = 0; k < kDirections; ++k) a[id][k] += counts[k];
     return a;
   };
-  // From the plane below the first one on.
-  return parallelReduce(-1, labels.dims().z, kSlab, none, body, join);
+  return parallelReduce(0, labels.brickGrid().z, 1, CountsById(), body, join);
 }
 
 }  // namespace
@@ -145,16 +163,14 @@ std::map<int, double> measureSurfaces(const LabelVolume& labels, Progress& progr
     units[k] = step / lengths[k];
   }
   auto weights = weightsOf(units);
-  auto used = labels.idsInUse();
-  auto counts = countChanges(labels, used, progress);
+  auto counts = countChanges(labels, progress);
   double voxel = std::abs(glm::determinant(axes));
   std::map<int, double> areas;
-  for (std::size_t i = 0; i < used.size(); ++i) {
+  for (std::uint16_t id : labels.idsInUse()) {
     // A line of a direction has the voxel's volume over the step's length to itself.
     double area = 0.0;
-    for (std::size_t k = 0; k < kDirections; ++k)
-      area += 2.0 * weights[k] * double(counts[i + 1][k]) * voxel / lengths[k];
-    areas[used[i]] = area;
+    for (std::size_t k = 0; k < kDirections; ++k) area += 2.0 * weights[k] * double(counts[id][k]) * voxel / lengths[k];
+    areas[id] = area;
   }
   return areas;
 }

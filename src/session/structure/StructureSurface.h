@@ -11,7 +11,7 @@ namespace velum::session {
 /// closed at the grid's border. Exact on the mean over directions: a ball comes out within 1 %. A plane along the axes
 /// comes out 7 % too small, the worst of all directions where voxels are cubes; up to a quarter where voxels are three
 /// times as long as wide.
-/// O(voxels), all cores. @throw Cancelled. Any thread.
+/// O(voxels of bricks at surfaces), all cores. @throw Cancelled. Any thread.
 std::map<int, double> measureSurfaces(const LabelVolume& labels, Progress& progress);
 
 }  // namespace velum::session

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "core/FinestVoxels.h"
@@ -48,13 +49,25 @@ StructureValues valuesOf(const ValueSum& sum) {
           sum.most};
 }
 
-/// One plane of the scan along z.
-struct PlaneReader {
+/// The label at a voxel of a scan.
+struct LabelAt {
   const LabelVolume& labels;
-  const Volume& scan;
-  int channel, timeStep;
   glm::dmat4 labelFromScan;
   bool sharesGrid;
+
+  /// The voxel of the labels that is nearest; may lie beyond their grid.
+  glm::ivec3 nearest(glm::ivec3 voxel) const {
+    if (sharesGrid) return voxel;
+    glm::dvec3 at = glm::floor(glm::dvec3(labelFromScan * glm::dvec4(voxel, 1.0)) + 0.5);
+    return glm::ivec3(glm::clamp(at, glm::dvec3(-1.0), glm::dvec3(labels.dims())));
+  }
+};
+
+/// One plane of the scan along z.
+struct PlaneReader {
+  LabelAt at;
+  const Volume& scan;
+  int channel, timeStep;
 
   Sums read(int z) const {
     Sums sums;
@@ -62,7 +75,7 @@ struct PlaneReader {
     int known = 0;
     for (int y = 0; y < scan.dims.y; ++y)
       for (int x = 0; x < scan.dims.x; ++x) {
-        int id = idAt({x, y, z});
+        int id = at.labels.at(at.nearest({x, y, z}));
         if (id == 0) continue;
         double value = valueAt(scan, {x, y, z}, channel, timeStep);
         if (!std::isfinite(value)) continue;
@@ -72,40 +85,62 @@ struct PlaneReader {
       }
     return sums;
   }
-
- private:
-  int idAt(glm::ivec3 voxel) const {
-    if (sharesGrid) return labels.at(voxel);
-    glm::dvec3 at = glm::floor(glm::dvec3(labelFromScan * glm::dvec4(voxel, 1.0)) + 0.5);
-    bool isInside =
-        glm::all(glm::greaterThanEqual(at, glm::dvec3(0.0))) && glm::all(glm::lessThan(at, glm::dvec3(labels.dims())));
-    return isInside ? labels.at(glm::ivec3(at)) : 0;
-  }
 };
 
-/// One layer of bricks of labels along z, which lie on the grid of a streamed scan's finest level.
+/// One layer of bricks of labels along z, of the voxels of a streamed scan's finest level.
 struct LayerReader {
-  const LabelVolume& labels;
+  LabelAt at;
   const FinestVoxels& scan;
   int channel, timeStep;
 
   Sums read(int layer) const {
     Sums sums;
-    constexpr int kEdge = LabelVolume::kBrickSize;
+    const LabelVolume& labels = at.labels;
     glm::ivec3 grid = labels.brickGrid();
-    for (glm::ivec3 at(0, 0, layer); at.y < grid.y; ++at.y)
-      for (at.x = 0; at.x < grid.x; ++at.x) {
-        const LabelVolume::Brick& ids = labels.brick(at);
+    for (glm::ivec3 brick(0, 0, layer); brick.y < grid.y; ++brick.y)
+      for (brick.x = 0; brick.x < grid.x; ++brick.x) {
+        const LabelVolume::Brick& ids = labels.brick(brick);
         if (std::all_of(ids.begin(), ids.end(), [](std::uint16_t id) { return id == 0; })) continue;
-        glm::ivec3 first = at * kEdge, size = glm::min(labels.dims() - first, glm::ivec3(kEdge));
-        Volume part = scan.read(first, size, channel, timeStep);
-        for (glm::ivec3 v(0); v.z < size.z; ++v.z)
-          for (v.y = 0; v.y < size.y; ++v.y)
-            for (v.x = 0; v.x < size.x; ++v.x)
-              if (int id = labels.at(first + v); id != 0)
-                if (double value = valueAt(part, v); std::isfinite(value)) sums[id].add(value);
+        addBrick(sums, brick);
       }
     return sums;
+  }
+
+ private:
+  /// Voxels of the scan of which the nearest one of the labels is one of a brick, in boxes that fit into memory.
+  void addBrick(Sums& sums, glm::ivec3 brick) const {
+    constexpr int kEdge = LabelVolume::kBrickSize, kMost = 64;
+    auto [low, high] = scanBoxOf(brick * kEdge, kEdge);
+    glm::ivec3 first;
+    for (first.z = low.z; first.z < high.z; first.z += kMost)
+      for (first.y = low.y; first.y < high.y; first.y += kMost)
+        for (first.x = low.x; first.x < high.x; first.x += kMost) {
+          glm::ivec3 size = glm::min(high - first, glm::ivec3(kMost));
+          Volume part = scan.read(first, size, channel, timeStep);
+          for (glm::ivec3 v(0); v.z < size.z; ++v.z)
+            for (v.y = 0; v.y < size.y; ++v.y)
+              for (v.x = 0; v.x < size.x; ++v.x) {
+                glm::ivec3 label = at.nearest(first + v);
+                if (glm::any(glm::lessThan(label, brick * kEdge)) || label / kEdge != brick) continue;
+                if (int id = at.labels.at(label); id != 0)
+                  if (double value = valueAt(part, v); std::isfinite(value)) sums[id].add(value);
+              }
+        }
+  }
+  /// The box of the scan around a cube of the labels.
+  std::pair<glm::ivec3, glm::ivec3> scanBoxOf(glm::ivec3 first, int edge) const {
+    glm::ivec3 dims = scan.grid().dims;
+    if (at.sharesGrid) return {first, glm::min(first + edge, dims)};
+    glm::dmat4 scanFromLabel = glm::inverse(at.labelFromScan);
+    glm::dvec3 low(std::numeric_limits<double>::infinity()), high(-low);
+    for (int i = 0; i < 8; ++i) {
+      glm::dvec3 corner = glm::dvec3(first) - 0.5 + double(edge) * glm::dvec3(i & 1, i >> 1 & 1, i >> 2);
+      glm::dvec3 place(scanFromLabel * glm::dvec4(corner, 1.0));
+      low = glm::min(low, place), high = glm::max(high, place);
+    }
+    glm::dvec3 end(dims);
+    return {glm::ivec3(glm::clamp(glm::floor(low), glm::dvec3(0.0), end)),
+            glm::ivec3(glm::clamp(glm::ceil(high) + 1.0, glm::dvec3(0.0), end))};
   }
 };
 
@@ -131,16 +166,14 @@ Sums sumsOf(const Reader& reader, int count, int slab, Progress& progress) {
 
 std::map<int, StructureValues> measureValues(const LabelVolume& labels, const Volume& scan, int channel, int timeStep,
                                              Progress& progress) {
-  glm::dmat4 labelFromScan = glm::inverse(labels.worldFromVoxel()) * worldFromVoxelIn(labels.lengthUnit(), scan);
   channel = std::clamp(channel, 0, scan.channels - 1);
   timeStep = std::clamp(timeStep, 0, scan.timeSteps - 1);
   FinestVoxels finest(scan);
-  Sums all;
-  if (finest.isStreamed() && isOnGrid(labels, finest.grid()))
-    all = sumsOf(LayerReader{labels, finest, channel, timeStep}, labels.brickGrid().z, 4, progress);
-  else
-    all = sumsOf(PlaneReader{labels, scan, channel, timeStep, labelFromScan, isOnGrid(labels, scan)}, scan.dims.z, 16,
-                 progress);
+  const Volume& grid = finest.grid();
+  LabelAt at{labels, glm::inverse(labels.worldFromVoxel()) * worldFromVoxelIn(labels.lengthUnit(), grid),
+             isOnGrid(labels, grid)};
+  Sums all = finest.isStreamed() ? sumsOf(LayerReader{at, finest, channel, timeStep}, labels.brickGrid().z, 4, progress)
+                                 : sumsOf(PlaneReader{at, scan, channel, timeStep}, scan.dims.z, 16, progress);
   std::map<int, StructureValues> values;
   for (const auto& [id, sum] : all) values[id] = valuesOf(sum);
   return values;

@@ -15,8 +15,9 @@ struct StructureValues {
 };
 
 /// Values of all structures in which middles of the scan's voxels lie, by id. Values are as they were measured; nothing
-/// is interpolated between voxels. Of a scan that is streamed the voxels of its finest level count where the labels lie
-/// on its grid, else those in memory. Of several channels the given one is measured. O(voxels of the scan), all cores.
+/// is interpolated between voxels. Of a scan that is streamed the voxels of its finest level count; bricks
+/// in which nothing is labelled are not read. Of several channels the given one is measured. O(voxels of the scan), or
+/// of bricks with labels; all cores.
 /// @throw Cancelled; InputError when a brick cannot be read. Any thread.
 std::map<int, StructureValues> measureValues(const LabelVolume& labels, const Volume& scan, int channel, int timeStep,
                                              Progress& progress);

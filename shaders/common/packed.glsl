@@ -12,10 +12,9 @@ vec4 unpackTexel(uvec2 bits) { return vec4(bits.xxyy >> uvec4(0u, 16u, 0u, 16u) 
 
 /// Interpolated in units of the integers, between a voxel and those after it.
 /// @param texels  by x, y and z, x fastest: values at (y, z), (y + 1, z), (y, z + 1), (y + 1, z + 1)
-/// @param rows  texels along x, rows along y
+/// @param i  where the voxel's are
 /// @param f  0..1, from the voxel to the next along each axis
-float packedIn(usamplerBuffer texels, ivec2 rows, ivec3 voxel, vec3 f) {
-  int i = (voxel.z * rows.y + voxel.y) * rows.x + voxel.x;
+float packedIn(usamplerBuffer texels, int i, vec3 f) {
   vec4 values = mix(unpackTexel(texelFetch(texels, i).rg), unpackTexel(texelFetch(texels, i + 1).rg), f.x);
   vec2 ends = mix(values.xz, values.yw, f.y);
   return mix(ends.x, ends.y, f.z);
@@ -26,5 +25,5 @@ float packedIn(usamplerBuffer texels, ivec2 rows, ivec3 voxel, vec3 f) {
 float packedAt(usamplerBuffer texels, vec3 size, vec3 tex) {
   vec3 at = clamp(tex * size - 0.5, vec3(0.0), size - 1.0);
   ivec3 voxel = ivec3(at);  // the last ones, too: what stands behind them is not mixed in
-  return packedIn(texels, ivec2(size.xy), voxel, at - vec3(voxel));
+  return packedIn(texels, (voxel.z * int(size.y) + voxel.y) * int(size.x) + voxel.x, at - vec3(voxel));
 }

@@ -7,13 +7,14 @@
 /// Where a place of the volume lies in the textures, which are the volume.
 #define Stored vec3
 Stored storedAt(vec3 tex) { return tex; }
+Stored gradientStoredAt(vec3 tex) { return tex; }
 vec3 inTexture(Stored stored) { return stored; }
 #endif
 
 // A texel is 0..1 of its type, or a float.
 #if PACKED != 0
 #if BRICKS
-float rawTexelIn(Stored stored) { return packedIn(volumeTexture, ivec2(frame.storeSize.xy), stored.texel, stored.fraction); }
+float rawTexelIn(Stored stored) { return packedIn(volumeTexture, elementOf(stored), stored.fraction); }
 #else
 float rawTexelIn(Stored stored) { return packedAt(volumeTexture, frame.storeSize.xyz, stored); }
 #endif
@@ -43,10 +44,14 @@ float tableAt(vec3 tex) { return tableIn(storedAt(tex)); }
 // A group of samples: they lie close to its middle.
 #if BRICKS == 1
 #define GroupBrick Brick
-GroupBrick groupBrick(vec3 middle) { return brickAt(middle); }
+GroupBrick groupBrick(vec3 middle) { return brickOf(slotAt(middle), kOfValues); }
 Stored storedInGroup(GroupBrick brick, vec3 tex) { return storedIn(brick, tex); }
+int groupSlot(vec3 middle) { return slotAt(middle, false); }
+Stored gradientStoredInGroup(int slot, vec3 tex) { return storedIn(brickOf(slot, kOfGradients), tex); }
 #else
 #define GroupBrick int
 GroupBrick groupBrick(vec3 middle) { return 0; }
 Stored storedInGroup(GroupBrick brick, vec3 tex) { return storedAt(tex); }
+int groupSlot(vec3 middle) { return 0; }
+Stored gradientStoredInGroup(int slot, vec3 tex) { return gradientStoredAt(tex); }
 #endif

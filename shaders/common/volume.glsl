@@ -258,9 +258,10 @@ vec3 tinted(vec3 albedo, vec3 scenePoint, vec3 outwards, uint structure) {
 
 /// Gradient of the data value per, scene frame: differences over two voxels of values that are smoothed across by 1 2 1.
 /// Looked up in a texture of them, where there is room for one (`GradientPlanes`, which smooth them further); else on demand.
-vec3 gradientAt(vec3 tex) {
+/// @param stored  of gradientStoredAt()
+vec3 gradientIn(Stored stored, vec3 tex) {
 #if GRADIENTS
-  vec4 texel = textureLod(gradientTexture, inTexture(storedAt(tex)), 0.0);
+  vec4 texel = textureLod(gradientTexture, inTexture(stored), 0.0);
   vec3 g = (texel.xyz - 128.0 / 255.0) * (texel.w * texel.w * frame.gradientUnit);
 #else
   vec3 h = 1.0 / frame.volumeSize.xyz;
@@ -273,3 +274,4 @@ vec3 gradientAt(vec3 tex) {
 #endif
   return vec3(dot(frame.normalX.xyz, g), dot(frame.normalY.xyz, g), dot(frame.normalZ.xyz, g));
 }
+vec3 gradientAt(vec3 tex) { return gradientIn(gradientStoredAt(tex), tex); }

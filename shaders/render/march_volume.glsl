@@ -30,8 +30,9 @@ bool mayBeSolid(vec2 a, vec2 b) { return max(a.y, b.y) > 0.5; }
 #endif
 
 /// Shades and composites one segment.
+/// @param slot  of groupSlot(), of its group
 /// @param faceT  where the face lies that the ray has come through last; < 0: none
-void addSegment(inout Hit hit, Ray ray, Walk walk, Segment segment, float faceT, vec3 faceNormal, bool sparedOnly) {
+void addSegment(inout Hit hit, Ray ray, Walk walk, Segment segment, int slot, float faceT, vec3 faceNormal, bool sparedOnly) {
   float tm = 0.5 * (segment.t0 + segment.t1);
   vec2 classes = vec2(1.0, 0.0);
 #if LABELS != 0
@@ -81,7 +82,7 @@ void addSegment(inout Hit hit, Ray ray, Walk walk, Segment segment, float faceT,
   gradient = -slope;
 #else
   if (asksGradient) {
-    gradient = gradientAt(tex);
+    gradient = gradientIn(gradientStoredInGroup(slot, tex), tex);
     // Where the value hardly changes the gradient is noise: less of it counts.
     steepness = smoothstep(0.0, 1.0, length(gradient) * frame.tablePerValue * 60.0 / frame.voxelsPerLength);
   }
@@ -203,7 +204,7 @@ Group groupAt(Walk walk, Ray ray, float lattice, float from, float to, bool spar
   group.from = from;
   group.to = to;
 #if LABELS != 2
-  GroupBrick brick = groupBrick(texAt(walk, 0.5 * (timeIn(group, walk, 0) + timeIn(group, walk, kGroup))));
+  GroupBrick brick = groupBrick(texBetween(walk, timeIn(group, walk, 0), timeIn(group, walk, kGroup)));
   for (int i = 0; i <= kGroup; ++i) group.x[i] = tableIn(storedInGroup(brick, texAt(walk, timeIn(group, walk, i))));
 #endif
 #if LABELS != 0
@@ -405,7 +406,6 @@ void march(inout Hit hit, Ray ray, Walk walk, float a, float b, Face face, bool 
   do {
     // Go on to the next group with material.
     Group group;
-    bool found;
     uint asked;
     float end;
     do {
@@ -413,17 +413,17 @@ void march(inout Hit hit, Ray ray, Walk walk, float a, float b, Face face, bool 
       group = groupAt(walk, ray, walk.first + floor((t - walk.first) * perGroup + 1e-4) * groupLength, t, b, sparedOnly);
       asked = mayShow(group) ? 255u : 0u;
       if (sparedOnly || usesShares(sparedOnly)) asked &= shownIn(group, sparedOnly);
-      found = asked != 0u;
       end = max(timeIn(group, walk, kGroup), afterAll(t));
-      t = found ? t : end;
-    } while (!found && t < b);
+      t = asked != 0u ? t : end;
+    } while (asked == 0u && t < b);
     t = end;
     // Shade it.
     Depths depths = depthsOf(group, walk, ray, asked, sparedOnly);
     uint marks = depths.marks;
+    int slot = groupSlot(texBetween(walk, timeIn(group, walk, 0), timeIn(group, walk, kGroup)));
     do {
       Segment segment = segmentAt(group, walk, depths, max(findLSB(marks), 0), sparedOnly);
-      if (marks != 0u) addSegment(hit, ray, walk, segment, faceT, faceNormal, sparedOnly);
+      if (marks != 0u) addSegment(hit, ray, walk, segment, slot, faceT, faceNormal, sparedOnly);
       marks &= marks - 1u;
     } while (marks != 0u && hit.color.a < cutoff);
   } while (t < b && hit.color.a < cutoff);

@@ -47,6 +47,7 @@ Walk walkAlong(Ray ray, float first) {
 }
 
 vec3 texAt(Walk walk, float t) { return walk.tex0 + t * walk.texPerLength; }
+vec3 texBetween(Walk walk, float a, float b) { return texAt(walk, 0.5 * (a + b)); }
 
 /// The least that is more than t. From afar floats are so coarse that t and a step are t again, and a ray would never end.
 float afterAll(float t) { return t + 2.4e-7 * abs(t); }

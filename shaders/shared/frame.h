@@ -8,13 +8,11 @@ SHARED_BEGIN
 SHARED_CONST int kTransferSize = 4096;  // table positions 0 .. kTransferSize - 1; the sums have one entry more, gradients' factors follow
 SHARED_CONST int kTileGroup = 8;        // threads along x and y of a ray-cast group
 SHARED_CONST int kNoiseEdge = 64;       // of the tile of blue noise, pixels
-// Of a streamed volume (common/bricks.glsl, PageGrid.h): words of a slot in the table of pages; voxels along a page's edge;
-// texels along a slot's; voxels that a slot holds before those of its page; a bit of a page's word.
-SHARED_CONST int kSlotWords = 12;
+// Of a streamed volume (common/bricks.glsl, PageGrid.h): rows of four words of a slot in the table of pages; voxels along
+// a page's edge; texels along a slot's.
+SHARED_CONST int kSlotRows = 4;
 SHARED_CONST int kPageEdge = 32;
 SHARED_CONST int kBrickSlotEdge = 39;
-SHARED_CONST int kBrickBefore = 3;
-SHARED_CONST uint kOwnBrick = 2147483648u;
 SHARED_CONST int kLabelBrick = 32;      // voxels along an edge of a brick of labels,
 SHARED_CONST int kLabelSlotHalo = 2;    // what its slot holds of its neighbours on each side,
 SHARED_CONST int kLabelSlotEdge = kLabelBrick + 2 * kLabelSlotHalo;
@@ -79,7 +77,7 @@ struct FrameParams {
   vec4 forward;         ///< unit
   vec4 volumeSize;      ///< voxels x, y, z of the volume
   vec4 storeSize;       ///< texels x, y, z of the texture that holds them
-  vec4 pageGrid;        ///< of a streamed volume: pages x, y, z; w: where in their table they begin
+  vec4 pageGrid;        ///< of a streamed volume: pages x, y, z; w: the row of their table in which they begin
   vec4 pagesPerTex;     ///< place among the pages = texture coordinates * pagesPerTex + firstPage
   vec4 firstPage;
   vec4 cellGrid;        ///< cells x, y, z

@@ -5,6 +5,7 @@
 
 #include "app/Inputs.h"
 #include "app/Verbs.h"
+#include "core/BrickCache.h"
 #include "core/Error.h"
 #include "io/meshes/WriteMesh.h"
 #include "io/volumes/WriteVolume.h"
@@ -129,9 +130,9 @@ void hangWhatIsAsked(session::Session& session, const MembraneOptions& options) 
 }
 
 /// What is left out of what is protected by value.
-Json jsonOf(const membrane::LeftOut& leftOut, double voxelSize) {
+Json jsonOf(const membrane::LeftOut& leftOut, double voxelVolume) {
   return {{"leastPiece", leftOut.leastPiece},
-          {"leastPieceVolume", leftOut.leastPiece * voxelSize},
+          {"leastPieceVolume", leftOut.leastPiece * voxelVolume},
           {"pieces", leftOut.pieces},
           {"voxels", leftOut.voxels},
           {"share", double(leftOut.voxels) / double(std::max<std::size_t>(leftOut.protectedVoxels, 1))}};
@@ -143,13 +144,13 @@ Json jsonOf(const membrane::Fate& fate) {
 }
 
 /// @param place  of the cut in the scene
-/// @param voxelSize  volume of a voxel
-Json jsonOf(const session::MembraneReport& report, const scene::Cut& cut, int place, double voxelSize) {
+Json jsonOf(const session::MembraneReport& report, const scene::Cut& cut, int place) {
   Json json = {{"cut", place},
                {"id", report.cut},
                {"name", report.name},
                {"rule", std::string(enumName(cut.membrane->field.rule))},
                {"side", std::string(enumName(cut.membrane->field.side))},
+               {"level", report.voxels.level},
                {"kernels", report.kernels},
                {"particles", {report.particles.x, report.particles.y}},
                {"steps", report.steps},
@@ -167,7 +168,7 @@ Json jsonOf(const session::MembraneReport& report, const scene::Cut& cut, int pl
     json["shares"] = {{"kept", shares.kept}, {"removed", shares.removed}, {"cut", shares.cut}};
     if (report.kept->fate.isOfSomething) json["protected"] = jsonOf(report.kept->fate);
   }
-  if (report.leftOut) json["leftOut"] = jsonOf(*report.leftOut, voxelSize);
+  if (report.leftOut) json["leftOut"] = jsonOf(*report.leftOut, report.voxels.volume);
   json["reach"] = cut.size.z;
   for (const auto& advice : report.advice)
     json["advice"].push_back({{"step", std::string(enumName(advice.step))},
@@ -198,14 +199,18 @@ std::string adviceInWords(const session::Advice& advice, const scene::Cut& cut, 
   return {};
 }
 
-void printReport(const session::MembraneReport& report, const scene::Cut& cut, LengthUnit unit, double voxelSize) {
+void printReport(const session::MembraneReport& report, const scene::Cut& cut, const scene::Scene& scene) {
+  LengthUnit unit = scene.unit;
   fmt::print("{}: {} kernels, {} x {} particles, {} after {} steps, {:.1f} ms a step\n",
              report.name.empty() ? "membrane" : report.name, report.kernels, report.particles.x, report.particles.y,
              report.atRest ? "at rest" : "still moving", report.steps, report.stepMs);
+  if (scene.volume.data && scene.volume.data->finer)
+    fmt::print("forces and figures come from level {} of 0 to {}\n", report.voxels.level,
+               scene.volume.data->finer->bricks->source().levels().size() - 1);
   if (!report.kept) return;
   if (report.leftOut && report.leftOut->pieces > 0)
     fmt::print("leaves out {} pieces of fewer than {} voxels ({:.4g} {}^3): {:.2g} % of what is protected by value\n",
-               report.leftOut->pieces, report.leftOut->leastPiece, report.leftOut->leastPiece * voxelSize,
+               report.leftOut->pieces, report.leftOut->leastPiece, report.leftOut->leastPiece * report.voxels.volume,
                symbolOf(unit), 100.0 * double(report.leftOut->voxels) / double(report.leftOut->protectedVoxels));
   const membrane::Fate& fate = report.kept->fate;
   if (fate.isOfSomething)
@@ -217,8 +222,7 @@ void printReport(const session::MembraneReport& report, const scene::Cut& cut, L
              100.0 * shares.kept, 100.0 * shares.removed, 100.0 * shares.cut);
   fmt::print(
       "cuts {} of the {} pairs of protected voxels that the plane cuts (ratio {:.3f}), {:.2f} {} from the rest plane "
-      "on "
-      "average\n",
+      "on average\n",
       report.kept->cutAreaMembrane, report.kept->cutAreaPlane, report.kept->ratio, report.kept->meanDistance,
       symbolOf(unit));
   for (const auto& advice : report.advice)
@@ -259,21 +263,17 @@ int run(const MembraneOptions& options) {
   session.renderer();  // before data is read: without a driver no sheet moves
   openInputs(session, options.input, 16.0 / 9.0);
   hangWhatIsAsked(session, options);
-  Progress& progress = consoleProgress();
-  auto reports = session.membraneReports({true, options.limit}, progress);
-  progress.report(1.0, "");
-  scene::Scene settled = session.settled(progress);
-  double voxelSize =
-      settled.volume.data ? std::abs(glm::determinant(glm::dmat3(settled.volume.data->worldFromVoxel))) : 0.0;
+  auto reports = session.membraneReports({true, options.limit}, consoleProgress());
+  consoleProgress().report(1.0, "");
+  scene::Scene settled = session.settled(consoleProgress());
   if (!options.saveScene.empty()) session::saveScene(session.scene(), options.saveScene);
   auto warnings = exportWhatIsAsked(settled, reports, options);
   Json list = Json::array();
   for (const auto& report : reports) {
     if (options.common.json)
-      list.push_back(
-          jsonOf(report, *scene::findCut(settled, report.cut), scene::cutPlace(settled, report.cut), voxelSize));
+      list.push_back(jsonOf(report, *scene::findCut(settled, report.cut), scene::cutPlace(settled, report.cut)));
     else
-      printReport(report, *scene::findCut(settled, report.cut), settled.unit, voxelSize);
+      printReport(report, *scene::findCut(settled, report.cut), settled);
   }
   if (!options.common.json) return 0;
   Json json = list.size() == 1 ? list[0] : Json{{"membranes", list}};

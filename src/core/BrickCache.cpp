@@ -145,6 +145,23 @@ std::size_t BrickCache::bytes() const {
   return mBytes;
 }
 
+bool BrickCache::has(const VoxelBox& box, int channel, int timeStep) {
+  const VoxelLevel& level = mSource->levels()[std::size_t(box.level)];
+  glm::ivec3 low = glm::clamp(box.origin, glm::ivec3(0), level.dims - 1);
+  glm::ivec3 high = glm::clamp(box.origin + box.size, low + 1, level.dims);
+  glm::ivec3 first = low / level.brickSize, last = (high - 1) / level.brickSize;
+  int firstChannel = std::max(channel, 0), lastChannel = channel < 0 ? mSource->head().channels - 1 : channel;
+  BrickAddress address{box.level, {}, 0, timeStep / level.brickTimeSteps};
+  for (int c = firstChannel / level.brickChannels; c <= lastChannel / level.brickChannels; ++c)
+    for (int z = first.z; z <= last.z; ++z)
+      for (int y = first.y; y <= last.y; ++y)
+        for (int x = first.x; x <= last.x; ++x) {
+          address.brick = {x, y, z}, address.channel = c;
+          if (!find(address)) return false;
+        }
+  return true;
+}
+
 Volume BrickCache::read(const VoxelBox& box, int channel, int timeStep) {
   const VoxelLevel& level = mSource->levels()[std::size_t(box.level)];
   Volume volume;
@@ -209,6 +226,17 @@ glm::dmat4 worldFromLevel(const Volume& volume, int level) {
     return levels[std::size_t(level)].worldFromVoxel;
   return volume.worldFromVoxel * glm::inverse(levels[std::size_t(volume.finer->level)].worldFromVoxel) *
          levels[std::size_t(level)].worldFromVoxel;
+}
+
+double smallestSpacing(const glm::dmat4& worldFromVoxel) {
+  glm::dmat3 m(worldFromVoxel);
+  return std::min(glm::length(m[0]), std::min(glm::length(m[1]), glm::length(m[2])));
+}
+
+int levelForPixel(const Volume& volume, double pixel) {
+  int level = volume.finer->level;
+  while (level > 0 && smallestSpacing(worldFromLevel(volume, level)) > kVoxelsPerPixel * pixel) --level;
+  return level;
 }
 
 glm::ivec3 finestDims(const Volume& volume) {

@@ -36,6 +36,8 @@ class BrickCache {
   /// A volume of the voxels of a box, one channel or all, at one time step; its place and range are those of the
   /// source's head. @param channel  -1: all. @throw InputError when a brick cannot be read
   Volume read(const VoxelBox& box, int channel, int timeStep);
+  /// True when read() of the box would wait for no disk.
+  bool has(const VoxelBox& box, int channel, int timeStep);
 
   std::size_t bytes() const;
   std::size_t mostBytes() const;
@@ -72,6 +74,14 @@ struct FinerLevels {
 /// with its spacing, which may be other than the file's.
 /// @param volume  with finer levels
 glm::dmat4 worldFromLevel(const Volume& volume, int level);
+
+/// A voxel may be so many pixels wide before a finer level is wanted: halfway between two levels.
+inline constexpr double kVoxelsPerPixel = 1.42;
+/// The level of a volume with finer levels whose voxels are about as large as a pixel, down to its own.
+/// @param pixel  length of its edge, world
+int levelForPixel(const Volume& volume, double pixel);
+/// Length of the smallest edge of a voxel, world.
+double smallestSpacing(const glm::dmat4& worldFromVoxel);
 
 /// Voxels along x, y, z and the edges of one, of the finest level that there is: the volume's own where it knows no
 /// finer one.

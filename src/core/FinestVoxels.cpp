@@ -3,20 +3,22 @@
 #include <algorithm>
 #include <cstring>
 #include <limits>
+#include <mutex>
 
 #include "core/Error.h"
+#include "core/Parallel.h"
 #include "core/VoxelSource.h"
 
 namespace velum {
 
 namespace {
 
-/// A volume as its finest level, without voxels.
-Volume headOf(const Volume& volume) {
+/// A volume as one of its levels, without voxels.
+Volume headOf(const Volume& volume, int level) {
   Volume head;
   const Volume& coarse = volume;
-  head.dims = volume.finer->bricks->source().levels().front().dims;
-  head.worldFromVoxel = worldFromLevel(volume, 0);
+  head.dims = volume.finer->bricks->source().levels()[std::size_t(level)].dims;
+  head.worldFromVoxel = worldFromLevel(volume, level);
   head.type = coarse.type;
   head.channels = coarse.channels;
   head.timeSteps = coarse.timeSteps;
@@ -52,9 +54,10 @@ Volume copyBox(const Volume& volume, glm::ivec3 first, glm::ivec3 size, int chan
 
 }  // namespace
 
-FinestVoxels::FinestVoxels(const Volume& volume) : mGrid(&volume) {
+FinestVoxels::FinestVoxels(const Volume& volume, int level) : mGrid(&volume) {
   if (!volume.finer) return;
-  mHead = std::make_shared<const Volume>(headOf(volume));
+  mLevel = level;
+  mHead = std::make_shared<const Volume>(headOf(volume, level));
   mGrid = mHead.get();
   mBricks = volume.finer->bricks.get();
 }
@@ -73,8 +76,8 @@ SampleRun FinestVoxels::run(glm::ivec3 voxel, int channel, int timeStep) const {
     return run;
   }
   const VoxelSource& source = mBricks->source();
-  const VoxelLevel& level = source.levels().front();
-  BrickAddress address{0, voxel / level.brickSize, channel / level.brickChannels, timeStep / level.brickTimeSteps};
+  const VoxelLevel& level = source.levels()[std::size_t(mLevel)];
+  BrickAddress address{mLevel, voxel / level.brickSize, channel / level.brickChannels, timeStep / level.brickTimeSteps};
   run.kept = mBricks->brick(address);
   BrickBox box = boxOf(source, address);
   std::size_t step = std::size_t(timeStep - box.timeStep) * std::size_t(box.size.x) * std::size_t(box.size.y) *
@@ -101,11 +104,7 @@ double FinestVoxels::valueOrNan(glm::ivec3 voxel, int channel, int timeStep) con
   }
 }
 
-Volume FinestVoxels::read(glm::ivec3 first, glm::ivec3 size, int channel, int timeStep) const {
-  glm::ivec3 end = glm::clamp(first + size, glm::ivec3(1), mGrid->dims);
-  first = glm::clamp(first, glm::ivec3(0), end - 1);
-  Volume part = mBricks ? mBricks->read({0, first, end - first}, channel, timeStep)
-                        : copyBox(*mGrid, first, end - first, channel, timeStep);
+void FinestVoxels::describe(Volume& part, glm::ivec3 first, int channel) const {
   part.isColor = mGrid->isColor && channel < 0;
   part.worldFromVoxel = mGrid->worldFromVoxel;
   part.worldFromVoxel[3] = mGrid->worldFromVoxel * glm::dvec4(glm::dvec3(first), 1.0);
@@ -115,7 +114,51 @@ Volume FinestVoxels::read(glm::ivec3 first, glm::ivec3 size, int channel, int ti
   part.range = mGrid->range;
   part.unit = mGrid->unit;
   part.modality = mGrid->modality;
+}
+
+Volume FinestVoxels::read(glm::ivec3 first, glm::ivec3 size, int channel, int timeStep) const {
+  glm::ivec3 end = glm::clamp(first + size, glm::ivec3(1), mGrid->dims);
+  first = glm::clamp(first, glm::ivec3(0), end - 1);
+  Volume part = mBricks ? mBricks->read({mLevel, first, end - first}, channel, timeStep)
+                        : copyBox(*mGrid, first, end - first, channel, timeStep);
+  describe(part, first, channel);
   return part;
+}
+
+Volume FinestVoxels::readAll(glm::ivec3 first, glm::ivec3 size, int channel, int timeStep, Progress& progress) const {
+  if (!mBricks) return read(first, size, channel, timeStep);
+  glm::ivec3 end = glm::clamp(first + size, glm::ivec3(1), mGrid->dims);
+  first = glm::clamp(first, glm::ivec3(0), end - 1);
+  Volume whole;
+  whole.type = mGrid->type;
+  whole.channels = channel < 0 ? mGrid->channels : 1;
+  whole.dims = end - first;
+  describe(whole, first, channel);
+  whole.voxels.resize(timeStepBytes(whole));
+  std::size_t voxel = sampleSize(whole.type) * std::size_t(whole.channels);
+  glm::ivec3 brick = mBricks->source().levels()[std::size_t(mLevel)].brickSize;
+  glm::ivec3 from = first / brick, bricks = (end - 1) / brick - from + 1;
+  std::mutex telling;
+  int done = 0, all = bricks.x * bricks.y * bricks.z;
+  parallelFor(0, all, [&](int i) {
+    if (progress.isCancelled()) return;
+    glm::ivec3 at = (from + glm::ivec3(i % bricks.x, i / bricks.x % bricks.y, i / bricks.x / bricks.y)) * brick;
+    glm::ivec3 low = glm::max(at, first), high = glm::min(at + brick, end), n = high - low;
+    Volume part = mBricks->read({mLevel, low, n}, channel, timeStep);
+    for (int z = 0; z < n.z; ++z)
+      for (int y = 0; y < n.y; ++y) {
+        glm::ivec3 to = low - first + glm::ivec3(0, y, z);
+        std::size_t row =
+            (std::size_t(to.z) * std::size_t(whole.dims.y) + std::size_t(to.y)) * std::size_t(whole.dims.x) +
+            std::size_t(to.x);
+        std::size_t own = (std::size_t(z) * std::size_t(n.y) + std::size_t(y)) * std::size_t(n.x);
+        std::memcpy(whole.voxels.data() + row * voxel, part.voxels.data() + own * voxel, std::size_t(n.x) * voxel);
+      }
+    std::lock_guard lock(telling);
+    if (!progress.isCancelled()) progress.report(double(++done) / double(all), "Reading voxels");
+  });
+  progress.throwIfCancelled();
+  return whole;
 }
 
 }  // namespace velum

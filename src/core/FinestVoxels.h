@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "core/BrickCache.h"
+#include "core/Task.h"
 #include "core/Volume.h"
 
 namespace velum {
@@ -21,10 +22,11 @@ struct SampleRun {
 class FinestVoxels {
  public:
   /// @param volume  must outlive this
-  explicit FinestVoxels(const Volume& volume);
-  explicit FinestVoxels(Volume&&) = delete;
+  /// @param level  of a streamed volume: which level is meant in place of the finest
+  explicit FinestVoxels(const Volume& volume, int level = 0);
+  explicit FinestVoxels(Volume&&, int level = 0) = delete;
 
-  /// All that is known of the finest level but its voxels: its dims, its place, its unit. Where the volume is in memory
+  /// All that is known of the level but its voxels: its dims, its place, its unit. Where the volume is in memory
   /// as a whole, the volume itself.
   const Volume& grid() const { return *mGrid; }
   /// True where voxels are read brick by brick, so that it costs to look at those that nobody needs.
@@ -43,11 +45,15 @@ class FinestVoxels {
   /// @param first, size  the box, of which what lies in the grid is taken @param channel  -1: all
   /// @throw InputError when a brick cannot be read
   Volume read(glm::ivec3 first, glm::ivec3 size, int channel, int timeStep) const;
+  /// The same of a large box, on all cores. @throw Cancelled, too
+  Volume readAll(glm::ivec3 first, glm::ivec3 size, int channel, int timeStep, Progress& progress) const;
 
  private:
+  void describe(Volume& part, glm::ivec3 first, int channel) const;
   const Volume* mGrid;
   std::shared_ptr<const Volume> mHead;  ///< of what is streamed
   BrickCache* mBricks = nullptr;
+  int mLevel = 0;
 };
 
 }  // namespace velum

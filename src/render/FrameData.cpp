@@ -99,7 +99,7 @@ void writePlanes(const std::vector<shared::CutData>& cuts, shared::FrameParams& 
 void writeStore(const GpuVolume& volume, shared::FrameParams& params) {
   params.storeSize = glm::vec4(volume.storeSize, 0.0f);
   if (!volume.pages) return;
-  params.pageGrid = glm::vec4(volume.pages->grid, float(volume.pages->firstWord));
+  params.pageGrid = glm::vec4(volume.pages->grid, float(volume.pages->firstRow));
   params.pagesPerTex = glm::vec4(glm::vec3(volume.pages->perTex), 0.0f);
   params.firstPage = glm::vec4(glm::vec3(volume.pages->first), 0.0f);
 }

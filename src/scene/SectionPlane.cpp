@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "core/BrickCache.h"
 #include "core/Vectors.h"
 
 namespace velum::scene {
@@ -22,11 +23,12 @@ glm::dvec3 turned(glm::dvec3 v, double angle, glm::dvec3 axis) {
   return out;
 }
 
-/// The grid whose planes are scrolled through. @return false when there is none
+/// The grid whose planes are scrolled through: the finest. @return false when there is none
 bool gridOf(const Scene& scene, glm::ivec3& dims, glm::dmat4& worldFromVoxel) {
   if (scene.volume.data) {
-    dims = scene.volume.data->dims;
-    worldFromVoxel = scene.volume.data->worldFromVoxel;
+    const Volume& volume = *scene.volume.data;
+    dims = finestDims(volume);
+    worldFromVoxel = volume.finer ? worldFromLevel(volume, 0) : volume.worldFromVoxel;
     return true;
   }
   if (!scene.labels.data) return false;
@@ -92,11 +94,20 @@ double heightOverSection(const SectionPlane& plane, glm::dvec3 world) {
 }
 
 double sectionStep(const Scene& scene) {
+  return scene.volume.data ? smallestSpacing(scene.volume.data->worldFromVoxel) : finestStep(scene);
+}
+
+double finestStep(const Scene& scene) {
   glm::ivec3 dims;
   glm::dmat4 axes;
-  if (!gridOf(scene, dims, axes)) return 1.0;
-  auto edge = [&](int i) { return glm::length(glm::dvec3(axes[i])); };
-  return std::min(edge(0), std::min(edge(1), edge(2)));
+  return gridOf(scene, dims, axes) ? smallestSpacing(axes) : 1.0;
+}
+
+int planesPerStep(const Scene& scene, const SectionPlane& plane) {
+  if (!scene.volume.data || !scene.volume.data->finer) return 1;
+  const Volume& volume = *scene.volume.data;
+  double shown = axisAlong(worldFromLevel(volume, levelForPixel(volume, plane.lengthPerPixel)), plane.normal).plane;
+  return std::max(1, int(std::lround(shown / axisAlong(worldFromLevel(volume, 0), plane.normal).plane)));
 }
 
 std::optional<SectionIndex> sectionIndex(const Scene& scene, SectionKind kind) {
@@ -161,14 +172,14 @@ void moveCrosshair(Scene& scene, glm::dvec3 world) {
 
 void stepCrosshair(Scene& scene, SectionKind kind, glm::dvec2 steps) {
   SectionPlane plane = makeSectionPlane(scene, kind, glm::dvec2(1.0));
-  double length = sectionStep(scene);
+  double length = finestStep(scene);
   moveCrosshair(scene, scene.sections.crosshair + (plane.right * steps.x + plane.up * steps.y) * length);
 }
 
 void scrollSection(Scene& scene, SectionKind kind, double steps) {
   glm::dvec3 normal = makeSectionPlane(scene, kind, glm::dvec2(1.0)).normal;
   glm::dvec3& cross = scene.sections.crosshair;
-  double move = steps * sectionStep(scene);
+  double move = steps * finestStep(scene);
   glm::ivec3 dims;
   glm::dmat4 worldFromVoxel;
   if (gridOf(scene, dims, worldFromVoxel)) {

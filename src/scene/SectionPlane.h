@@ -27,7 +27,7 @@ glm::dvec2 sectionPixelFromWorld(const SectionPlane& plane, glm::dvec3 world);
 /// How far a point lies before the plane, towards the viewer.
 double heightOverSection(const SectionPlane& plane, glm::dvec3 world);
 
-/// Which of the volume's planes a section shows.
+/// Which of the volume's planes a section shows: of the finest level, where it has several.
 struct SectionIndex {
   int index = 0;  ///< 0..count-1
   int count = 1;
@@ -45,10 +45,10 @@ Scene sectionScene(Scene scene);
 
 /// Puts the crosshair to a point, or to the nearest one inside the data's box.
 void moveCrosshair(Scene& scene, glm::dvec3 world);
-/// Moves the crosshair within a section by voxels, to the right and up on the screen.
+/// Moves the crosshair within a section by voxels of the finest level, to the right and up on the screen.
 void stepCrosshair(Scene& scene, SectionKind kind, glm::dvec2 steps);
 /// Moves the crosshair along the normal, towards the viewer, by voxels: onto the volume's planes where the section lies
-/// along them, and never out of the data.
+/// along them, and never out of the data. Voxels are those of the finest level.
 void scrollSection(Scene& scene, SectionKind kind, double steps);
 /// Moves the view's rectangle by a drag in pixels.
 void panSection(Scene& scene, SectionKind kind, glm::dvec2 size, glm::dvec2 dragPixels);
@@ -59,8 +59,13 @@ void zoomSection(Scene& scene, SectionKind kind, glm::dvec2 size, glm::dvec2 pix
 void turnSections(Scene& scene, SectionKind kind, double angleRad);
 /// Back to the patient's axes, all of the data in view.
 void resetSections(Scene& scene);
-/// Length of the smallest voxel edge.
+/// How many planes of the finest level make one step of a section as it is seen: as many as lie in a plane of the level
+/// that is shown there, so that each step shows something new. 1 where the volume is in memory.
+int planesPerStep(const Scene& scene, const SectionPlane& plane);
+/// Length of the smallest voxel edge, of the volume that is in memory.
 double sectionStep(const Scene& scene);
+/// The same of the finest level.
+double finestStep(const Scene& scene);
 
 /// The part of a line that lies in the rectangle from `low` to `high`, as multiples of `along` from `point` on; nothing
 /// when it misses.

@@ -70,7 +70,7 @@ void scaleLengths(Scene& scene, double factor) {
 
 LengthFormat lengthFormat(const Scene& scene) {
   bool isEmpty = !scene.volume.data && !scene.labels.data;
-  double voxel = isEmpty ? 1.0 : std::clamp(sectionStep(scene), 1e-9, 1e9);
+  double voxel = isEmpty ? 1.0 : std::clamp(finestStep(scene), 1e-9, 1e9);
   LengthFormat format{scene.unit, symbolOf(scene.unit), 1.0, 1};
   // Below that a millimetre is many voxels wide, and numbers would be mostly noughts.
   constexpr double kFinest = 0.02;

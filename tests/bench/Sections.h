@@ -34,6 +34,8 @@ void measureLoading(const Options& options, Report& report);
 
 /// A virtual terabyte: opened, flown through, memory; sections; a volume that fits, streamed and in memory.
 void measureStreaming(const Options& options, Report& report);
+/// Membranes over a virtual phantom of vessels of 40 GB: until at rest, what they keep whole against the limit.
+void measureStreamedMembranes(const Options& options, Report& report);
 
 /// The membrane: the time of a step and of an edit, and the table that follows.
 void measureMembrane(const Options& options, Report& report);

@@ -217,6 +217,7 @@ void measureSections(const Options& options, Report& report) {
 
 void measureStreaming(const Options& options, Report& report) {
   report.section("streaming", "Volumes larger than memory");
+  measureStreamedMembranes(options, report);
   measureAgainstMemory(options, report);
   measureSections(options, report);
   measureTerabyte(options, report);

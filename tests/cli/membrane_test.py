@@ -140,6 +140,27 @@ class Membrane(CliTest):
         for wrong in ("0", "2.5", "many"):
             self.refuse("membrane", path, "--least-piece", wrong, code=1, words=["--least-piece", "auto"])
 
+    def test_a_streamed_volume_is_worked_out_in_the_voxels_of_its_finest_level(self):
+        whole = self.sample("vessels", 160, "v.nrrd")
+        self.run_batch("convert", whole, "v.ome.zarr")
+        streamed = {"VELUM_WHOLE_MB": "1"}
+        asked = ["--protect", "700,3000", "--axis", "0,0,1", "--position", "0.5", "--reach", "20", "--least-piece", "1"]
+        reports = [self.report("membrane", file, *asked, "--limit", env=streamed) for file in ("v.nrrd", "v.ome.zarr")]
+        self.assertGreater(reports[0]["cutAreaPlane"], 500)
+        for key in ("level", "cutAreaPlane", "cutAreaMembrane", "ratio", "meanDistance", "limit", "particles"):
+            self.assertEqual(reports[0][key], reports[1][key], key)
+        self.assertEqual(reports[1]["level"], 0)
+        self.assertIn("come from level 0 of 0 to", str(self.run_batch("membrane", "v.ome.zarr", *asked, env=streamed).stdout))
+        # A picture of the scene waits for the finest, too.
+        self.run_batch("membrane", "v.ome.zarr", *asked, "--save-scene", "m.json", env=streamed)
+        self.run_batch("render", "m.json", "-o", "m.png", "--size", "64x48", env=streamed)
+        # A store that lost a piece: one line.
+        for shard in (self.folder / "v.ome.zarr" / "0").rglob("*"):
+            if shard.is_file() and shard.stat().st_size > 5000:
+                shard.write_bytes(shard.read_bytes()[:4000])
+        done = self.run_batch("membrane", "v.ome.zarr", *asked, code=2, env=streamed)
+        self.assertIn("v.ome.zarr", done.stderr.decode())
+
     def test_noise_is_taken_out_where_a_click_needs_it(self):
         path = self.sample("fibres", 64)
         values = ["--protect", "1200,60000", "--axis", "0,0,1", "--position", "0.5"]

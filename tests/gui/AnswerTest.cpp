@@ -1,9 +1,27 @@
 // The law of fifty milliseconds: whatever computes, a view answers the hand at once.
+#include <QTimer>
+
 #include "DragSection.h"
+#include "PyramidSource.h"
 #include "WindowFixture.h"
 #include "patience.h"
 
 namespace velum::gui {
+
+/// The longest time for which the window's thread answered nobody.
+class Heartbeat {
+ public:
+  Heartbeat() {
+    mClock.start();
+    QObject::connect(&mTimer, &QTimer::timeout, [this] { longestMs = std::max(longestMs, double(mClock.restart())); });
+    mTimer.start(1);
+  }
+  double longestMs = 0;
+
+ private:
+  QElapsedTimer mClock;
+  QTimer mTimer;
+};
 
 class Answers : public Window {
  protected:
@@ -59,6 +77,35 @@ TEST_F(Answers, WhileAStructureIsPulledAndGrows) {
   EXPECT_FALSE(scene().labels.growths.empty());
   EXPECT_LT(pull.median(), 150.0);
   EXPECT_LT(pull.worst(), 500.0);
+}
+
+/// A volume of which each brick takes five seconds to read, which nobody may wait for.
+TEST_F(Answers, WhileADiskIsSlow) {
+  constexpr double kReadMs = 5000.0;
+  auto source = std::make_shared<PyramidSource>(*makeNestedShells(256), 4, glm::ivec3(32));
+  std::atomic<bool> isOver{false};
+  source->whenRead = [&] {
+    for (double ms = 0; ms < kReadMs && !isOver; ms += 10.0) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  };
+  showFourViews(*mWindow, Shared<Volume>(streamedVolume(source, 3)));
+  expectAtOnce("while a disk is slow");
+  Heartbeat heart;
+  AnswerTimes camera = dragCamera(*mWindow, 30);
+  std::printf("the 3D view itself: median %.1f ms, worst %.1f ms\n", camera.median(), camera.worst());
+  EXPECT_LT(camera.median(), 250.0);
+  AnswerTimes pull = dragStructure(*mWindow, 45, 3000);
+  std::printf("a structure that is pulled, and grows: median %.1f ms, worst %.1f ms\n", pull.median(), pull.worst());
+  EXPECT_LT(pull.median(), 150.0);
+  EXPECT_GT(source->reads, 0);
+  // Drivers compile programs meanwhile, for which a view may wait.
+  std::printf("nobody was answered for %.1f ms at most\n", heart.longestMs);
+  EXPECT_LT(heart.longestMs, 0.8 * kReadMs);
+  isOver = true;
+  // What was pressed and was still on the disk is there now: the next press takes hold of it.
+  PaintCount painted(viewport());
+  timeDrag(viewport(), 20, [&] { return painted.count; });
+  EXPECT_FALSE(scene().labels.growths.empty());
+  mWindow->newScene();
 }
 
 }  // namespace velum::gui

@@ -3,6 +3,7 @@
 #include <boost/graph/adjacency_list.hpp>
 #include <boost/graph/boykov_kolmogorov_max_flow.hpp>
 #include <cmath>
+#include <random>
 #include <vector>
 
 namespace velum::membrane {
@@ -63,6 +64,28 @@ double minimumCut(const CutLattice& lattice) {
       join(at, sink, kInfinite, 0.0);
   }
   return boost::boykov_kolmogorov_max_flow(graph, source, sink);
+}
+
+std::vector<std::uint8_t> tubes(glm::ivec3 dims, int count, double radius, unsigned seed) {
+  std::mt19937 random(seed);
+  auto inside = [&] {
+    auto along = [&](int n) { return double(random() % unsigned(n)); };
+    double x = along(dims.x), y = along(dims.y);
+    return glm::dvec3(x, y, along(dims.z));
+  };
+  std::vector<std::uint8_t> mask(std::size_t(dims.x) * std::size_t(dims.y) * std::size_t(dims.z));
+  for (int i = 0; i < count; ++i) {
+    glm::dvec3 a = inside(), b = inside(), d = b - a;
+    std::size_t at = 0;
+    for (int z = 0; z < dims.z; ++z)
+      for (int y = 0; y < dims.y; ++y)
+        for (int x = 0; x < dims.x; ++x, ++at) {
+          glm::dvec3 p = glm::dvec3(x, y, z) - a;
+          double t = std::clamp(glm::dot(p, d) / std::max(glm::dot(d, d), 1e-9), 0.0, 1.0);
+          if (glm::length(p - t * d) <= radius) mask[at] = 1;
+        }
+  }
+  return mask;
 }
 
 }  // namespace velum::membrane

@@ -14,4 +14,7 @@ void forEachSheet(const CutLattice& lattice, const std::function<void(const std:
 /// tied, infinite edges downwards. In pairs.
 double minimumCut(const CutLattice& lattice);
 
+/// A few random tubes across a lattice: [z][y][x], 1 inside.
+std::vector<std::uint8_t> tubes(glm::ivec3 dims, int count, double radius, unsigned seed);
+
 }  // namespace velum::membrane

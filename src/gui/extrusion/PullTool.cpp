@@ -12,6 +12,7 @@
 #include "session/command/Command.h"
 #include "session/command/CutCommands.h"
 #include "session/cut/CutEdit.h"
+#include "session/extrusion/MaterialRange.h"
 #include "session/extrusion/PulledEnd.h"
 #include "session/growth/Growths.h"
 #include "session/structure/StructureEdit.h"
@@ -33,10 +34,6 @@ QString wayText(glm::dvec2 way) {
   return way.y > 0.0 ? PullTool::tr("down") : PullTool::tr("up");
 }
 
-bool hasCutToPullFrom(const scene::Scene& scene) {
-  return std::any_of(scene.cuts.begin(), scene.cuts.end(), session::canPullFrom);
-}
-
 }  // namespace
 
 PullTool::PullTool(const WindowParts& parts)
@@ -55,7 +52,7 @@ bool PullTool::start() {
   const scene::Scene& scene = mDocument.scene();
   if (!scene::hasData(scene)) return false;
   mChosen.clear();
-  if (hasCutToPullFrom(scene)) return true;
+  if (hasCutToPullFrom()) return true;
   if (scene.cuts.size() >= scene::kMostCuts) return false;
   session::edit(mDocument, session::AddCut{scene::CutShape::Plane, {}}, false, "Cut to pull out of");
   mSelection.setCut(mDocument.scene().cuts.back().id);
@@ -65,6 +62,7 @@ bool PullTool::start() {
 void PullTool::stop() {
   if (!mDragged.empty()) mDocument.endMerge();
   letGo();
+  mReading.reset();
   mPreview.clear();
   mStroke.reset();
   mIsAsking = false;
@@ -97,27 +95,6 @@ void PullTool::letGo() {
   mPreview.end();
   mShownCount = mParts.views.viewport().shownCount();
   mParts.views.viewport().pause(0);
-}
-
-QString PullTool::hint() const {
-  if (!hasCutToPullFrom(mDocument.scene())) return tr("Add a cut first: there is none to pull out of. Esc ends.");
-  if (mIsAsking)
-    return tr("Click on what is not of it, or draw over it: it gives up what is nearer to that. Esc takes this back.");
-  if (mTarget && mTarget->cuts.size() > 1)
-    return tr("Two planes hold this: Space changes the one that it is pulled out of. Esc ends.");
-  if (session::lastGrowth(mDocument.scene(), mSelection.structure()))
-    return tr(
-        "Drag a structure out of the cut. Shift takes several. A stroke with Ctrl adds to the selected one, a click or "
-        "a "
-        "stroke with Ctrl and Shift says what is not of it. Esc ends.");
-  if (mTarget && mTarget->structure != 0)
-    return tr(
-        "Drag the structure out of the cut. Shift takes several, Ctrl and Shift only the part that is joined to the "
-        "place. "
-        "Esc ends.");
-  return tr(
-      "Drag a structure out of the cut. Shift takes several, Ctrl and the wheel, or [ and ], move the plane. Esc "
-      "ends.");
 }
 
 std::optional<PullTool::Target> PullTool::targetAt(const ViewPoint& at) const {
@@ -168,7 +145,7 @@ bool PullTool::press(const PointerEvent& event) {
         tr("Nothing here to pull: press on the cut's face. A drag on the empty ground turns the view."));
     return true;
   }
-  if (!isStroke) return begin(*target, event.at, isPlain && event.keys & Qt::ShiftModifier, isPart);
+  if (!isStroke) return beginWhenRead(*target, event.at, isPlain && event.keys & Qt::ShiftModifier, isPart);
   beginStroke(event.at, Stroke::Add);
   return true;
 }
@@ -208,6 +185,29 @@ bool PullTool::begin(const Target& target, const ViewPoint& at, bool goesOn, boo
   mSelection.setStructure(pull->structure);
   mView = &at.view();
   if (!at.isOnSection() && !mDragged.empty()) mPreview.begin();
+  return true;
+}
+
+/// Where the voxels that decide are still on the disk it begins when they have come: nobody waits for that. A button
+/// that was let go by then has chosen the structure.
+bool PullTool::beginWhenRead(const Target& target, const ViewPoint& at, bool goesOn, bool isPart) {
+  mReading.reset();
+  const scene::VolumeLayer& layer = mDocument.scene().volume;
+  if (target.structure != 0 || session::isInMemoryAround(layer, target.world)) return begin(target, at, goesOn, isPart);
+  mParts.messages.showNote(tr("Reading the voxels there; hold the button"));
+  mIsReleased = false;
+  mPointer = at.place();
+  mReading = std::make_unique<Job>([layer, target](Progress&) { session::bringAround(layer, target.world); }, nullptr);
+  connect(mReading.get(), &Job::finished, this, [this, target, view = &at.view(), place = at.place(), goesOn, isPart] {
+    mReading.release()->deleteLater();
+    const scene::Scene& scene = mDocument.scene();
+    if (!scene::findCut(scene, target.cuts.front())) return;
+    begin(target, ViewPoint(*view, scene, place), goesOn, isPart);
+    pullTo(ViewPoint(*view, scene, mPointer));
+    if (mIsReleased) letGo();
+    mToolbox.repaint(*view);
+  });
+  mReading->start();
   return true;
 }
 
@@ -262,28 +262,12 @@ void PullTool::drag(const PointerEvent& event) {
 
 void PullTool::release(const PointerEvent& event) {
   if (mStroke) endStroke();
+  mIsReleased = true;
   endAtTheirEnds();
   mDocument.endMerge();
   letGo();
   mTag.clear();
   mToolbox.repaint(event.at.view());
-}
-
-QString PullTool::nameOf(const session::Pull& pull) const {
-  if (pull.added) return QString::fromStdString(pull.added->name);
-  if (pull.structure == 0) return tr("What has no label");
-  return QString::fromStdString(session::structureName(mDocument.scene(), pull.structure));
-}
-
-/// The label: the structure under the pointer, and how far it stands out.
-QString PullTool::tagOf(const Target& target) const {
-  const scene::Scene& scene = mDocument.scene();
-  const scene::Cut* cut = scene::findCut(scene, target.cuts.front());
-  if (!cut || target.structure == 0) return {};
-  QString name = QString::fromStdString(session::structureName(scene, target.structure));
-  double distance = session::extrusionOf(*cut, target.structure);
-  if (distance == 0.0) return name;
-  return tr("%1: %2").arg(name, std::isfinite(distance) ? Length(scene).text(distance) : tr("whole"));
 }
 
 std::optional<Qt::CursorShape> PullTool::hover(const ViewPoint& at) {

@@ -1,9 +1,11 @@
 #pragma once
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "gui/extrusion/PullPreview.h"
 #include "gui/extrusion/SeedStroke.h"
+#include "gui/service/Job.h"
 #include "gui/view/Room.h"
 #include "session/extrusion/Extrusion.h"
 #include "session/extrusion/Pull.h"
@@ -72,6 +74,7 @@ class PullTool : public Tool {
   void mean(const Target& target);
   int supporting() const;
   bool begin(const Target& target, const ViewPoint& at, bool goesOn, bool isPart);
+  bool beginWhenRead(const Target& target, const ViewPoint& at, bool goesOn, bool isPart);
   void pullTo(const ViewPoint& at);
   void setDistances(const std::vector<double>& distances);
   void endAtTheirEnds();
@@ -89,6 +92,7 @@ class PullTool : public Tool {
   bool saysNotThis(const PointerEvent& event) const;
   void toggle();
   bool movePlane(double steps);
+  bool hasCutToPullFrom() const;
   QString nameOf(const session::Pull& pull) const;
   QString tagOf(const Target& target) const;
 
@@ -103,6 +107,8 @@ class PullTool : public Tool {
   bool mIsAsking = false;         ///< for a press that shows what does not belong to the structure
   std::optional<Target> mTarget;  ///< under the pointer
   Meant mMeant;
+  std::unique_ptr<Job> mReading;  ///< brings the voxels that decide what was pressed
+  bool mIsReleased = false;       ///< before they had come
   PullPreview mPreview;
   int mShownCount = 0;  ///< the view's shownCount() when the last drag ended; the preview stays until it differs
   ToolView* mView = nullptr;

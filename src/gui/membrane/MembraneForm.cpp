@@ -235,9 +235,7 @@ void MembraneForm::showStatus(const std::optional<session::MembraneStatus>& stat
   mFigure->setEnabled(status->isMeasured);
   mShares->setEnabled(status->isMeasured);
   if (status->isMeasured) {
-    const auto& volume = mDocument.scene().volume.data;
-    double voxelSize = volume ? std::abs(glm::determinant(glm::dmat3(volume->worldFromVoxel))) : 0.0;
-    mNoise->showLeftOut(status->leftOut, voxelSize, Length(mDocument.scene()));
+    mNoise->showLeftOut(status->leftOut, status->voxels.volume, Length(mDocument.scene()));
     mShares->setShares(status->shares);
   }
   QString kernels = tr("%1 kernels, %2 \u00d7 %3 particles")
@@ -249,6 +247,9 @@ void MembraneForm::showStatus(const std::optional<session::MembraneStatus>& stat
                   : status->phase == Phase::Paused    ? tr("Paused at step %1").arg(status->steps)
                                                       : tr("Settling, step %1").arg(status->steps);
   mDoing->setText(status->error.empty() ? doing + "." : QString::fromStdString(status->error));
+  const auto& volume = mDocument.scene().volume.data;
+  if (volume && volume->finer)
+    kernels += "\n" + tr("Forces and figures come from level %1 (0 is the finest)").arg(status->voxels.level);
   mDoing->setToolTip(kernels + "\n" +
                      tr("Forces took %1 ms, a step takes %2 ms; largest speed %3 %4/s")
                          .arg(status->forcesMs, 0, 'f', 0)

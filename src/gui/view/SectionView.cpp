@@ -223,7 +223,9 @@ void SectionView::fit() {
 }
 
 void SectionView::scroll(double steps) {
-  change([this, steps](scene::Scene& scene) { scene::scrollSection(scene, mKind, steps); });
+  change([this, steps](scene::Scene& scene) {
+    scene::scrollSection(scene, mKind, steps * scene::planesPerStep(scene, plane()));
+  });
 }
 
 void SectionView::showMenu(QPoint globalPlace) {

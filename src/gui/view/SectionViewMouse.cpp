@@ -194,7 +194,9 @@ void SectionView::wheelEvent(QWheelEvent* event) {
 void SectionView::keyPressEvent(QKeyEvent* event) {
   double far = event->modifiers() & Qt::ShiftModifier ? kFarSteps : 1.0;
   auto step = [&](double x, double y) {
-    change([&](scene::Scene& scene) { scene::stepCrosshair(scene, mKind, glm::dvec2(x, y) * far); });
+    change([&](scene::Scene& scene) {
+      scene::stepCrosshair(scene, mKind, glm::dvec2(x, y) * far * double(scene::planesPerStep(scene, plane())));
+    });
   };
   switch (event->key()) {
     case Qt::Key_Left:

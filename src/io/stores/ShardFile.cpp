@@ -7,6 +7,7 @@
 #include <cstring>
 #include <memory>
 
+#include "core/Error.h"
 #include "io/read/FileBytes.h"
 #include "io/stores/Crc32c.h"
 

@@ -7,9 +7,11 @@
 #include "core/Parallel.h"
 #include "membrane/forces/Attraction.h"
 #include "membrane/forces/Corridor.h"
+#include "membrane/forces/FinerSource.h"
 #include "membrane/forces/FrameBox.h"
 #include "membrane/forces/KeptWhole.h"
 #include "membrane/forces/Limit.h"
+#include "membrane/forces/SidedPush.h"
 #include "membrane/forces/Stakes.h"
 
 namespace velum::membrane {
@@ -20,6 +22,8 @@ namespace {
 constexpr double kMostProtected = 48e6;
 /// And where something attracts, of which all nodes count, with so many nodes: a quarter of a gigabyte.
 constexpr double kMostDrawn = 32e6;
+/// Boxes of streamed volumes with more nodes than this are solved in two looks; volumes in memory as they ever were.
+constexpr std::size_t kTwoLooks = 1000000;
 /// So far the sheet may go from one time step to the next to follow what moves, in mean edges of the rest plane: 10
 /// over a heart, whose walls move up to 7 mm in an eighth of a beat; with half of it the sheet lost them.
 constexpr double kFollowShare = 1.0 / 16.0;
@@ -29,11 +33,6 @@ constexpr int kMostStepsFollowed = 4;
 constexpr int kPreviewAlongEdge = 128;
 constexpr std::size_t kPreviewNodes = 30000;
 constexpr int kPreviewKernels = 64, kCoarsestKernels = 6;
-
-/// Strength of a kernel that draws the sheet half of the way to its centre.
-constexpr double kHalfLift = 100.0;
-/// A ball lets go of the sheet over the last quarter of its radius.
-constexpr double kLetGo = 4.0;
 
 /// What the kernels depend on, without rule, side and reach.
 scene::ForceField kernelPart(scene::ForceField field) {
@@ -164,60 +163,38 @@ std::vector<int> belowSheet(const CutLattice& lattice, const HeightOver& height)
   return below;
 }
 
-/// -1 for what belongs above the sheet, 1 for what belongs below, in between for a kernel through which it passes.
-class Sides {
- public:
-  explicit Sides(const Corridor& corridor, double smear)
-      : mCorridor(corridor), mSmear(std::max(smear, 1e-9 * std::max(corridor.step.x, corridor.step.y))) {}
-  double at(glm::dvec3 local) const {
-    glm::dvec2 p = glm::floor((glm::dvec2(local) - mCorridor.origin) / mCorridor.step + 0.5 + kHair);
-    glm::ivec2 column = glm::clamp(glm::ivec2(p), glm::ivec2(0), mCorridor.dims - 1);
-    double height = double(mCorridor.height[std::size_t(column.y * mCorridor.dims.x + column.x)]);
-    return std::clamp((height - local.z) / mSmear, -1.0, 1.0);
-  }
+}  // namespace
 
- private:
-  const Corridor& mCorridor;
-  double mSmear;
+ForceVoxels voxelsOf(const Potential& potential) {
+  return {potential.source().level, std::abs(glm::determinant(glm::dmat3(potential.worldFromVoxel())))};
+}
+
+/// What makes forces in a box of finer voxels.
+struct ForceMaker::Finer {
+  FinerBox of;
+  ForceMaker maker;
 };
 
-/// Differs: not in the paper. The loose cloth of the sided rule is pulled back to the rest plane so strongly that a
-/// force would hardly move it: what attracts lifts the rest plane itself towards its centre instead, as long as its
-/// ball reaches the rest plane.
-double liftOf(const PlacedKernel& kernel) {
-  double reaches = (1.0 - std::abs(kernel.centre.z) / kernel.halfWidth) * kLetGo;
-  return kernel.centre.z * std::clamp(reaches, 0.0, 1.0) * kernel.pull / (kernel.pull - kHalfLift);
-}
+ForceMaker::ForceMaker(Potential potential, int timeStep, int timeSteps)
+    : mPotential(std::move(potential)), mTimeStep(timeStep), mTimeSteps(timeSteps), mIsFiner(true) {}
+ForceMaker::~ForceMaker() = default;
 
-/// What repels pushes along the normal, away from the side that it is on; what of the data attracts has led the
-/// corridor to it already.
-void turnToSides(PushField& field, const Corridor& corridor) {
-  glm::dmat4 localFromKernel = glm::inverse(field.kernelFromLocal);
-  glm::dmat3 axes(localFromKernel);
-  double thick = std::abs(axes[0].z) + std::abs(axes[1].z) + std::abs(axes[2].z);
-  Sides sides(corridor, 0.5 * thick);
-  parallelFor(0, field.dims.z, [&](int z) {
-    std::size_t i = std::size_t(z) * std::size_t(field.dims.y) * std::size_t(field.dims.x);
-    for (int y = 0; y < field.dims.y; ++y)
-      for (int x = 0; x < field.dims.x; ++x, ++i) {
-        float strength = field.strengths[i].y;
-        field.strengths[i] = glm::vec2(0.0f);
-        if (strength <= 0.0f) continue;
-        double side = sides.at(glm::dvec3(localFromKernel * glm::dvec4(x, y, z, 1.0)));
-        field.strengths[i] = {float(side) * strength, 0.0f};
-      }
-  });
-  for (auto& kernel : field.placed) {
-    if (kernel.pull <= 0.0) {
-      kernel.lift = liftOf(kernel);
-      continue;
-    }
-    kernel.push = Sides(corridor, 0.25 * kernel.halfWidth).at(kernel.centre) * kernel.pull;
-    kernel.pull = 0.0;
+/// Null where the data in memory are the finest.
+ForceMaker* ForceMaker::finerFor(const scene::Cut& cut, Progress& progress) {
+  std::optional<FinerBox> box = finerBoxOf(mPotential.source(), cut);
+  if (!box) return nullptr;
+  if (!mFiner || mFiner->of != *box) {
+    mFiner.reset();  // the old box goes before the new one comes
+    Potential potential(finerSource(mPotential.source(), *box, progress));
+    mFiner.reset(new Finer{*box, ForceMaker(std::move(potential), mTimeStep, mTimeSteps)});
   }
+  return &mFiner->maker;
 }
 
-}  // namespace
+const Potential& ForceMaker::potentialFor(const scene::Cut& cut, Progress& progress) {
+  ForceMaker* finer = finerFor(cut, progress);
+  return finer ? finer->mPotential : mPotential;
+}
 
 ForceMaker::ForceMaker(const scene::Scene& scene) : mPotential(scene) {
   if (!scene.volume.data) return;
@@ -298,7 +275,9 @@ Corridor ForceMaker::corridorOf(const scene::Cut& cut, const CurrentSheet& curre
     return corridor;
   };
   if (current.height) return around(cutByCurrent(lattice, cut, current, progress));
-  known.corridor = around(computeCutInBands(lattice, cut.membrane->field.side, CutMetric::Smooth, progress));
+  bool inTwoLooks = mIsFiner && lattice.layer.size() > kTwoLooks;
+  known.corridor = around(inTwoLooks ? computeSmoothNearPairs(lattice, field.side, progress)
+                                     : computeCutInBands(lattice, field.side, CutMetric::Smooth, progress));
   known.cut = asked;
   return known.corridor;
 }
@@ -326,6 +305,7 @@ Corridor ForceMaker::coarseCorridorOf(const scene::Cut& cut, double& ms, Progres
 Forces ForceMaker::kernelForces(const scene::Cut& cut, bool isPreview, Progress& progress) {
   Forces forces;
   forces.isPreview = isPreview;
+  forces.voxels = membrane::voxelsOf(mPotential);
   const std::vector<KernelGrid>& kernels = kernelsOf(cut.membrane->field, forces.kernelsMs, progress);
   forces.kernels = kernels.front().count;
   forces.field = cropKernels(isPreview ? kernels.back() : kernels.front(), cut);
@@ -334,6 +314,17 @@ Forces ForceMaker::kernelForces(const scene::Cut& cut, bool isPreview, Progress&
 }
 
 Forces ForceMaker::compute(const scene::Cut& cut, const CurrentSheet& current, Progress& progress) {
+  ForceMaker* finer = finerFor(cut, progress);
+  return (finer ? *finer : *this).computeHere(cut, current, progress);
+}
+
+Forces ForceMaker::preview(const scene::Cut& cut, Progress& progress) {
+  Forces forces = previewHere(cut, progress);
+  if (finerBoxOf(mPotential.source(), cut)) forces.isPreview = true;
+  return forces;
+}
+
+Forces ForceMaker::computeHere(const scene::Cut& cut, const CurrentSheet& current, Progress& progress) {
   if (mPotential.dims().x == 0) return {};
   Forces forces = kernelForces(cut, false, progress);
   if (cut.membrane->field.rule == scene::KernelRule::Paper) return forces;
@@ -342,9 +333,9 @@ Forces ForceMaker::compute(const scene::Cut& cut, const CurrentSheet& current, P
   return forces;
 }
 
-Forces ForceMaker::preview(const scene::Cut& cut, Progress& progress) {
+Forces ForceMaker::previewHere(const scene::Cut& cut, Progress& progress) {
   if (mPotential.dims().x == 0 || cut.membrane->field.rule == scene::KernelRule::Paper)
-    return compute(cut, {}, progress);
+    return computeHere(cut, {}, progress);
   scene::Cut data = cut;
   data.membrane->field.kernels.clear();
   bool isKnown = mDataSides.cut && *mDataSides.cut == sidesPart(data);

@@ -2,6 +2,7 @@
 #include <cstddef>
 #include <functional>
 #include <glm/glm.hpp>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -36,11 +37,19 @@ struct Corridor {
   double leastShare = 0.0;  ///< pairs that the least cut separates, divided by the pairs that the rest plane separates
 };
 
+/// Which voxels forces, and figures of a sheet, come from.
+struct ForceVoxels {
+  int level = 0;        ///< of a streamed volume: which of its levels they are of
+  double volume = 0.0;  ///< of one of them, world
+};
+ForceVoxels voxelsOf(const Potential& potential);
+
 /// Everything that acts on the sheet of one membrane in one place.
 struct Forces {
   PushField field;
   Corridor corridor;
   bool isPreview = false;   ///< made by ForceMaker::preview()
+  ForceVoxels voxels;       ///< that they come from
   std::size_t kernels = 0;  ///< of the whole volume
   double kernelsMs = 0;     ///< time to make the kernels from the data; 0: they were kept from before
   double leastCutMs = 0;    ///< time to make the corridor; 0: it was kept from before
@@ -60,8 +69,14 @@ struct CurrentSheet {
 class ForceMaker {
  public:
   explicit ForceMaker(const scene::Scene& scene);
+  ~ForceMaker();
 
+  /// Of the data in memory: of a streamed volume its coarse level.
   const Potential& potential() const { return mPotential; }
+  /// Of the voxels from which exact forces of a membrane come: of a streamed volume those of a finer level in the
+  /// sheet's reach (finerBoxOf()), which are read first. Stays until the next call that makes something.
+  /// @throw InputError when bricks cannot be read; Cancelled
+  const Potential& potentialFor(const scene::Cut& cut, Progress& progress);
   bool matches(const scene::Scene& scene) const { return mPotential.matches(scene); }
 
   /// By the paper's rule: kernels that push away from their centres ([IMC] eq. 2, 3). By the sided rule (Differs: not
@@ -72,10 +87,12 @@ class ForceMaker {
   /// @param current  active repositioning: material stays on the side of this sheet on which it is. If the sheet came
   /// to rest at another time step, the material has moved since: then the least cut among the sheets near this one is
   /// used. Differs: the paper knows no time
-  /// @throw Cancelled
+  /// Of a streamed volume they come from a finer level, see potentialFor().
+  /// @throw InputError when bricks cannot be read; Cancelled
   Forces compute(const scene::Cut& cut, const CurrentSheet& current, Progress& progress);
 
-  /// Forces for a hand that drags, until the exact ones are ready. As compute() without a current sheet, except that
+  /// Forces for a hand that drags, until the exact ones are ready. As compute() without a current sheet, except that a
+  /// streamed volume is looked at in the level that is in memory,
   /// large data (kLargeVoxels) are looked at coarsely, and each repelling kernel put in by hand is passed on the side
   /// given by the least cut of the data alone, without another least cut. Takes a few milliseconds where that least
   /// cut, or the coarse look, is kept from before. @throw Cancelled
@@ -85,6 +102,10 @@ class ForceMaker {
   bool isLarge() const;
 
  private:
+  ForceMaker(Potential potential, int timeStep, int timeSteps);
+  ForceMaker* finerFor(const scene::Cut& cut, Progress& progress);
+  Forces computeHere(const scene::Cut& cut, const CurrentSheet& current, Progress& progress);
+  Forces previewHere(const scene::Cut& cut, Progress& progress);
   // Functions that take `ms` write to it how long they took, unless the result was kept from before.
   /// A corridor, and the parts of the cut that it was made for: see sidesPart().
   struct Sides {
@@ -102,13 +123,16 @@ class ForceMaker {
 
   Potential mPotential;
   int mTimeStep = 0, mTimeSteps = 1;
+  bool mIsFiner = false;                    ///< a box of a streamed volume
   std::optional<scene::ForceField> mField;  ///< the field that mKernels were made from
   std::vector<KernelGrid> mKernels;         ///< from the field's level to that of previews
   std::optional<scene::Cut> mVoxelsCut;
   ProtectedVoxels mVoxels;  ///< of the data alone
   std::optional<scene::ForceField> mCoarseField;
-  CoarseVoxels mCoarse;      ///< of the data alone, for previews
-  Sides mDataSides, mSides;  ///< mDataSides: of the data alone; mSides: with the kernels put in by hand last
+  CoarseVoxels mCoarse;  ///< of the data alone, for previews
+  struct Finer;
+  std::unique_ptr<Finer> mFiner;  ///< of the last membrane over a streamed volume
+  Sides mDataSides, mSides;       ///< mDataSides: of the data alone; mSides: with the kernels put in by hand last
 };
 
 /// The heights of the sheet around which a corridor runs: Corridor::height.

@@ -101,17 +101,6 @@ Areas countPairs(const Sides& sides) {
       });
 }
 
-/// The voxels of a grid whose positions can lie in the rest plane's box, and their neighbours.
-VoxelBox boxInReach(glm::ivec3 dims, const glm::dmat4& worldFromVoxel, const scene::Cut& cut) {
-  glm::dmat4 voxelFromLocal = glm::inverse(FrameBox(cut, worldFromVoxel).localFromVoxel);
-  glm::dvec3 middle(voxelFromLocal[3]), half(0.0);
-  for (int axis = 0; axis < 3; ++axis) half += glm::abs(glm::dvec3(voxelFromLocal[axis])) * cut.size[axis] * 0.5;
-  // Clamped before they become integers: a frame may be far larger than the data.
-  glm::dvec3 low = glm::clamp(glm::floor(middle - half) - 1.0, glm::dvec3(0.0), glm::dvec3(dims));
-  glm::dvec3 high = glm::clamp(glm::ceil(middle + half) + 2.0, low, glm::dvec3(dims));
-  return {glm::ivec3(low), glm::ivec3(high)};
-}
-
 VoxelBox intersect(VoxelBox a, VoxelBox b) {
   glm::ivec3 low = glm::max(a.min, b.min);
   return {low, glm::max(low, glm::min(a.end, b.end))};
@@ -135,14 +124,24 @@ double meanAbsolute(double a, double b, double c) {
 }  // namespace
 
 VoxelBox voxelsInReach(const Potential& potential, const scene::Cut& cut) {
-  return boxInReach(potential.dims(), potential.worldFromVoxel(), cut);
+  return voxelsInReach(potential.dims(), potential.worldFromVoxel(), cut);
+}
+
+VoxelBox voxelsInReach(glm::ivec3 dims, const glm::dmat4& worldFromVoxel, const scene::Cut& cut) {
+  glm::dmat4 voxelFromLocal = glm::inverse(FrameBox(cut, worldFromVoxel).localFromVoxel);
+  glm::dvec3 middle(voxelFromLocal[3]), half(0.0);
+  for (int axis = 0; axis < 3; ++axis) half += glm::abs(glm::dvec3(voxelFromLocal[axis])) * cut.size[axis] * 0.5;
+  // Clamped before they become integers: a frame may be far larger than the data.
+  glm::dvec3 low = glm::clamp(glm::floor(middle - half) - 1.0, glm::dvec3(0.0), glm::dvec3(dims));
+  glm::dvec3 high = glm::clamp(glm::ceil(middle + half) + 2.0, low, glm::dvec3(dims));
+  return {glm::ivec3(low), glm::ivec3(high)};
 }
 
 KeptWhole measureKeptWhole(const ProtectedVoxels& voxels, const scene::Cut& cut, const SideOfPoints& side,
                            double meanDistance, Progress& progress) {
   VELUM_ASSERT(holdsItsBox(voxels), "each voxel of the box is decided");
   Sides sides;
-  sides.box = intersect(boxInReach(voxels.box.end, voxels.worldFromVoxel, cut), voxels.box);
+  sides.box = intersect(voxelsInReach(voxels.box.end, voxels.worldFromVoxel, cut), voxels.box);
   sides.size = sides.box.end - sides.box.min;
   sides.flags.resize(std::size_t(sides.size.x) * std::size_t(sides.size.y) * std::size_t(sides.size.z));
   RowOfSides rows(voxels, cut, side);

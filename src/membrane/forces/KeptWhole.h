@@ -57,6 +57,8 @@ KeptWhole figureOfFlat(const KeptWhole& other);
 
 /// The box of the voxels that can matter to a membrane: those within its frame and reach, and their neighbours.
 VoxelBox voxelsInReach(const Potential& potential, const scene::Cut& cut);
+/// The same of any grid of voxels.
+VoxelBox voxelsInReach(glm::ivec3 dims, const glm::dmat4& worldFromVoxel, const scene::Cut& cut);
 
 /// Counts the protected pairs that a sheet separates, and those that the rest plane separates. A pair counts when one
 /// of its voxels lies within the rest plane's box. All cores. O(voxels of the box).

@@ -9,10 +9,13 @@
 #include "core/LabelVolume.h"
 #include "core/Shared.h"
 #include "core/Task.h"
+#include "membrane/forces/FieldStrength.h"
 #include "scene/Membrane.h"
 #include "scene/SceneFwd.h"
 
 namespace velum::membrane {
+
+struct PotentialSource;
 
 /// The kernels of one level of the octree ([IMC] 3.2): the mean strength of each super-voxel of 2^level voxels per
 /// axis.
@@ -54,16 +57,6 @@ struct LeftOut {
 /// holds there. @param curve  ascending
 double strengthAt(std::span<const scene::StrengthPoint> curve, double value);
 
-/// The largest strength above 0 (repelling) in a field; 0 when nothing repels.
-double strongestOf(const scene::ForceField& field);
-/// True when everything in the field that repels has the same strength.
-bool isAlike(const scene::ForceField& field);
-/// True when something in the field attracts the sheet.
-bool attracts(const scene::ForceField& field);
-
-/// The weight, see ProtectedVoxels::weight, of a strength in a field whose largest strength is `strongest`.
-std::uint8_t weightOf(double strength, double strongest);
-
 /// The potential field transfer function (PFTF) over a scene's data: strengths by value, by gradient magnitude and by
 /// structure and by molecular type, which add up ([IMC] 3.2). A type's strength is that of the voxels that its
 /// instances fill, so that a kernel is as strong as the instances are dense; where they are is found when first asked
@@ -80,12 +73,14 @@ class Potential {
  public:
   /// Takes the volume's current time step and channel, and the labels, which may lie on another grid.
   explicit Potential(const scene::Scene& scene);
+  explicit Potential(PotentialSource source);
   ~Potential();
   Potential(Potential&&) noexcept;
   Potential& operator=(Potential&&) noexcept;
 
   /// True when this potential was made from the same data, time step and channel.
   bool matches(const scene::Scene& scene) const;
+  const PotentialSource& source() const;
   glm::ivec3 dims() const;                    ///< 0 when the scene has no data
   const Shared<LabelVolume>& labels() const;  ///< the scene's; may be empty
   /// The model's types by their numbers, counted from 1, as makeTypeGrid(); empty where there is no model.

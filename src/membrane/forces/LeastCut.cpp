@@ -16,6 +16,8 @@ namespace {
 
 /// Looks further on where a sheet lies at its band's edge: one or two as a rule.
 constexpr int kMostRounds = 8;
+/// Layers to either side in which a second look smooths a sheet.
+constexpr int kSecondLook = 3;
 /// Another one is for those that left less than this.
 constexpr double kWorthwhile = 0.999;
 
@@ -166,6 +168,11 @@ LeastCut computeCutInBands(const CutLattice& lattice, scene::MembraneSide side, 
                            std::size_t exactNodes) {
   check(lattice);
   return cutInBands(lattice, side, metric, wholeReach(lattice), progress, exactNodes);
+}
+
+LeastCut computeSmoothNearPairs(const CutLattice& lattice, scene::MembraneSide side, Progress& progress) {
+  LeastCut pairs = computeCutInBands(lattice, side, CutMetric::Pairs, progress);
+  return computeLeastCutNear(lattice, side, CutMetric::Smooth, pairs.below, kSecondLook, progress);
 }
 
 LeastCut computeCutWithin(const CutLattice& lattice, std::span<const SheetRange> ranges, Progress& progress,

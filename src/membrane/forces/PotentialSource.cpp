@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/BrickCache.h"
 #include "membrane/forces/Kernels.h"
 #include "membrane/forces/TypeGrid.h"
 #include "scene/Scene.h"
@@ -56,6 +57,7 @@ PotentialSource sourceOf(const scene::Scene& scene) {
   if (source.volume) {
     source.timeStep = scene::shownTimeStep(scene.volume);
     source.channel = scene::shownChannel(scene.volume);
+    source.level = source.volume->finer ? source.volume->finer->level : 0;
     source.dims = source.volume->dims;
     source.worldFromVoxel = source.volume->worldFromVoxel;
   } else if (source.labels) {

@@ -18,6 +18,7 @@ struct PotentialSource {
   scene::ModelLayer model;
   scene::ModelFrame frame;  ///< how the model lies in the world
   LengthUnit unit = LengthUnit::Millimetre;
+  int level = 0;                   ///< of a streamed volume: the level that `volume` is, or is a part of
   glm::ivec3 dims{0};              ///< of the potential's grid
   glm::ivec3 volumeFrom{0};        ///< where the volume's first voxel is in this grid
   glm::dmat4 worldFromVoxel{1.0};  ///< of this grid

@@ -21,7 +21,9 @@ float texelValue(const glm::u8vec4& t) { return float(t.a) / 255.0f; }
 /// The part of a level that a brick's texels are made of, and where the slot's voxels lie in it.
 struct Block {
   VolumeTexels source;
-  glm::ivec3 slotOrigin{0};  ///< voxels of the block
+  glm::ivec3 slotOrigin{0};    ///< voxels of the block
+  glm::dvec3 brickLow{0.0};    ///< where the brick begins in its slot, voxels whose corners are at whole numbers
+  glm::dvec3 brickEdges{0.0};  ///< voxels
   glm::ivec3 dims{0};
 
   std::size_t at(glm::ivec3 slotVoxel) const {
@@ -50,6 +52,8 @@ Block readBlock(const TexelRecipe& recipe, const PageGrid& grid, const PageBrick
   block.source.mix = recipe.mix;
   block.source.volume = Shared<Volume>(std::move(volume));
   block.slotOrigin = origin - low;
+  block.brickLow = grid.lowCorner(brick) - glm::dvec3(origin);
+  block.brickEdges = grid.edges(brick.level);
   return block;
 }
 
@@ -87,11 +91,9 @@ void cutOutPacked(const Block& block, const Texel* texels, Bytes& out) {
     }
 }
 
-/// The ranges of a brick's cells with a halo of a voxel, wherever the brick lies in its slot: a little more than that.
+/// The ranges of a brick's cells: of the voxels between which places in a cell lie.
 template <class Texel>
 BrickRanges rangesOf(const Block& block, const Texel* texels) {
-  constexpr int kFirst = 2, kCell = kPageVoxels / kRangeCells;  // voxels of a slot before its brick, at least
-  constexpr int kWide = kCell + 3;
   BrickRanges ranges;
   ranges.all = glm::vec2(texelValue(texels[block.at(glm::ivec3(0))]));
   for (int z = 0; z < kSlotEdge; ++z)
@@ -100,19 +102,23 @@ BrickRanges rangesOf(const Block& block, const Texel* texels) {
         float value = texelValue(texels[block.at({x, y, z})]);
         ranges.all = {std::min(ranges.all.x, value), std::max(ranges.all.y, value)};
       }
+  glm::dvec3 edge = block.brickEdges / double(kRangeCells);
   for (int i = 0; i < int(ranges.cells.size()); ++i) {
-    glm::ivec3 cell(i % kRangeCells, i / kRangeCells % kRangeCells, i / (kRangeCells * kRangeCells));
-    glm::ivec3 from = cell * kCell + kFirst - 1, v;
+    glm::ivec3 cell(i % kRangeCells, i / kRangeCells % kRangeCells, i / (kRangeCells * kRangeCells)), v;
+    glm::dvec3 low = block.brickLow + glm::dvec3(cell) * edge - 0.5;
+    glm::ivec3 from(glm::floor(low + 1e-6)), to(glm::ceil(low + edge - 1e-6));
+    from = glm::clamp(from, glm::ivec3(0), glm::ivec3(kSlotEdge - 1));
+    to = glm::clamp(to, from, glm::ivec3(kSlotEdge - 1));
     Texel first = texels[block.at(from)];
-    float low = texelValue(first), high = low;
-    for (v.z = from.z; v.z < from.z + kWide + 1; ++v.z)
-      for (v.y = from.y; v.y < from.y + kWide + 1; ++v.y)
-        for (v.x = from.x; v.x < from.x + kWide + 1; ++v.x) {
-          float value = texelValue(texels[block.at(glm::min(v, glm::ivec3(kSlotEdge - 1)))]);
-          low = std::min(low, value);
-          high = std::max(high, value);
+    float least = texelValue(first), most = least;
+    for (v.z = from.z; v.z <= to.z; ++v.z)
+      for (v.y = from.y; v.y <= to.y; ++v.y)
+        for (v.x = from.x; v.x <= to.x; ++v.x) {
+          float value = texelValue(texels[block.at(v)]);
+          least = std::min(least, value);
+          most = std::max(most, value);
         }
-    ranges.cells[std::size_t(i)] = {low, high};
+    ranges.cells[std::size_t(i)] = {least, most};
   }
   return ranges;
 }

@@ -18,7 +18,7 @@ inline constexpr int kRangeCells = 4;
 
 /// Smallest and largest texels.
 struct BrickRanges {
-  std::array<glm::vec2, kRangeCells * kRangeCells * kRangeCells> cells;  ///< With a halo of one voxel; x fastest.
+  std::array<glm::vec2, kRangeCells * kRangeCells * kRangeCells> cells;  ///< Of the voxels around; x fastest.
   glm::vec2 all{0.0f};  ///< Of the whole slot, with what neighbours lend.
 };
 

@@ -46,19 +46,17 @@ PageGrid::PageGrid(const Volume& volume) {
   }
 }
 
-glm::ivec3 PageGrid::slotOrigin(const PageBrick& brick) const {
-  const PageLevel& level = mLevels[std::size_t(brick.level)];
-  glm::dvec3 low = glm::dvec3(brick.at) * level.brickEdge * level.voxelsPerBox + level.firstVoxel;
-  return glm::ivec3(glm::floor(low - kGroupReach - 0.5 + 1e-6));
+glm::dvec3 PageGrid::edges(int level) const {
+  const PageLevel& of = mLevels[std::size_t(level)];
+  return of.brickEdge * of.voxelsPerBox;
 }
 
-bool PageGrid::hasWholePages(int level) const {
-  const PageLevel& of = mLevels[std::size_t(level)];
-  bool isWhole = true;
-  for (int axis = 0; axis < 3; ++axis)
-    isWhole = isWhole && std::abs(of.brickEdge[axis] * of.voxelsPerBox[axis] - kPageVoxels) * of.bricks[axis] < 1e-6 &&
-              std::abs(of.firstVoxel[axis]) < 1e-6;
-  return isWhole;
+glm::dvec3 PageGrid::lowCorner(const PageBrick& brick) const {
+  return glm::dvec3(brick.at) * edges(brick.level) + mLevels[std::size_t(brick.level)].firstVoxel;
+}
+
+glm::ivec3 PageGrid::slotOrigin(const PageBrick& brick) const {
+  return glm::ivec3(glm::floor(lowCorner(brick) - kGroupReach - 0.5 + 1e-6));
 }
 
 PageBrick PageGrid::parent(const PageBrick& brick, int level) const {

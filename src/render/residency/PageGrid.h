@@ -15,9 +15,6 @@ inline constexpr int kPageVoxels = shared::kPageEdge;
 inline constexpr double kGroupReach = 2.0;
 inline constexpr int kSlotEdge = shared::kBrickSlotEdge;
 
-/// A voxel may be so many pixels wide before a finer level is wanted: halfway between two levels.
-inline constexpr double kVoxelsPerPixel = 1.42;
-
 /// A brick of a level, as it lies in a slot.
 struct PageBrick {
   int level = 0;
@@ -58,9 +55,10 @@ class PageGrid {
 
   /// The lowest voxel that the slot of a brick holds; may lie outside the level.
   glm::ivec3 slotOrigin(const PageBrick& brick) const;
-  /// True when the pages of a level are whole voxels of it, so that page * kPageVoxels - shared::kBrickBefore is the
-  /// origin of each one's slot.
-  bool hasWholePages(int level) const;
+  /// Where a brick begins among the voxels of its level, whose corners are at whole numbers.
+  glm::dvec3 lowCorner(const PageBrick& brick) const;
+  /// Voxels along its edges.
+  glm::dvec3 edges(int level) const;
   /// The brick of another level in which a brick lies. @param level  not finer than its own
   PageBrick parent(const PageBrick& brick, int level) const;
 

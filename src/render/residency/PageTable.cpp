@@ -7,7 +7,20 @@ namespace velum::render {
 namespace {
 
 constexpr std::size_t kWord = sizeof(std::uint32_t);
-static_assert(sizeof(SlotRow) == shared::kSlotWords * kWord);
+constexpr std::size_t kRow = 4 * kWord;
+
+/// A slot's rows, as shaders read them.
+struct PackedRows {
+  glm::vec3 scale;
+  float lastX;
+  glm::vec3 first;
+  float lastY;
+  glm::ivec3 values;
+  float lastZ;
+  glm::ivec3 gradients;
+  float lastZAgain;
+};
+static_assert(sizeof(PackedRows) == shared::kSlotRows * kRow);
 
 }  // namespace
 
@@ -15,21 +28,17 @@ void PageTable::reset(const PageGrid& grid, int level, std::size_t slots) {
   mLevel = level;
   mSize = grid.levels()[std::size_t(level)].bricks;
   mSlots.assign(std::size_t(mSize.x) * std::size_t(mSize.y) * std::size_t(mSize.z), 0);
-  mOwn.assign(slots, 0);
+  mSlotCount = slots;
   mTexture = {};
-  mBuffer = gpu::Buffer("pages", (firstWord() + mSlots.size()) * kWord);
-  mTexture = gpu::Texture::makeOfBuffer("pages", gpu::Format::R32ui, mBuffer);
+  mBuffer = gpu::Buffer("pages", (firstRow() + (mSlots.size() + 3) / 4) * kRow);
+  mTexture = gpu::Texture::makeOfBuffer("pages", gpu::Format::Rgba32ui, mBuffer);
   mFirstChanged = 0;
   mEndChanged = mSlots.size();
 }
 
-void PageTable::setRow(std::uint32_t slot, const SlotRow& row, std::optional<glm::ivec3> place) {
-  mBuffer.write(std::size_t(slot) * sizeof(row), sizeof(row), &row);
-  mOwn[slot] = 0;
-  // As bits hold it.
-  if (place && place->x < 256 && place->y < 256 && place->z < 1024)
-    mOwn[slot] =
-        shared::kOwnBrick | std::uint32_t(place->x) | std::uint32_t(place->y) << 8 | std::uint32_t(place->z) << 16;
+void PageTable::setRow(std::uint32_t slot, const SlotRow& row) {
+  PackedRows rows{row.scale, row.last.x, row.first, row.last.y, row.values, row.last.z, row.gradients, row.last.z};
+  mBuffer.write(std::size_t(slot) * sizeof(rows), sizeof(rows), &rows);
 }
 
 glm::ivec3 PageTable::pageAt(std::size_t index) const {
@@ -60,13 +69,8 @@ PageTable::Pages PageTable::covered(const PageGrid& grid, const PageBrick& brick
 
 void PageTable::upload() {
   if (mFirstChanged == mEndChanged) return;
-  std::vector<std::uint32_t> words;
-  words.reserve(mEndChanged - mFirstChanged);
-  for (std::size_t i = mFirstChanged; i < mEndChanged; ++i) {
-    std::uint32_t slot = mSlots[i];
-    words.push_back(mOwn[slot] ? mOwn[slot] : slot);
-  }
-  mBuffer.write((firstWord() + mFirstChanged) * kWord, words.size() * kWord, words.data());
+  mBuffer.write(firstRow() * kRow + mFirstChanged * kWord, (mEndChanged - mFirstChanged) * kWord,
+                mSlots.data() + mFirstChanged);
   mFirstChanged = mEndChanged = 0;
 }
 

@@ -1,6 +1,5 @@
 #pragma once
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "gpu/Buffer.h"
@@ -11,12 +10,12 @@
 
 namespace velum::render {
 
-/// Where the voxels of a slot lie, as shaders read it: place among the voxels of a level, whose middles are at whole
-/// numbers = tex * scale + first; texel = voxel + shift.
+/// Where the voxels of a slot lie: place among the voxels of a level, whose middles are at whole numbers = tex * scale
+/// + first.
 struct SlotRow {
   glm::vec3 scale{0.0f}, first{0.0f};
-  glm::vec3 last{0.0f};  ///< Voxel of the level.
-  glm::ivec3 shift{0};
+  glm::vec3 last{0.0f};                ///< Voxel of the level.
+  glm::ivec3 values{0}, gradients{0};  ///< As bricks.glsl has places.
 };
 
 /// By page of a level: the slot in which its voxels are, those of that level or of a coarser one; and where slots lie.
@@ -36,10 +35,9 @@ class PageTable {
   std::uint32_t slot(std::size_t index) const { return mSlots[index]; }
   void set(std::size_t index, std::uint32_t slot);
   /// Says where a slot lies; sent at once.
-  /// @param place  in slots along each axis of the texture, where it holds the brick of a page of whole voxels
-  void setRow(std::uint32_t slot, const SlotRow& row, std::optional<glm::ivec3> place);
-  /// Where pages begin in the table that shaders read, words.
-  std::size_t firstWord() const { return mOwn.size() * shared::kSlotWords; }
+  void setRow(std::uint32_t slot, const SlotRow& row);
+  /// Where pages begin in the table that shaders read, rows of four words.
+  std::size_t firstRow() const { return mSlotCount * shared::kSlotRows; }
 
   /// The pages that a brick covers: the first, and one past the last, along each axis. Empty for a brick of a finer
   /// level.
@@ -56,7 +54,7 @@ class PageTable {
   int mLevel = -1;
   glm::ivec3 mSize{0};
   std::vector<std::uint32_t> mSlots;  ///< by page
-  std::vector<std::uint32_t> mOwn;    ///< by slot: the word of the page whose brick it holds, or 0
+  std::size_t mSlotCount = 0;
   std::size_t mFirstChanged = 0, mEndChanged = 0;
   gpu::Buffer mBuffer;
   gpu::Texture mTexture;

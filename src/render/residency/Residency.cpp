@@ -18,27 +18,8 @@ namespace {
 constexpr double kBudgetBytes = double(std::size_t(2) << 30);  ///< of the textures, unless told otherwise
 constexpr double kBudgetShare = 0.25;                          ///< of the driver's memory, likewise
 constexpr double kMostShare = 0.7;                             ///< of it, that can be asked for
-constexpr int kSlotsAlong = 8;                                 ///< of the texture, along x and y
 constexpr std::size_t kSampled = 192;  ///< bricks by which it is known how many of all will be seen
 constexpr std::size_t kMostKnown = 1u << 18;
-
-/// Writes one value into all texels of a slot, with gradients of no length. @param texel  as a sampler returns it
-void fillSlot(GpuVolume& volume, glm::ivec3 place, const TexelPlan& plan, float texel) {
-  constexpr std::size_t kCount = std::size_t(kSlotEdge) * kSlotEdge * kSlotEdge;
-  std::size_t values = plan.packing == Packing::None ? 1 : 4;
-  std::vector<glm::u8vec4> gradients(kCount, glm::u8vec4(128, 128, 128, 0));
-  auto write = [&](const auto& texels) {
-    writeTexels(volume, place, glm::ivec3(kSlotEdge), texels.data(), gradients.data());
-  };
-  if (plan.format == gpu::Format::R8)
-    write(std::vector<std::uint8_t>(kCount * values, std::uint8_t(texel * 255.0f + 0.5f)));
-  else if (plan.format == gpu::Format::R16)
-    write(std::vector<std::uint16_t>(kCount * values, std::uint16_t(texel * 65535.0f + 0.5f)));
-  else if (plan.format == gpu::Format::Rgba8)
-    write(std::vector<glm::u8vec4>(kCount, glm::u8vec4(0, 0, 0, std::uint8_t(texel * 255.0f + 0.5f))));
-  else
-    write(std::vector<float>(kCount, texel));
-}
 
 /// A few of many, from all over.
 template <class T>
@@ -48,8 +29,6 @@ std::vector<T> spread(const std::vector<T>& all, std::size_t count) {
     some.push_back(all[i * all.size() / std::min(count, all.size())]);
   return some;
 }
-
-int roundUp(int size) { return (size + kSlotEdge - 1) / kSlotEdge * kSlotEdge; }
 
 }  // namespace
 
@@ -67,7 +46,10 @@ Residency::Residency(const scene::VolumeLayer& layer, const gpu::Limits& limits,
   mRecipe.plan = storedPlan(*mCoarse, mRecipe.isMixed, limits, 0.0);
   mRecipe.range = mCoarse->range;
   mRecipe.longestGradient = longestGradientOf(*mCoarse, mRecipe.plan, mCoarse->isColor || mRecipe.isMixed);
-  makeSlots(limits);
+  mTexelBytes = texelBytes(mRecipe.plan) + sizeof(glm::u8vec4);
+  mSlots.push_back({});
+  for (const auto& place : makeSlots(mVolume, mRecipe.plan, mCoarse->dims, mBudgetBytes, limits))
+    mSlots.push_back({.place = place});
   scene::VolumeLayer coarse = layer;
   coarse.smooth = false;
   mUpload = std::make_unique<VolumeUpload>(coarse, limits, mRecipe.plan, mVolume);
@@ -78,27 +60,6 @@ Residency::Residency(const scene::VolumeLayer& layer, const gpu::Limits& limits,
 }
 
 Residency::~Residency() = default;
-
-/// The coarse volume lies in the corner of the texture, slots all around it.
-void Residency::makeSlots(const gpu::Limits& limits) {
-  std::size_t texel = gpu::texelBytes(mRecipe.plan.format) * (mRecipe.plan.packing == Packing::None ? 1 : 4) + 4;
-  mTexelBytes = texel;
-  double texels = mBudgetBytes / double(texel);
-  if (mRecipe.plan.packing != Packing::None) texels = std::min(texels, double(limits.textureBuffer));
-  glm::ivec3 coarse = mCoarse->dims, size;
-  int most = limits.texture3d / kSlotEdge * kSlotEdge;
-  for (int axis = 0; axis < 2; ++axis)
-    size[axis] = std::min(most, std::max(roundUp(coarse[axis]), kSlotsAlong * kSlotEdge));
-  int deep = int(texels / (double(size.x) * size.y)) / kSlotEdge * kSlotEdge;
-  size.z = std::min(most, std::max(roundUp(coarse.z) + kSlotEdge, deep));
-  allocateTexels(mVolume, mRecipe.plan, size, true);
-  mSlots.push_back({});
-  glm::ivec3 at;
-  for (at.z = 0; at.z < size.z; at.z += kSlotEdge)
-    for (at.y = 0; at.y < size.y; at.y += kSlotEdge)
-      for (at.x = 0; at.x < size.x; at.x += kSlotEdge)
-        if (glm::any(glm::greaterThanEqual(at, coarse))) mSlots.push_back({.place = at});
-}
 
 bool Residency::step() {
   if (!mUpload) return true;
@@ -247,8 +208,7 @@ std::size_t Residency::receive(double budgetMs, const MayShow& mayShow) {
         mSlots[slot].isUsed = true;
         mSlots[slot].seen = mTurn;
         mResident[key] = slot;
-        writeTexels(mVolume, mSlots[slot].place, glm::ivec3(kSlotEdge), loaded->texels.texels.data(),
-                    loaded->texels.gradients.data());
+        writeSlot(mVolume, mSlots[slot].place, loaded->texels);
         writeRow(slot);
         refreshPages(loaded->brick);
       }

@@ -12,6 +12,7 @@
 #include "render/Streaming.h"
 #include "render/residency/BrickLoader.h"
 #include "render/residency/PageTable.h"
+#include "render/residency/SlotStore.h"
 #include "render/upload/VolumeUpload.h"
 #include "scene/SceneFwd.h"
 
@@ -70,7 +71,7 @@ class Residency {
 
  private:
   struct Slot {
-    glm::ivec3 place{0};  ///< of its first texel
+    SlotPlace place;
     PageBrick brick;
     bool isUsed = false;
     std::uint64_t seen = 0;  ///< when rays came through it last: number of a gathering
@@ -89,7 +90,6 @@ class Residency {
   };
   double urgencyOf(glm::ivec3 page, int level) const;
   std::vector<PageBrick> bricksOf(const std::vector<Wish>& wishes);
-  void makeSlots(const gpu::Limits& limits);
   void restartTable(int level);
   int levelFor(double pixelSize) const;
   int wantedAt(glm::ivec3 page) const;

@@ -65,7 +65,7 @@ void Residency::restartTable(int level) {
   mVolume.cells = cellGridFor(own.dims);
   PagePlace pages;
   pages.grid = mTable.size();
-  pages.firstWord = mTable.firstWord();
+  pages.firstRow = mTable.firstRow();
   pages.perTex = glm::dvec3(own.dims) / own.voxelsPerBox / own.brickEdge;
   pages.first = -own.firstVoxel / own.voxelsPerBox / own.brickEdge;
   mVolume.pages = pages;
@@ -88,16 +88,19 @@ void Residency::writeRow(std::uint32_t slot) {
   const PageLevel& own = mGrid.levels()[std::size_t(mTable.level())];
   int level = slot == 0 ? mGrid.coarsest() : mSlots[slot].brick.level;
   const PageLevel& its = mGrid.levels()[std::size_t(level)];
-  glm::ivec3 origin = slot == 0 ? glm::ivec3(0) : mGrid.slotOrigin(mSlots[slot].brick);
+  glm::ivec3 origin = slot < kFirstSlot ? glm::ivec3(0) : mGrid.slotOrigin(mSlots[slot].brick);
   // Its voxels, whose corners are at whole numbers, = tex * scale + first.
   glm::dvec3 scale = glm::dvec3(own.dims) / own.voxelsPerBox * its.voxelsPerBox;
   glm::dvec3 first = its.firstVoxel - own.firstVoxel / own.voxelsPerBox * its.voxelsPerBox;
-  SlotRow row{scale, first - 0.5, its.dims - 1, mSlots[slot].place - origin};
-  bool isOwn = slot >= kFirstSlot && level == mTable.level() && mGrid.hasWholePages(level);
+  if (level == mTable.level()) scale = own.dims, first = glm::dvec3(0.0);  // to the last bit
+  SlotRow row{.scale = scale, .first = first - 0.5, .last = its.dims - 1};
   // Wherever a place is in a page that shows nothing, it is seen in the slot's middle.
-  if (slot == kEmptySlot)
-    row = {glm::vec3(0.0f), glm::vec3(0.5f * kSlotEdge), glm::vec3(0.5f * kSlotEdge), mSlots[slot].place};
-  mTable.setRow(slot, row, isOwn ? std::optional(mSlots[slot].place / kSlotEdge) : std::nullopt);
+  if (slot == kEmptySlot) row.scale = glm::vec3(0.0f), row.first = row.last = glm::vec3(0.5f * kSlotEdge);
+  if (slot == 0)
+    placeCoarseRow(row, mVolume, its.dims);
+  else
+    placeRow(row, mVolume, mSlots[slot].place, origin);
+  mTable.setRow(slot, row);
 }
 
 int Residency::wantedAt(glm::ivec3 page) const {

@@ -13,11 +13,6 @@ namespace velum::render {
 
 namespace {
 
-double smallestSpacing(const glm::dmat4& worldFromVoxel) {
-  glm::dmat3 m(worldFromVoxel);
-  return std::min(glm::length(m[0]), std::min(glm::length(m[1]), glm::length(m[2])));
-}
-
 /// A raw sample in a brick.
 template <class T>
 double rawAt(const std::byte* bytes, std::size_t index) {
@@ -53,9 +48,11 @@ Raw rawReader(SampleType type) {
 
 SectionBricks::SectionBricks(const Volume& volume, std::vector<int> channels, int timeStep,
                              const scene::SectionPlane& plane, glm::ivec2 size, bool waits)
-    : mVolume(volume), mTimeStep(timeStep), mOwnLevel(volume.finer->level), mLevel(mOwnLevel), mSize(size) {
-  while (mLevel > 0 && smallestSpacing(worldFromLevel(volume, mLevel)) > kVoxelsPerPixel * plane.lengthPerPixel)
-    --mLevel;
+    : mVolume(volume),
+      mTimeStep(timeStep),
+      mOwnLevel(volume.finer->level),
+      mLevel(levelForPixel(volume, plane.lengthPerPixel)),
+      mSize(size) {
   if (!isFiner()) return;
   BrickCache& bricks = *volume.finer->bricks;
   const VoxelLevel& level = bricks.source().levels()[std::size_t(mLevel)];

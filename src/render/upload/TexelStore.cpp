@@ -13,6 +13,8 @@ std::size_t texelBytes(const TexelPlan& plan) {
   return gpu::texelBytes(plan.format) * (plan.packing == Packing::None ? 1 : 4);
 }
 
+std::size_t packedBytes(Packing packing) { return packing == Packing::Bytes ? 4 : 8; }
+
 /// Integers four to a texel, where they are integers.
 std::optional<TexelPlan> packedPlan(TexelPlan plan) {
   if (plan.format == Format::R8) plan.packing = Packing::Bytes;
@@ -28,11 +30,12 @@ TexelPlan storedPlan(const Volume& volume, bool isMixed, const gpu::Limits& limi
   return packed && texels <= double(limits.textureBuffer) ? *packed : kAsFloats;
 }
 
-void allocateTexels(GpuVolume& volume, const TexelPlan& plan, glm::ivec3 size, bool withGradients) {
+void allocateTexels(GpuVolume& volume, const TexelPlan& plan, glm::ivec3 size, std::size_t packedTexels,
+                    bool withGradients) {
   volume.packing = plan.packing;
   volume.storeSize = size;
   if (plan.packing != Packing::None) {
-    volume.packed = gpu::Buffer("volume", product(size) * texelBytes(plan));
+    volume.packed = gpu::Buffer("volume", packedTexels * texelBytes(plan));
     volume.texture = gpu::Texture::makeOfBuffer(
         "volume", plan.packing == Packing::Bytes ? Format::R32ui : Format::Rg32ui, volume.packed);
   } else {
@@ -41,22 +44,10 @@ void allocateTexels(GpuVolume& volume, const TexelPlan& plan, glm::ivec3 size, b
   if (withGradients) volume.gradient = gpu::Texture::make3d("gradients", Format::Rgba8, size);
 }
 
-void writeTexels(GpuVolume& volume, glm::ivec3 origin, glm::ivec3 size, const void* texels,
-                 const glm::u8vec4* gradients) {
-  if (gradients) volume.gradient.write(origin, size, gradients);
-  if (volume.packing == Packing::None) return volume.texture.write(origin, size, texels);
-  glm::ivec3 whole = volume.storeSize;
-  std::size_t texel = volume.packing == Packing::Bytes ? 4 : 8;
-  auto at = [&](int y, int z) {
-    return ((std::size_t(z) * std::size_t(whole.y) + std::size_t(y)) * std::size_t(whole.x) + std::size_t(origin.x)) *
-           texel;
-  };
-  auto* bytes = static_cast<const std::byte*>(texels);
-  std::size_t row = std::size_t(size.x) * texel;
-  if (size.x == whole.x && size.y == whole.y)
-    return volume.packed.write(at(0, origin.z), row * std::size_t(size.y) * std::size_t(size.z), bytes);
-  for (int z = 0; z < size.z; ++z)
-    for (int y = 0; y < size.y; ++y, bytes += row) volume.packed.write(at(origin.y + y, origin.z + z), row, bytes);
+void writePlanes(GpuVolume& volume, int z, glm::ivec3 size, const void* texels) {
+  if (volume.packing == Packing::None) return volume.texture.write({0, 0, z}, size, texels);
+  std::size_t plane = product({size.x, size.y, 1}) * packedBytes(volume.packing);
+  volume.packed.write(std::size_t(z) * plane, std::size_t(size.z) * plane, texels);
 }
 
 double longestGradientOf(const Volume& volume, const TexelPlan& plan, bool isColor) {

@@ -164,7 +164,7 @@ void VolumeUpload::Impl::place() {
 }
 
 void VolumeUpload::Impl::allocate() {
-  if (!into) allocateTexels(out, plan, out.dims, wantsGradients);
+  if (!into) allocateTexels(out, plan, out.dims, product(out.dims), wantsGradients);
   std::size_t layerBytes = std::size_t(out.dims.x) * std::size_t(out.dims.y) * std::size_t(out.cells.edge) *
                            texelBytes(plan) * (source.isQuick ? 1 : std::size_t(source.factor));
   constexpr std::size_t kStepBytes = 4u << 20;
@@ -226,10 +226,10 @@ void VolumeUpload::Impl::stepAs() {
   GpuVolume& target = into ? *into : out;
   if constexpr (std::is_same_v<Texel, std::uint8_t> || std::is_same_v<Texel, std::uint16_t>) {
     if (out.packing != Packing::None)
-      writeTexels(target, at, size, packTexels(texels, out.dims, halo0, z0, z1).data(), nullptr);
+      writePlanes(target, z0, size, packTexels(texels, out.dims, halo0, z0, z1).data());
   }
   if (out.packing == Packing::None)
-    writeTexels(target, at, size, texels + planeSize * std::size_t(z0 - halo0), nullptr);
+    writePlanes(target, z0, size, texels + planeSize * std::size_t(z0 - halo0));
   std::vector<glm::vec2> layerRanges;
   int low = std::max(0, z0 - 1), high = std::min(out.dims.z, z1 + 1);
   PackedGradients packed;

@@ -20,7 +20,7 @@ namespace velum::render {
 /// Where the pages of a streamed volume lie in its texture coordinates (shaders/common/bricks.glsl).
 struct PagePlace {
   glm::ivec3 grid{0};                  ///< Pages.
-  std::size_t firstWord = 0;           ///< Where they begin in their table.
+  std::size_t firstRow = 0;            ///< Where they begin in their table, rows of four words.
   glm::dvec3 perTex{1.0}, first{0.0};  ///< As FrameParams has them.
 };
 
@@ -30,7 +30,7 @@ struct GpuVolume {
   gpu::Buffer packed;
   Packing packing = Packing::None;
   gpu::Texture gradient;              ///< Gradients as packGradients() makes them, where there is room.
-  glm::ivec3 storeSize{0};            ///< Texels of the texture; of a streamed volume its slots lie there, too.
+  glm::ivec3 storeSize{0};            ///< Texels of the textures; of a streamed volume its slots lie there, too.
   double gradientScale = 0;           ///< Length of a full-length gradient texel, texels times 255/127.
   std::vector<glm::vec2> cellRanges;  ///< By cell: smallest and largest texel, with a halo of one voxel.
   gpu::Buffer cellRange;              ///< cellRanges on the GPU.

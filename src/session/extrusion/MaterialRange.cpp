@@ -171,18 +171,22 @@ std::optional<glm::dvec3> shownBeside(const scene::VolumeLayer& layer, glm::dvec
   return glm::dvec3(volume.worldFromVoxel * glm::dvec4(*nearest, 1.0));
 }
 
-/// What decides, and lies around a place: of a volume that is streamed the voxels of its finest level, as a volume.
-std::optional<scene::VolumeLayer> finestAround(const scene::VolumeLayer& layer, glm::dvec3 world) {
+/// The voxels around a place that decide, of the finest level of a volume that is streamed; nothing outside of it.
+std::optional<VoxelBox> boxAround(const scene::VolumeLayer& layer, glm::dvec3 world) {
   if (!layer.data || !layer.data->finer) return std::nullopt;
-  FinestVoxels voxels(*layer.data);
-  glm::dvec3 place(glm::inverse(voxels.grid().worldFromVoxel) * glm::dvec4(world, 1.0));
-  glm::dvec3 end(voxels.grid().dims);
+  glm::dvec3 place(glm::inverse(worldFromLevel(*layer.data, 0)) * glm::dvec4(world, 1.0)), end(finestDims(*layer.data));
   bool isInside = glm::all(glm::greaterThanEqual(place, glm::dvec3(-0.5))) && glm::all(glm::lessThan(place, end - 0.5));
   if (!isInside) return std::nullopt;
+  return VoxelBox{0, glm::ivec3(glm::floor(place + 0.5)) - kRoom, glm::ivec3(2 * kRoom + 1)};
+}
+
+/// The same as a volume.
+std::optional<scene::VolumeLayer> finestAround(const scene::VolumeLayer& layer, glm::dvec3 world) {
+  auto box = boxAround(layer, world);
+  if (!box) return std::nullopt;
   scene::VolumeLayer near = layer;
-  glm::ivec3 first = glm::ivec3(glm::floor(place + 0.5)) - kRoom;
   try {
-    near.data = Shared<Volume>(voxels.read(first, glm::ivec3(2 * kRoom + 1), -1, scene::shownTimeStep(layer)));
+    near.data = Shared<Volume>(FinestVoxels(*layer.data).read(box->origin, box->size, -1, scene::shownTimeStep(layer)));
   } catch (const InputError&) {  // the coarse level says it as well as it can
     return std::nullopt;
   }
@@ -215,6 +219,13 @@ std::optional<MaterialRange> segmentOf(const scene::TransferFunction& transfer, 
   return MaterialRange{endOfSegment(transfer.opacities, value, std::min(range.x, value)),
                        endOfSegment(transfer.opacities, value, std::max(range.y, value))};
 }
+
+bool isInMemoryAround(const scene::VolumeLayer& layer, glm::dvec3 world) {
+  auto box = boxAround(layer, world);
+  return !box || layer.data->finer->bricks->has(*box, -1, scene::shownTimeStep(layer));
+}
+
+void bringAround(const scene::VolumeLayer& layer, glm::dvec3 world) { (void)finestAround(layer, world); }
 
 std::optional<MaterialRange> materialRangeAt(const scene::VolumeLayer& layer, glm::dvec3 world) {
   HistogramMemo histograms;

@@ -34,6 +34,11 @@ std::optional<MaterialRange> materialRangeAt(const scene::VolumeLayer& layer, gl
 /// The same for a single call, with the histogram counted anew.
 std::optional<MaterialRange> materialRangeAt(const scene::VolumeLayer& layer, glm::dvec3 world);
 
+/// True when materialRangeAt() there, and a pull that begins there, would wait for no disk. Any thread.
+bool isInMemoryAround(const scene::VolumeLayer& layer, glm::dvec3 world);
+/// Brings there what they look at, as far as it can be read. Any thread but the window's.
+void bringAround(const scene::VolumeLayer& layer, glm::dvec3 world);
+
 /// The segment of a curve that a value lies in: from valley to valley. Nothing where the curve hides the value.
 /// @param range  of the data's values
 std::optional<MaterialRange> segmentOf(const scene::TransferFunction& transfer, double value, glm::dvec2 range);

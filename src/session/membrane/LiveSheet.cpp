@@ -225,6 +225,7 @@ MembraneStatus LiveSheet::status(bool isPlaying, bool isComputing) const {
     status.phase = isPlaying ? Phase::Settling : Phase::Paused;
   if (mForces) {
     status.kernels = mForces->forces.kernels;
+    status.voxels = mForces->forces.voxels;
     status.forcesMs = mForces->forces.kernelsMs + mForces->forces.leastCutMs;
   }
   status.particles = mPlace.isFlat() ? mCut.membrane->cloth.particles : mPlace.shape.particles;
@@ -238,15 +239,14 @@ MembraneStatus LiveSheet::status(bool isPlaying, bool isComputing) const {
   status.error = mAsked.error;
   if (!mFigures) return status;
   const membrane::KeptWhole& kept = mFigures->kept;
-  status.isMeasured = true;
-  status.keptWhole = kept.ratio;
+  status.isMeasured = true, status.keptWhole = kept.ratio;
+  status.voxels = mFigures->voxels;
   status.fate = kept.fate;
   status.wantsAdvice = session::wantsAdvice(kept, mCut);
   status.advice = mFigures->advice;
   status.leftOut = mFigures->leftOut;
   status.shares = membrane::sharesOf(kept, mCut);
-  status.planePairs = kept.cutAreaPlane;
-  status.sheetPairs = kept.cutAreaMembrane;
+  status.planePairs = kept.cutAreaPlane, status.sheetPairs = kept.cutAreaMembrane;
   status.meanDistance = kept.meanDistance;
   return status;
 }
@@ -255,6 +255,7 @@ MembraneReport LiveSheet::report() const {
   MembraneReport report{.cut = mCut.id, .name = mCut.name, .particles = shape().particles, .atRest = !isMoving()};
   if (mForces) {
     report.kernels = mForces->forces.kernels;
+    report.voxels = mForces->forces.voxels;
     report.kernelsMs = mForces->forces.kernelsMs;
     report.leastCutMs = mForces->forces.leastCutMs;
     report.totalMs = mForces->ms + mMotion.ms();
@@ -262,9 +263,8 @@ MembraneReport LiveSheet::report() const {
   if (mMotion.state() != SheetMotion::State::None) report.steps = mMotion.simulation().steps();
   if (report.steps > 0) report.stepMs = mMotion.ms() / report.steps;
   if (!mFigures || !mFigures->isWhole) return report;
-  report.kept = mFigures->kept;
-  report.advice = mFigures->advice;
-  report.leftOut = mFigures->leftOut;
+  report.kept = mFigures->kept, report.voxels = mFigures->voxels;
+  report.advice = mFigures->advice, report.leftOut = mFigures->leftOut;
   return report;
 }
 

@@ -32,6 +32,7 @@ struct SheetFigures {
   membrane::KeptWhole kept;
   std::vector<Advice> advice;
   membrane::LeftOut leftOut;
+  membrane::ForceVoxels voxels;  ///< that they come from
   bool isWhole = true;  ///< false: only how much the sheet cuts was measured, which says whether the sheet is worse
                         ///< than a flat one
 };

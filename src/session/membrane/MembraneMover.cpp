@@ -113,15 +113,16 @@ MembraneMover::Work MembraneMover::measureWork(LiveSheet& sheet) {
   return [this, out = mOut, scene = forcesScene(mScene), cut = sheet.cut(), shape = sheet.shape(),
           maker = sheet.makerOf(mScene), whole = mMeasures](Progress& progress) mutable -> Finish {
     if (!maker) maker = std::make_shared<membrane::ForceMaker>(scene);
-    const membrane::Potential& potential = maker->potential();
     SheetFigures figures;
     figures.isWhole = whole;
-    if (potential.dims().x > 0 && !whole) figures.kept = measureCut(potential, cut, shape, progress);
-    if (potential.dims().x > 0 && whole) {
-      figures.kept = measureMembrane(potential, cut, shape, progress);
-      figures.advice = adviceFor(figures.kept, potential, scene, cut, progress);
-      figures.leftOut = potential.computeLeftOut(cut.membrane->field, progress);
+    bool isOfSomething = maker->potential().dims().x > 0;
+    if (isOfSomething && !whole) figures.kept = measureCut(maker->potentialFor(cut, progress), cut, shape, progress);
+    if (isOfSomething && whole) {
+      figures.kept = measureMembrane(*maker, cut, shape, progress);
+      figures.advice = adviceFor(figures.kept, maker->potential(), scene, cut, progress);
+      figures.leftOut = maker->potentialFor(cut, progress).computeLeftOut(cut.membrane->field, progress);
     }
+    if (isOfSomething) figures.voxels = membrane::voxelsOf(maker->potentialFor(cut, progress));
     return [this, out, maker, figures, scene] {
       LiveSheet* found = find(out.id);
       if (!found) return;
@@ -236,7 +237,7 @@ membrane::KeptWholeLimit MembraneMover::limit(int cut, Progress& progress) const
   VELUM_ASSERT(sheet, "the limit is of a membrane of the scene");
   auto maker = sheet->makerOf(mScene);
   if (!maker) maker = std::make_shared<membrane::ForceMaker>(mScene);
-  return limitOf(maker->potential(), sheet->cut(), progress);
+  return limitOf(maker->potentialFor(sheet->cut(), progress), sheet->cut(), progress);
 }
 
 void MembraneMover::reset(int cut) {

@@ -93,14 +93,14 @@ membrane::KeptWhole measureCut(const membrane::Potential& potential, const scene
                                     membrane::meanDistance(shape), progress);
 }
 
-membrane::KeptWhole measureMembrane(const membrane::Potential& potential, const scene::Cut& cut,
-                                    const scene::SheetShape& shape, Progress& progress) {
-  membrane::KeptWhole figures = measureCut(potential, cut, shape, progress);
+membrane::KeptWhole measureMembrane(membrane::ForceMaker& maker, const scene::Cut& cut, const scene::SheetShape& shape,
+                                    Progress& progress) {
+  membrane::KeptWhole figures = measureCut(maker.potentialFor(cut, progress), cut, shape, progress);
   // Where it is worse than flat the flat sheet is taken.
   bool isFlat = membrane::isWorseThanFlat(figures, cut);
-  figures.fate =
-      membrane::measureFate(membrane::coarseVoxels(potential, cut.membrane->field, kFateAlongEdge, progress).grid, cut,
-                            isFlat ? membrane::sideOfPlane() : sideOf(cut, shape), progress);
+  figures.fate = membrane::measureFate(
+      membrane::coarseVoxels(maker.potential(), cut.membrane->field, kFateAlongEdge, progress).grid, cut,
+      isFlat ? membrane::sideOfPlane() : sideOf(cut, shape), progress);
   return figures;
 }
 

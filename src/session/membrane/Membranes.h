@@ -4,6 +4,7 @@
 #include "core/Mesh.h"
 #include "core/Task.h"
 #include "core/Volume.h"
+#include "membrane/forces/Forces.h"
 #include "membrane/forces/Kernels.h"
 #include "scene/Scene.h"
 #include "session/membrane/MembraneReport.h"
@@ -40,9 +41,10 @@ std::vector<Advice> adviceFor(const membrane::KeptWhole& figures, const membrane
 /// @throw Cancelled
 membrane::KeptWhole measureCut(const membrane::Potential& potential, const scene::Cut& cut,
                                const scene::SheetShape& shape, Progress& progress);
-/// As measureCut(), and what becomes of all that is protected. Any thread. @throw Cancelled
-membrane::KeptWhole measureMembrane(const membrane::Potential& potential, const scene::Cut& cut,
-                                    const scene::SheetShape& shape, Progress& progress);
+/// As measureCut() with the voxels of the forces, and what becomes of all that is protected, by the data in memory. Any
+/// thread. @throw InputError when a brick of a streamed volume cannot be read; Cancelled
+membrane::KeptWhole measureMembrane(membrane::ForceMaker& maker, const scene::Cut& cut, const scene::SheetShape& shape,
+                                    Progress& progress);
 
 /// The least that any sheet in a membrane's frame must cut. Any thread. @throw Cancelled
 membrane::KeptWholeLimit limitOf(const membrane::Potential& potential, const scene::Cut& cut, Progress& progress);

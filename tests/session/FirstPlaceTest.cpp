@@ -162,7 +162,7 @@ TEST(Advice, IsThatOfTheMomentThatIsShown) {
 TEST(Advice, IsNotGivenWhereNothingHelps) {
   EXPECT_FALSE(adviceOn([](glm::ivec3) { return 0.0; }, {32, 32, 48})) << "nothing is protected";
   Progress progress;
-  EXPECT_TRUE(adviseMembrane(membrane::Potential({}), {}, membraneAt({0, 0, 0}, {0, 0, 1}), progress).empty())
+  EXPECT_TRUE(adviseMembrane(membrane::Potential(scene::Scene{}), {}, membraneAt({0, 0, 0}, {0, 0, 1}), progress).empty())
       << "no data";
 }
 

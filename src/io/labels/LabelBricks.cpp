@@ -10,7 +10,6 @@
 #include "io/labels/NumberReader.h"
 #include "io/stores/HalvedSource.h"
 #include "io/stores/ReadBox.h"
-#include "io/stores/SpareBytes.h"
 #include "io/stores/WideIds.h"
 
 namespace velum::io {
@@ -93,7 +92,7 @@ void LevelReader::forBricks(const char* what, const Work& work, const Take& take
 
 Bytes LevelReader::samplesOf(const BrickAddress& address) const {
   BrickBox box = boxOf(mSource, address);
-  Bytes samples = takeBytes(bytesOf(box, mSource.head().type));
+  Bytes samples(bytesOf(box, mSource.head().type));
   mSource.read(address, targetIn(samples.data(), box, mSource.head().type));
   return samples;
 }
@@ -111,13 +110,11 @@ LevelReader::Ids LevelReader::idsOf(const BrickAddress& address, LabelNumbers& n
     return found->second;
   };
   Ids ids;
-  Bytes samples = samplesOf(address);
-  NumberReader{mSource.head(), mHow}.forRuns(samples, count, [&](std::uint64_t number, std::size_t run) {
+  NumberReader{mSource.head(), mHow}.forRuns(samplesOf(address), count, [&](std::uint64_t number, std::size_t run) {
     std::uint16_t id = idOf(number);
     ids.reserve(run == count ? 1 : count);
     ids.insert(ids.end(), run == count ? 1 : run, id);
   });
-  giveBytes(std::move(samples));
   return ids;
 }
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "io/stores/CopySamples.h"
-#include "io/stores/SpareBytes.h"
 
 namespace velum::io {
 
@@ -98,7 +97,6 @@ void ArraySource::read(const BrickAddress& address, const SampleTarget& target) 
   steps.timeStep = steps.channel * std::ptrdiff_t(chunk->size[3]);
   if (!copySamples(givenType(array->type), chunk->bytes.data(), steps, there, target))
     refuseWideNumbers(array->type, array->path.string());
-  giveBytes(std::move(chunk->bytes));
 }
 
 }  // namespace velum::io

@@ -9,11 +9,9 @@
 
 #include <algorithm>
 #include <cstring>
-#include <memory>
 
 #include "io/stores/Crc32c.h"
 #include "io/stores/Lz4Frames.h"
-#include "io/stores/SpareBytes.h"
 
 namespace velum::io {
 
@@ -21,7 +19,7 @@ namespace {
 
 /// gzip, of one member or several, or zlib.
 Bytes inflateBytes(std::span<const std::byte> from, std::uint64_t most, const Path& path) {
-  Bytes bytes = takeBytes(static_cast<std::size_t>(most));
+  Bytes bytes(static_cast<std::size_t>(most));
   z_stream stream{};
   if (::inflateInit2(&stream, MAX_WBITS + 32) != Z_OK) refuse(path, "there is no memory to inflate it");
   stream.next_in = reinterpret_cast<Bytef*>(const_cast<std::byte*>(from.data()));
@@ -38,18 +36,12 @@ Bytes inflateBytes(std::span<const std::byte> from, std::uint64_t most, const Pa
   return bytes;
 }
 
-struct FreedContext {
-  void operator()(ZSTD_DCtx* context) const { ::ZSTD_freeDCtx(context); }
-};
-
 Bytes unpackZstd(std::span<const std::byte> from, std::uint64_t most, const Path& path) {
   auto promised = ::ZSTD_getFrameContentSize(from.data(), from.size());
   bool isUnknown = promised == ZSTD_CONTENTSIZE_UNKNOWN;
   if (promised == ZSTD_CONTENTSIZE_ERROR || (!isUnknown && promised > most)) refuseDamaged(path, "zstd");
-  Bytes bytes = takeBytes(static_cast<std::size_t>(most));
-  // Its tables are some hundred kilobytes: one for each thread, not for each chunk.
-  thread_local std::unique_ptr<ZSTD_DCtx, FreedContext> context(::ZSTD_createDCtx());
-  std::size_t size = ::ZSTD_decompressDCtx(context.get(), bytes.data(), bytes.size(), from.data(), from.size());
+  Bytes bytes(static_cast<std::size_t>(most));
+  std::size_t size = ::ZSTD_decompress(bytes.data(), bytes.size(), from.data(), from.size());
   if (::ZSTD_isError(size)) refuseDamaged(path, "zstd");
   bytes.resize(size);
   return bytes;
@@ -70,7 +62,7 @@ bool unpackStream(Stream& stream, std::span<const std::byte> from, Bytes& to, au
 Bytes unpackBzip2(std::span<const std::byte> from, std::uint64_t most, const Path& path) {
   bz_stream stream{};
   if (::BZ2_bzDecompressInit(&stream, 0, 0) != BZ_OK) refuse(path, "there is no memory to unpack it");
-  Bytes bytes = takeBytes(static_cast<std::size_t>(most));
+  Bytes bytes(static_cast<std::size_t>(most));
   bool isWhole =
       unpackStream(stream, from, bytes, [](bz_stream& of) { return ::BZ2_bzDecompress(&of) == BZ_STREAM_END; });
   ::BZ2_bzDecompressEnd(&stream);
@@ -82,7 +74,7 @@ Bytes unpackXz(std::span<const std::byte> from, std::uint64_t most, const Path& 
   constexpr std::uint64_t kMostMemory = std::uint64_t(256) << 20;  // what the highest level needs, and more
   lzma_stream stream = LZMA_STREAM_INIT;
   if (::lzma_auto_decoder(&stream, kMostMemory, 0) != LZMA_OK) refuse(path, "there is no memory to unpack it");
-  Bytes bytes = takeBytes(static_cast<std::size_t>(most));
+  Bytes bytes(static_cast<std::size_t>(most));
   bool isWhole = unpackStream(stream, from, bytes,
                               [](lzma_stream& of) { return ::lzma_code(&of, LZMA_FINISH) == LZMA_STREAM_END; });
   ::lzma_end(&stream);
@@ -91,7 +83,7 @@ Bytes unpackXz(std::span<const std::byte> from, std::uint64_t most, const Path& 
 }
 
 Bytes unshuffle(const Bytes& from, std::size_t sampleBytes) {
-  Bytes bytes = takeBytes(from.size());
+  Bytes bytes(from.size());
   std::size_t count = from.size() / sampleBytes;
   for (std::size_t part = 0; part < sampleBytes; ++part)
     for (std::size_t i = 0; i < count; ++i) bytes[i * sampleBytes + part] = from[part * count + i];
@@ -104,7 +96,7 @@ Bytes unpackBlosc(std::span<const std::byte> from, std::uint64_t most, const Pat
   std::size_t promised = 0;
   if (::blosc_cbuffer_validate(from.data(), from.size(), &promised) != 0 || promised > most)
     refuseDamaged(path, "blosc");
-  Bytes bytes = takeBytes(promised);
+  Bytes bytes(promised);
   int size = ::blosc_decompress_ctx(from.data(), bytes.data(), bytes.size(), 1);
   if (size < 0 || std::size_t(size) != promised) refuseDamaged(path, "blosc");
   return bytes;
@@ -120,7 +112,7 @@ Bytes checkCrc(Bytes bytes, const Path& path) {
   return bytes;
 }
 
-Bytes unpack(Codec codec, Bytes& packed, std::uint64_t most, const Path& path, std::size_t sampleBytes) {
+Bytes unpack(Codec codec, Bytes packed, std::uint64_t most, const Path& path, std::size_t sampleBytes) {
   switch (codec) {
     case Codec::Inflate:
       return inflateBytes(packed, most, path);
@@ -153,9 +145,7 @@ Bytes unpackBytes(std::span<const Codec> codecs, Bytes packed, std::uint64_t siz
   constexpr std::uint64_t kSlack = 1u << 16;  // what packing may add
   for (std::size_t left = codecs.size(); left-- > 0;) {
     std::uint64_t most = left == 0 ? size : size + size / 8 + kSlack;
-    Bytes unpacked = unpack(codecs[left], packed, most, path, sampleBytes);
-    giveBytes(std::move(packed));
-    packed = std::move(unpacked);
+    packed = unpack(codecs[left], std::move(packed), most, path, sampleBytes);
   }
   if (packed.size() != size)
     refuse(path, fmt::format("holds {} bytes of samples, where a chunk has {}", packed.size(), size));

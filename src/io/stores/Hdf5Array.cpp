@@ -1,5 +1,4 @@
 #include "io/stores/Hdf5Array.h"
-#include "io/stores/SpareBytes.h"
 
 #include <fmt/format.h>
 
@@ -84,7 +83,7 @@ Bytes Hdf5Array::unpack(const Hdf5Piece& piece) const {
   std::uint64_t end = piece.file->size();
   if (piece.at > end || piece.size > end - piece.at || piece.size > kMostChunkBytes)
     refuse(path, "a chunk lies beyond the file's end: the file is damaged or cut short");
-  Bytes packed = takeBytes(static_cast<std::size_t>(piece.size));
+  Bytes packed(static_cast<std::size_t>(piece.size));
   piece.file->read(piece.at, packed);
   std::vector<Codec> codecs;
   for (std::size_t i = 0; i < mCodecs.size(); ++i)

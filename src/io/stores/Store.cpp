@@ -6,7 +6,6 @@
 
 #include "io/read/FileBytes.h"
 #include "io/read/FileNames.h"
-#include "io/stores/SpareBytes.h"
 #include "io/stores/ZipStore.h"
 
 namespace velum::io {
@@ -67,7 +66,7 @@ std::unique_ptr<Store> openStore(const Path& path) {
 Bytes bytesOf(const Blob& blob, const Path& path, std::uint64_t most) {
   if (blob.size() > most)
     refuse(path, fmt::format("has {} bytes, where {} are the most that make sense", blob.size(), most));
-  Bytes bytes = takeBytes(std::size_t(blob.size()));
+  Bytes bytes(std::size_t(blob.size()));
   blob.read(0, bytes);
   return bytes;
 }

@@ -6,7 +6,6 @@
 #include <cstring>
 
 #include "io/read/SampleBytes.h"
-#include "io/stores/SpareBytes.h"
 
 namespace velum::io {
 
@@ -61,7 +60,7 @@ std::optional<Bytes> ZarrBricks::readInShard(std::span<const std::uint64_t> inde
   const Blob& blob = *place.shard->blob;
   if (place.at > blob.size() || place.size > blob.size() - place.at || place.size > kMostChunkBytes)
     refuse(mStore->pathOf(place.key), "the index of the shard points beyond its end: it is damaged or cut short");
-  Bytes packed = takeBytes(static_cast<std::size_t>(place.size));
+  Bytes packed(static_cast<std::size_t>(place.size));
   blob.read(place.at, packed);
   return unpack(std::move(packed), place.key);
 }

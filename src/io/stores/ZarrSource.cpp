@@ -13,7 +13,6 @@
 #include "io/stores/OmeGroup.h"
 #include "io/stores/OwnAttributes.h"
 #include "io/stores/PyramidPlan.h"
-#include "io/stores/SpareBytes.h"
 
 namespace velum::io {
 
@@ -227,7 +226,6 @@ void ZarrSource::read(const BrickAddress& address, const SampleTarget& target) c
   const std::byte* first = bytes ? bytes->data() : array.fill.data();
   if (!copySamples(givenType(array.type), first, from, boxOf(*this, address), target))
     refuseWideNumbers(array.type, mStore->pathOf(array.key).string());
-  if (bytes) giveBytes(std::move(*bytes));
 }
 
 }  // namespace velum::io

@@ -39,6 +39,23 @@ void spreadBorders(Volume& volume, glm::ivec3 low, glm::ivec3 high) {
     std::memcpy(bytes + std::size_t(z) * plane, bytes + std::size_t(high.z - 1) * plane, plane);
 }
 
+/// The bricks in which voxels of a box lie, or, beyond the level, those that are repeated there. @param channel  -1:
+/// all
+std::vector<BrickAddress> bricksIn(const VoxelSource& source, const VoxelBox& box, int channel, int timeStep) {
+  const VoxelLevel& level = source.levels()[std::size_t(box.level)];
+  glm::ivec3 low = glm::clamp(box.origin, glm::ivec3(0), level.dims - 1);
+  glm::ivec3 high = glm::clamp(box.origin + box.size, low + 1, level.dims);
+  glm::ivec3 first = low / level.brickSize, last = (high - 1) / level.brickSize, at;
+  int firstChannel = std::max(channel, 0), lastChannel = channel < 0 ? source.head().channels - 1 : channel;
+  std::vector<BrickAddress> addresses;
+  for (int c = firstChannel / level.brickChannels; c <= lastChannel / level.brickChannels; ++c)
+    for (at.z = first.z; at.z <= last.z; ++at.z)
+      for (at.y = first.y; at.y <= last.y; ++at.y)
+        for (at.x = first.x; at.x <= last.x; ++at.x)
+          addresses.push_back({box.level, at, c, timeStep / level.brickTimeSteps});
+  return addresses;
+}
+
 }  // namespace
 
 BrickCache::BrickCache(std::shared_ptr<const VoxelSource> source, std::size_t mostBytes)
@@ -146,20 +163,8 @@ std::size_t BrickCache::bytes() const {
 }
 
 bool BrickCache::has(const VoxelBox& box, int channel, int timeStep) {
-  const VoxelLevel& level = mSource->levels()[std::size_t(box.level)];
-  glm::ivec3 low = glm::clamp(box.origin, glm::ivec3(0), level.dims - 1);
-  glm::ivec3 high = glm::clamp(box.origin + box.size, low + 1, level.dims);
-  glm::ivec3 first = low / level.brickSize, last = (high - 1) / level.brickSize;
-  int firstChannel = std::max(channel, 0), lastChannel = channel < 0 ? mSource->head().channels - 1 : channel;
-  BrickAddress address{box.level, {}, 0, timeStep / level.brickTimeSteps};
-  for (int c = firstChannel / level.brickChannels; c <= lastChannel / level.brickChannels; ++c)
-    for (int z = first.z; z <= last.z; ++z)
-      for (int y = first.y; y <= last.y; ++y)
-        for (int x = first.x; x <= last.x; ++x) {
-          address.brick = {x, y, z}, address.channel = c;
-          if (!find(address)) return false;
-        }
-  return true;
+  auto addresses = bricksIn(*mSource, box, channel, timeStep);
+  return std::all_of(addresses.begin(), addresses.end(), [&](const BrickAddress& one) { return bool(find(one)); });
 }
 
 Volume BrickCache::read(const VoxelBox& box, int channel, int timeStep) {
@@ -180,41 +185,33 @@ Volume BrickCache::read(const VoxelBox& box, int channel, int timeStep) {
   glm::ivec3 low = glm::clamp(box.origin, glm::ivec3(0), level.dims - 1);
   glm::ivec3 high = glm::clamp(box.origin + box.size, low + 1, level.dims);  // one past the last
   int firstChannel = std::max(channel, 0), lastChannel = channel < 0 ? head.channels - 1 : channel;
-  BrickAddress address{box.level};
-  address.timeStep = timeStep / level.brickTimeSteps;
-  glm::ivec3 firstBrick = low / level.brickSize, lastBrick = (high - 1) / level.brickSize;
-  for (address.channel = firstChannel / level.brickChannels; address.channel <= lastChannel / level.brickChannels;
-       ++address.channel)
-    for (int k = firstBrick.z; k <= lastBrick.z; ++k)
-      for (int j = firstBrick.y; j <= lastBrick.y; ++j)
-        for (int i = firstBrick.x; i <= lastBrick.x; ++i) {
-          address.brick = {i, j, k};
-          Brick brick = this->brick(address);
-          BrickBox held = boxOf(*mSource, address);
-          glm::ivec3 from = glm::max(held.origin, low), to = glm::min(held.origin + held.size, high);
-          auto step = std::ptrdiff_t(size) * held.channels;  // from voxel to voxel of the brick
-          for (int c = std::max(firstChannel, held.channel);
-               c <= std::min(lastChannel, held.channel + held.channels - 1); ++c)
-            for (int z = from.z; z < to.z; ++z)
-              for (int y = from.y; y < to.y; ++y) {
-                glm::ivec3 in = glm::ivec3(from.x, y, z) - held.origin, out = glm::ivec3(from.x, y, z) - box.origin;
-                std::size_t step4 = std::size_t(timeStep - held.timeStep) * std::size_t(held.size.z);
-                std::size_t source = ((step4 + std::size_t(in.z)) * std::size_t(held.size.y) + std::size_t(in.y)) *
-                                         std::size_t(held.size.x) +
-                                     std::size_t(in.x);
-                std::size_t target =
-                    (std::size_t(out.z) * std::size_t(box.size.y) + std::size_t(out.y)) * std::size_t(box.size.x) +
-                    std::size_t(out.x);
-                const std::byte* a = brick->data() + source * std::size_t(step) + std::size_t(c - held.channel) * size;
-                std::byte* b = volume.voxels.data() +
-                               (target * std::size_t(volume.channels) + std::size_t(c - firstChannel)) * size;
-                if (volume.channels == 1)
-                  copyRow(a, step, size, to.x - from.x, b);
-                else
-                  for (int x = 0; x < to.x - from.x; ++x)
-                    std::memcpy(b + std::size_t(x) * size * std::size_t(volume.channels), a + x * step, size);
-              }
+  for (const BrickAddress& address : bricksIn(*mSource, box, channel, timeStep)) {
+    Brick brick = this->brick(address);
+    BrickBox held = boxOf(*mSource, address);
+    glm::ivec3 from = glm::max(held.origin, low), to = glm::min(held.origin + held.size, high);
+    auto step = std::ptrdiff_t(size) * held.channels;  // from voxel to voxel of the brick
+    for (int c = std::max(firstChannel, held.channel); c <= std::min(lastChannel, held.channel + held.channels - 1);
+         ++c)
+      for (int z = from.z; z < to.z; ++z)
+        for (int y = from.y; y < to.y; ++y) {
+          glm::ivec3 in = glm::ivec3(from.x, y, z) - held.origin, out = glm::ivec3(from.x, y, z) - box.origin;
+          std::size_t step4 = std::size_t(timeStep - held.timeStep) * std::size_t(held.size.z);
+          std::size_t source =
+              ((step4 + std::size_t(in.z)) * std::size_t(held.size.y) + std::size_t(in.y)) * std::size_t(held.size.x) +
+              std::size_t(in.x);
+          std::size_t target =
+              (std::size_t(out.z) * std::size_t(box.size.y) + std::size_t(out.y)) * std::size_t(box.size.x) +
+              std::size_t(out.x);
+          const std::byte* a = brick->data() + source * std::size_t(step) + std::size_t(c - held.channel) * size;
+          std::byte* b =
+              volume.voxels.data() + (target * std::size_t(volume.channels) + std::size_t(c - firstChannel)) * size;
+          if (volume.channels == 1)
+            copyRow(a, step, size, to.x - from.x, b);
+          else
+            for (int x = 0; x < to.x - from.x; ++x)
+              std::memcpy(b + std::size_t(x) * size * std::size_t(volume.channels), a + x * step, size);
         }
+  }
   if (low != box.origin || high != box.origin + box.size) spreadBorders(volume, low - box.origin, high - box.origin);
   return volume;
 }

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "io/phantoms/Tree.h"
+#include "io/phantoms/Vessels.h"
 
 namespace velum::bench {
 
@@ -12,26 +12,10 @@ using namespace io::phantom;
 
 namespace {
 
-constexpr float kExtentMm = 128.0f, kLeastRadiusMm = 0.3f;
+constexpr float kExtentMm = 128.0f, kLeastRadiusMm = 0.3f, kPitchMm = 8.0f;
 constexpr float kGround = 140.0f, kTissue = 300.0f;
 constexpr int kBrickSize = 64, kCoarsest = 128;
 constexpr int kIndexCells = 64;  ///< of the index, along each axis
-
-/// A kidney-like organ: an ellipsoid with a shallow dent where the vessels enter.
-float organ(Vec p) {
-  float body = ellipsoid(p, Vec(0.0f, 0.0f, 4.0f), Vec(57.0f, 47.0f, 51.0f));
-  return smoothMax(body, -sphere(p, Vec(0.0f, 6.0f, -66.0f), 24.0f), 14.0f);
-}
-
-Tree growVessels(Vec root, float radiusMm, std::uint64_t seed) {
-  TreeOptions options;
-  options.root = root;
-  options.rootRadiusMm = radiusMm;
-  options.leastRadiusMm = kLeastRadiusMm;
-  options.seed = seed;
-  options.wobble = 0.09f;
-  return growTree(scatter(boxAround(Vec(0.0f), Vec(64.0f)), 8.0f, organ, 2.0f, seed), options);
-}
 
 class VesselSource : public VoxelSource {
  public:
@@ -52,8 +36,8 @@ class VesselSource : public VoxelSource {
     }
     mHead.worldFromVoxel = mLevels.front().worldFromVoxel;
     mHead.range = {0.0, 2000.0};
-    Tree arteries = growVessels(Vec(-7.0f, 4.0f, -63.5f), 4.4f, 11),
-         veins = growVessels(Vec(8.0f, 8.0f, -63.5f), 5.4f, 23);
+    Tree arteries = growVessels(Vec(-7.0f, 4.0f, -63.5f), 4.4f, kLeastRadiusMm, kPitchMm, 11),
+         veins = growVessels(Vec(8.0f, 8.0f, -63.5f), 5.4f, kLeastRadiusMm, kPitchMm, 23);
     pushApart(veins, arteries, 0.6f);
     progress.throwIfCancelled();
     mCells.resize(std::size_t(kIndexCells) * kIndexCells * kIndexCells);
@@ -108,7 +92,7 @@ void VesselSource::read(const BrickAddress& address, const SampleTarget& target)
   Vec origin(glm::dvec3(level.worldFromVoxel * glm::dvec4(glm::dvec3(box.origin), 1.0)));
   Vec middle = origin + 0.5f * spacing * Vec(box.size - 1);
   // Far from the organ's border all is one material.
-  float depth = organ(middle), wide = spacing * glm::length(Vec(box.size));
+  float depth = vesselOrgan(middle), wide = spacing * glm::length(Vec(box.size));
   auto size = std::size_t(box.size.x) * std::size_t(box.size.y) * std::size_t(box.size.z);
   std::vector<float> values(size, depth < 0.0f ? kTissue : kGround);
   auto at = [&](int x, int y, int z) -> float& {
@@ -119,7 +103,7 @@ void VesselSource::read(const BrickAddress& address, const SampleTarget& target)
     for (int z = 0; z < box.size.z; ++z)
       for (int y = 0; y < box.size.y; ++y)
         for (int x = 0; x < box.size.x; ++x)
-          at(x, y, z) = organ(origin + spacing * Vec(x, y, z)) < 0.0f ? kTissue : kGround;
+          at(x, y, z) = vesselOrgan(origin + spacing * Vec(x, y, z)) < 0.0f ? kTissue : kGround;
   std::vector<std::uint32_t> near;
   glm::ivec3 first = cellOf(origin - spacing), last = cellOf(origin + spacing * Vec(box.size));
   for (glm::ivec3 c = first; c.z <= last.z; ++c.z)

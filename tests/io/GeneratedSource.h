@@ -7,13 +7,14 @@
 
 namespace velum::io {
 
-/// Voxels of 16 bits that are computed when they are read, in bricks of any size: a source of any size.
-class GeneratedSource : public VoxelSource {
+/// Voxels that are computed when they are read, in bricks of any size: a source of any size.
+template <class Sample, SampleType kType>
+class GeneratedSourceOf : public VoxelSource {
  public:
-  using Value = std::function<std::uint16_t(glm::ivec3)>;
-  GeneratedSource(glm::ivec3 dims, glm::ivec3 brick, Value value) : mValue(std::move(value)) {
+  using Value = std::function<Sample(glm::ivec3)>;
+  GeneratedSourceOf(glm::ivec3 dims, glm::ivec3 brick, Value value) : mValue(std::move(value)) {
     mHead.dims = dims;
-    mHead.type = SampleType::UInt16;
+    mHead.type = kType;
     mHead.name = "generated";
     mLevels = {{dims, brick, 1, 1, mHead.worldFromVoxel}};
   }
@@ -24,7 +25,7 @@ class GeneratedSource : public VoxelSource {
     for (int z = 0; z < box.size.z; ++z)
       for (int y = 0; y < box.size.y; ++y)
         for (int x = 0; x < box.size.x; ++x) {
-          std::uint16_t value = mValue(box.origin + glm::ivec3(x, y, z));
+          Sample value = mValue(box.origin + glm::ivec3(x, y, z));
           std::memcpy(target.first + x * target.x + y * target.y + z * target.z, &value, sizeof(value));
         }
     ++reads;
@@ -39,6 +40,10 @@ class GeneratedSource : public VoxelSource {
   Value mValue;
   mutable std::atomic<int> mReadsLeft{1 << 30};
 };
+/// Of a scan.
+using GeneratedSource = GeneratedSourceOf<std::uint16_t, SampleType::UInt16>;
+/// Ids of 64 bits, as a store gives them that carries ids.
+using IdSource = GeneratedSourceOf<std::uint64_t, SampleType::Float64>;
 
 /// Numbers that look like those of a scan with noise.
 inline std::uint16_t noisy(glm::ivec3 p) {

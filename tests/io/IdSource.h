@@ -1,42 +1,14 @@
 #pragma once
 #include <gtest/gtest.h>
 
-#include <cstring>
-#include <functional>
 #include <map>
 
+#include "GeneratedSource.h"
 #include "io/labels/LabelBricks.h"
 
 namespace velum::io {
 
 inline constexpr std::uint64_t kFirst = 864691135000000001ull;  ///< doubles do not tell it from its neighbours
-
-/// Ids of 64 bits that are computed when they are read, as a store gives them that carries ids.
-class IdSource : public VoxelSource {
- public:
-  using Value = std::function<std::uint64_t(glm::ivec3)>;
-  IdSource(glm::ivec3 dims, glm::ivec3 brick, Value value) : mValue(std::move(value)) {
-    mHead.dims = dims;
-    mHead.type = SampleType::Float64;
-    mHead.name = "segments";
-    mLevels = {{dims, brick, 1, 1, mHead.worldFromVoxel}};
-  }
-  const Volume& head() const override { return mHead; }
-  void read(const BrickAddress& address, const SampleTarget& target) const override {
-    BrickBox box = boxOf(*this, address);
-    for (int z = 0; z < box.size.z; ++z)
-      for (int y = 0; y < box.size.y; ++y)
-        for (int x = 0; x < box.size.x; ++x) {
-          std::uint64_t id = mValue(box.origin + glm::ivec3(x, y, z));
-          std::memcpy(target.first + x * target.x + y * target.y + z * target.z, &id, sizeof(id));
-        }
-  }
-  std::uint64_t at(glm::ivec3 p) const { return mValue(p); }
-
- private:
-  Volume mHead;
-  Value mValue;
-};
 
 inline LabelBrickOptions carried() {
   LabelBrickOptions how;

@@ -12,7 +12,6 @@
 #include "session/command/Command.h"
 #include "session/command/CutCommands.h"
 #include "session/cut/CutEdit.h"
-#include "session/extrusion/MaterialRange.h"
 #include "session/extrusion/PulledEnd.h"
 #include "session/growth/Growths.h"
 #include "session/structure/StructureEdit.h"
@@ -62,7 +61,7 @@ bool PullTool::start() {
 void PullTool::stop() {
   if (!mDragged.empty()) mDocument.endMerge();
   letGo();
-  mReading.reset();
+  giveUpReading();
   mPreview.clear();
   mStroke.reset();
   mIsAsking = false;
@@ -188,29 +187,6 @@ bool PullTool::begin(const Target& target, const ViewPoint& at, bool goesOn, boo
   return true;
 }
 
-/// Where the voxels that decide are still on the disk it begins when they have come: nobody waits for that. A button
-/// that was let go by then has chosen the structure.
-bool PullTool::beginWhenRead(const Target& target, const ViewPoint& at, bool goesOn, bool isPart) {
-  mReading.reset();
-  const scene::VolumeLayer& layer = mDocument.scene().volume;
-  if (target.structure != 0 || session::isInMemoryAround(layer, target.world)) return begin(target, at, goesOn, isPart);
-  mParts.messages.showNote(tr("Reading the voxels there; hold the button"));
-  mIsReleased = false;
-  mPointer = at.place();
-  mReading = std::make_unique<Job>([layer, target](Progress&) { session::bringAround(layer, target.world); }, nullptr);
-  connect(mReading.get(), &Job::finished, this, [this, target, view = &at.view(), place = at.place(), goesOn, isPart] {
-    mReading.release()->deleteLater();
-    const scene::Scene& scene = mDocument.scene();
-    if (!scene::findCut(scene, target.cuts.front())) return;
-    begin(target, ViewPoint(*view, scene, place), goesOn, isPart);
-    pullTo(ViewPoint(*view, scene, mPointer));
-    if (mIsReleased) letGo();
-    mToolbox.repaint(*view);
-  });
-  mReading->start();
-  return true;
-}
-
 void PullTool::pullTo(const ViewPoint& at) {
   if (mDragged.empty()) return;
   std::vector<double> distances;
@@ -263,11 +239,15 @@ void PullTool::drag(const PointerEvent& event) {
 void PullTool::release(const PointerEvent& event) {
   if (mStroke) endStroke();
   mIsReleased = true;
+  endDrag();
+  mToolbox.repaint(event.at.view());
+}
+
+void PullTool::endDrag() {
   endAtTheirEnds();
   mDocument.endMerge();
   letGo();
   mTag.clear();
-  mToolbox.repaint(event.at.view());
 }
 
 std::optional<Qt::CursorShape> PullTool::hover(const ViewPoint& at) {

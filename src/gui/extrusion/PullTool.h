@@ -1,5 +1,4 @@
 #pragma once
-#include <memory>
 #include <optional>
 #include <vector>
 
@@ -75,6 +74,8 @@ class PullTool : public Tool {
   int supporting() const;
   bool begin(const Target& target, const ViewPoint& at, bool goesOn, bool isPart);
   bool beginWhenRead(const Target& target, const ViewPoint& at, bool goesOn, bool isPart);
+  void giveUpReading();
+  void endDrag();
   void pullTo(const ViewPoint& at);
   void setDistances(const std::vector<double>& distances);
   void endAtTheirEnds();
@@ -107,8 +108,8 @@ class PullTool : public Tool {
   bool mIsAsking = false;         ///< for a press that shows what does not belong to the structure
   std::optional<Target> mTarget;  ///< under the pointer
   Meant mMeant;
-  std::unique_ptr<Job> mReading;  ///< brings the voxels that decide what was pressed
-  bool mIsReleased = false;       ///< before they had come
+  Job* mReading = nullptr;   ///< brings the voxels that decide what was pressed; a child of this
+  bool mIsReleased = false;  ///< before they had come
   PullPreview mPreview;
   int mShownCount = 0;  ///< the view's shownCount() when the last drag ended; the preview stays until it differs
   ToolView* mView = nullptr;

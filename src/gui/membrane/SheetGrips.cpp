@@ -11,7 +11,7 @@ namespace velum::gui {
 
 namespace {
 
-constexpr double kReachPixels = 9.0;
+constexpr double kGripReachPixels = 9.0;
 /// A drag shorter than this was a click: a kernel has its usual radius then.
 constexpr double kClickPixels = 4.0;
 
@@ -69,7 +69,7 @@ KeyAnswer SheetGrips::key(const KeyStroke& stroke) {
 
 Hand SheetGrips::handUnder(const ViewPoint& at) const {
   const scene::Cut* cut = selectedMembrane(mDocument, mSelection);
-  return cut ? session::handAt(*cut->membrane, at.space(), at.pixel(), kReachPixels) : Hand{};
+  return cut ? session::handAt(*cut->membrane, at.space(), at.pixel(), kGripReachPixels) : Hand{};
 }
 
 std::optional<Qt::CursorShape> SheetGrips::hover(const ViewPoint& at) {

@@ -15,7 +15,7 @@ namespace velum::gui {
 namespace {
 
 constexpr const char* kStep = "Change window";
-constexpr int kFieldWidth = 190, kEdge = 4;
+constexpr int kFieldWidth = 190, kCornerEdge = 4;
 constexpr QSize kAround(10, 6);  ///< pixels about the words, which can be clicked
 
 }  // namespace
@@ -101,9 +101,9 @@ void GreyWindowCorner::startTyping() {
   mField->setToolTip(tr("Type %1").arg(QString::fromStdString(session::typedWindowForms(layer))));
   mark(false);
   QWidget& section = *parentWidget();
-  QSize size(std::min(kFieldWidth, section.width() - 2 * kEdge), mField->sizeHint().height());
-  mField->setGeometry(
-      QRect(QPoint(section.width() - kEdge - size.width(), section.height() - kEdge - size.height()), size));
+  QSize size(std::min(kFieldWidth, section.width() - 2 * kCornerEdge), mField->sizeHint().height());
+  mField->setGeometry(QRect(
+      QPoint(section.width() - kCornerEdge - size.width(), section.height() - kCornerEdge - size.height()), size));
   mField->show();
   mField->raise();
   mField->setFocus();

@@ -1,41 +1,40 @@
-#include <algorithm>
+#include "io/phantoms/Vessels.h"
 
-#include "io/phantoms/Tree.h"
+#include <algorithm>
 
 namespace velum::io {
 
-using namespace phantom;
-
-namespace {
-
-constexpr float kExtentMm = 128.0f;
-const Vec kOrganRadiiMm(57.0f, 47.0f, 51.0f);
-
-/// A kidney-like organ: an ellipsoid with a shallow dent where the vessels enter.
-float organ(Vec p) {
-  float body = ellipsoid(p, Vec(0.0f, 0.0f, 4.0f), kOrganRadiiMm);
+float phantom::vesselOrgan(Vec p) {
+  float body = ellipsoid(p, Vec(0.0f, 0.0f, 4.0f), Vec(57.0f, 47.0f, 51.0f));
   return smoothMax(body, -sphere(p, Vec(0.0f, 6.0f, -66.0f), 24.0f), 14.0f);
 }
 
-Tree growVessels(Vec root, float rootRadiusMm, float leastRadiusMm, std::uint64_t seed) {
+phantom::Tree phantom::growVessels(Vec root, float rootRadiusMm, float leastRadiusMm, float pitchMm,
+                                   std::uint64_t seed) {
   TreeOptions options;
   options.root = root;
   options.rootRadiusMm = rootRadiusMm;
   options.leastRadiusMm = leastRadiusMm;
   options.seed = seed;
   options.wobble = 0.09f;
-  return growTree(scatter(boxAround(Vec(0.0f), Vec(64.0f)), 11.0f, organ, 2.0f, seed), options);
+  return growTree(scatter(boxAround(Vec(0.0f), Vec(64.0f)), pitchMm, vesselOrgan, 2.0f, seed), options);
 }
+
+using namespace phantom;
+
+namespace {
+
+constexpr float kExtentMm = 128.0f, kPitchMm = 11.0f;
 
 std::vector<Layer> buildScene(float spacing) {
   // A tube thinner than this would fall apart between the voxels.
   float least = std::max(0.45f, 0.9f * spacing);
-  Tree arteries = growVessels(Vec(-7.0f, 4.0f, -63.5f), 4.4f, least, 11);
-  Tree veins = growVessels(Vec(8.0f, 8.0f, -63.5f), 5.4f, least, 23);
+  Tree arteries = growVessels(Vec(-7.0f, 4.0f, -63.5f), 4.4f, least, kPitchMm, 11);
+  Tree veins = growVessels(Vec(8.0f, 8.0f, -63.5f), 5.4f, least, kPitchMm, 23);
   pushApart(veins, arteries, std::max(0.8f, 1.2f * spacing));
 
   Layer tissue{0, 300.0f};
-  tissue.solids.push_back({boxAround(Vec(0.0f), Vec(64.0f)), organ});
+  tissue.solids.push_back({boxAround(Vec(0.0f), Vec(64.0f)), vesselOrgan});
   tissue.texture = [](Vec p) { return 40.0f * roughNoise(p / 9.0f, 5); };
   tissue.edge = 3.0f;
   Layer blue{2, 1150.0f}, red{1, 1600.0f};

@@ -46,6 +46,15 @@ PageGrid::PageGrid(const Volume& volume) {
   }
 }
 
+std::size_t PageGrid::finerBricks() const {
+  std::size_t count = 0;
+  for (int level = 0; level < coarsest(); ++level) {
+    glm::ivec3 n = mLevels[std::size_t(level)].bricks;
+    count += std::size_t(n.x) * std::size_t(n.y) * std::size_t(n.z);
+  }
+  return count;
+}
+
 glm::dvec3 PageGrid::edges(int level) const {
   const PageLevel& of = mLevels[std::size_t(level)];
   return of.brickEdge * of.voxelsPerBox;

@@ -50,6 +50,8 @@ class PageGrid {
   const std::vector<PageLevel>& levels() const { return mLevels; }
   /// The level of the source that one of levels() is.
   int sourceLevel(int level) const { return mSourceLevels[std::size_t(level)]; }
+  /// Bricks of all levels but the coarsest.
+  std::size_t finerBricks() const;
   /// The volume's own level, the coarsest.
   int coarsest() const { return int(mLevels.size()) - 1; }
 

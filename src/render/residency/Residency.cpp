@@ -48,7 +48,8 @@ Residency::Residency(const scene::VolumeLayer& layer, const gpu::Limits& limits,
   mRecipe.longestGradient = longestGradientOf(*mCoarse, mRecipe.plan, mCoarse->isColor || mRecipe.isMixed);
   mTexelBytes = texelBytes(mRecipe.plan) + sizeof(glm::u8vec4);
   mSlots.push_back({});
-  for (const auto& place : makeSlots(mVolume, mRecipe.plan, mCoarse->dims, mBudgetBytes, limits))
+  for (const auto& place :
+       makeSlots(mVolume, mRecipe.plan, mCoarse->dims, mGrid.finerBricks() + 1, mBudgetBytes, limits))
     mSlots.push_back({.place = place});
   scene::VolumeLayer coarse = layer;
   coarse.smooth = false;

@@ -1,6 +1,7 @@
 #include "render/residency/SlotStore.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "render/upload/TexelStore.h"
 
@@ -22,17 +23,21 @@ Bytes repeated(Texel texel, std::size_t count) {
 
 }  // namespace
 
-std::vector<SlotPlace> makeSlots(GpuVolume& volume, const TexelPlan& plan, glm::ivec3 coarse, double budgetBytes,
-                                 const gpu::Limits& limits) {
+std::vector<SlotPlace> makeSlots(GpuVolume& volume, const TexelPlan& plan, glm::ivec3 coarse, std::size_t most,
+                                 double budgetBytes, const gpu::Limits& limits) {
   bool isPacked = plan.packing != Packing::None;
   double texels = budgetBytes / double(texelBytes(plan) + sizeof(glm::u8vec4));
   if (isPacked) texels = std::min(texels, double(limits.textureBuffer));
   glm::ivec3 size;
-  int most = limits.texture3d / kSlotEdge * kSlotEdge;
+  int longest = limits.texture3d / kSlotEdge * kSlotEdge;
   for (int axis = 0; axis < 2; ++axis)
-    size[axis] = std::min(most, std::max(roundUp(coarse[axis]), kSlotsAlong * kSlotEdge));
+    size[axis] = std::min(longest, std::max(roundUp(coarse[axis]), kSlotsAlong * kSlotEdge));
   int deep = int(texels / (double(size.x) * size.y)) / kSlotEdge * kSlotEdge;
-  size.z = std::min(most, std::max(roundUp(coarse.z) + kSlotEdge, deep));
+  // Enough for all, where the coarse volume's planes had no slot.
+  double perPlane = double(size.x / kSlotEdge) * (size.y / kSlotEdge);
+  double enough = roundUp(coarse.z) + kSlotEdge * std::ceil(double(most) / perPlane);
+  deep = int(std::min(double(deep), enough));
+  size.z = std::min(longest, std::max(roundUp(coarse.z) + kSlotEdge, deep));
   std::vector<SlotPlace> slots;
   glm::ivec3 at;
   std::size_t element = product(coarse);

@@ -17,9 +17,10 @@ struct SlotPlace {
 /// Makes the textures of a streamed volume, as large as a budget allows: the coarse volume lies in their corner, and
 /// slots around it. Values that are packed are an exception: they lie in a buffer, the coarse volume first, then slot
 /// after slot, each in one piece, so that what a ray fetches lies together. GL thread.
-/// @param coarse  voxels of the coarse volume  @return the slots  @throw gpu::GpuError
-std::vector<SlotPlace> makeSlots(GpuVolume& volume, const TexelPlan& plan, glm::ivec3 coarse, double budgetBytes,
-                                 const gpu::Limits& limits);
+/// @param coarse  voxels of the coarse volume  @param most  slots, if the budget allows more  @return the slots  @throw
+/// gpu::GpuError
+std::vector<SlotPlace> makeSlots(GpuVolume& volume, const TexelPlan& plan, glm::ivec3 coarse, std::size_t most,
+                                 double budgetBytes, const gpu::Limits& limits);
 
 /// Writes what a slot holds. GL thread.
 void writeSlot(GpuVolume& volume, const SlotPlace& place, const BrickTexels& texels);

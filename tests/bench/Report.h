@@ -1,4 +1,5 @@
 #pragma once
+#include <chrono>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
@@ -35,6 +36,8 @@ double median(std::vector<double> values);
 /// Processor time that this process has used on all of its threads, ms. A software driver draws with nothing else, so
 /// unlike the time on the wall it stays the same on a machine that has other work too.
 double processorMs();
+/// Time since then, ms.
+double msFrom(std::chrono::steady_clock::time_point start);
 /// Milliseconds with as many digits as they deserve.
 std::string formatMs(double ms);
 

@@ -32,10 +32,12 @@ void measureFetches(const Options& options, Report& report);
 /// Our readers against ITK's and VTK's, time and memory.
 void measureLoading(const Options& options, Report& report);
 
-/// A virtual terabyte: opened, flown through, memory; sections; a volume that fits, streamed and in memory.
+/// Volumes larger than memory: membranes, terabytes, sections; a volume that fits, streamed and in memory.
 void measureStreaming(const Options& options, Report& report);
 /// Membranes over a virtual phantom of vessels of 40 GB: until at rest, what they keep whole against the limit.
 void measureStreamedMembranes(const Options& options, Report& report);
+/// A virtual terabyte and one of real files: opened, flown through, memory.
+void measureTerabytes(const Options& options, Report& report);
 
 /// The membrane: the time of a step and of an edit, and the table that follows.
 void measureMembrane(const Options& options, Report& report);

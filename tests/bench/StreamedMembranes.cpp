@@ -23,10 +23,6 @@ namespace velum::bench {
 
 namespace {
 
-double msFrom(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-}
-
 /// A membrane across z of so large a share of the window's own frame.
 scene::Scene membraneScene(const Shared<Volume>& volume, double share) {
   scene::Scene scene;

@@ -154,6 +154,12 @@ void Texture::copyTo(Buffer& target, glm::ivec3 o, glm::ivec3 s, int level) cons
   gl().BindBuffer(GL_PIXEL_PACK_BUFFER, 0);
 }
 
+void Texture::copyFrom(const Texture& other, glm::ivec3 o, glm::ivec3 s) {
+  auto target = [](const Texture& of) { return of.mIs3d ? GL_TEXTURE_3D : GL_TEXTURE_2D; };
+  gl().CopyImageSubData(other.id(), target(other), 0, o.x, o.y, o.z, id(), target(*this), 0, o.x, o.y, o.z, s.x, s.y,
+                        s.z);
+}
+
 void Texture::clear() {
   const auto& r = row(mFormat);
   gl().ClearTexImage(id(), 0, r.format, r.type, nullptr);

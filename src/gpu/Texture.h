@@ -71,6 +71,8 @@ class Texture : public Handle<deleteTexture> {
   void read(glm::ivec3 origin, glm::ivec3 size, void* texels, std::size_t bytes, int level = 0) const;
   /// Copies one box of a level to the beginning of a buffer, tightly packed, on the GPU.
   void copyTo(Buffer& target, glm::ivec3 origin, glm::ivec3 size, int level = 0) const;
+  /// Copies a box of the first level from the same place of another texture of that format and size, on the GPU.
+  void copyFrom(const Texture& other, glm::ivec3 origin, glm::ivec3 size);
   /// Sets the first level to zero.
   void clear();
   /// Fills each level after the first with means of the level before it. Not for integer formats.

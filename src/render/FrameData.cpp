@@ -61,6 +61,8 @@ glm::ivec4 drawnRect(const FrameData& data) {
   return isInBox ? coveredRect(data.params, data.frame) : glm::ivec4(0, 0, data.frame.windowSize);
 }
 
+int samplesOf(const Frame& frame) { return std::max(1, frame.scene.rayCast.samplesPerPixel); }
+
 Frame withSizes(const Frame& frame) {
   Frame out = frame;
   if (out.windowSize == glm::ivec2(0)) out.windowSize = out.pictureSize;

@@ -86,6 +86,8 @@ glm::dvec3 modelOrigin(const FrameData& data);
 DataVariant dataVariantOf(const FrameData& data);
 /// The pixels of the window that data or anything opaque may be in: x, y: corner; z, w: size.
 glm::ivec4 drawnRect(const FrameData& data);
+/// Rays a pixel that a frame asks for.
+int samplesOf(const Frame& frame);
 /// The frame with Frame::windowSize and other sizes filled in where the caller has left them open.
 Frame withSizes(const Frame& frame);
 /// Turns lengths into the unit in which the data's diameter is 1, and fills in the computed members.

@@ -139,11 +139,16 @@ glm::vec3 pointOnRay(const shared::FrameParams& params, glm::ivec2 pixel, float 
 }
 
 glm::ivec4 coveredRect(const shared::FrameParams& params, const Frame& frame) {
+  return rectOfBox(params, frame, glm::vec3(0.0f), glm::vec3(1.0f));
+}
+
+glm::ivec4 rectOfBox(const shared::FrameParams& params, const Frame& frame, glm::vec3 boxLow, glm::vec3 boxHigh) {
   glm::mat4 sceneFromTex = glm::inverse(params.texFromScene);
   glm::vec3 eye(params.eye), forward(params.forward), right(params.right), up(params.up);
   glm::vec2 low(std::numeric_limits<float>::max()), high(std::numeric_limits<float>::lowest());
   for (int corner = 0; corner < 8; ++corner) {
-    glm::vec3 d = glm::vec3(sceneFromTex * glm::vec4(corner & 1, corner >> 1 & 1, corner >> 2, 1)) - eye;
+    glm::vec3 share(corner & 1, corner >> 1 & 1, corner >> 2);
+    glm::vec3 d = glm::vec3(sceneFromTex * glm::vec4(glm::mix(boxLow, boxHigh, share), 1)) - eye;
     float depth = glm::dot(d, forward);
     // A box around or behind the eye may show anywhere.
     if (!(depth > 1e-3f * glm::length(d))) return {0, 0, frame.windowSize};

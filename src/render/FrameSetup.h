@@ -56,6 +56,8 @@ glm::vec3 pointOnRay(const shared::FrameParams& params, glm::ivec2 pixel, float 
 
 /// The part of the window that a grid's box can cover: x, y of its corner, width, height; may be empty.
 glm::ivec4 coveredRect(const shared::FrameParams& params, const Frame& frame);
+/// The same of a box in the grid. @param low, high  its corners, texture coordinates
+glm::ivec4 rectOfBox(const shared::FrameParams& params, const Frame& frame, glm::vec3 low, glm::vec3 high);
 
 /// The enabled cuts as the shaders read them, in the scene frame.
 /// @param sheetScale  factor that turns lengths in the rows of sheets into the scene frame's unit

@@ -29,6 +29,7 @@ void Gbuffer::resize(glm::ivec2 size, bool keepsSample) {
   mColor = gpu::Texture::make2d("colour", gpu::Format::Rgba32f, size);
   mSurface = gpu::Texture::make2d("normal, distance", gpu::Format::Rgba32f, size);
   mIds = gpu::Texture::make2d("structure, instance", gpu::Format::Rg32ui, size);
+  mKept = {};
   clear();
 }
 
@@ -37,6 +38,11 @@ void Gbuffer::clear() {
   mSurface.clear();
   mIds.clear();
   if (mSample) mSample.clear();
+}
+
+void Gbuffer::keepColor() {
+  if (!mKept || mKept.size() != mColor.size()) mKept = gpu::Texture::make2d("sums", gpu::Format::Rgba32f, size());
+  mKept.copyFrom(mColor, glm::ivec3(0), mColor.size());
 }
 
 void Gbuffer::bindImages() const {

@@ -18,6 +18,9 @@ class Gbuffer {
   /// @param keepsSample  with the texture of what the sample being cast shows
   void resize(glm::ivec2 size, bool keepsSample);
   void clear();
+  /// Keeps the sums of the samples so far, and brings them back in a rectangle: x, y of its corner; width, height.
+  void keepColor();
+  void restoreColor(glm::ivec4 rect) { mColor.copyFrom(mKept, {rect.x, rect.y, 0}, {rect.z, rect.w, 1}); }
   glm::ivec2 size() const { return glm::ivec2(mColor.size()); }
   explicit operator bool() const { return bool(mColor); }
   /// Binds them as images of a dispatch: kColorImage, kSurfaceImage, kIdImage, kSampleImage.
@@ -39,6 +42,7 @@ class Gbuffer {
 
  private:
   gpu::Texture mColor;    ///< Premultiplied, the sum of the samples so far.
+  gpu::Texture mKept;     ///< The sums as they were; no texture before somebody keeps them.
   gpu::Texture mSurface;  ///< Normal, scene frame; distance along the ray.
   gpu::Texture mIds;      ///< Structure; instance + 1, 0: nothing is seen.
   gpu::Texture mSample;   ///< What the last sample shows; no texture where the frame has no finish.

@@ -16,6 +16,7 @@
 #include "render/passes/InstancePass.h"
 #include "render/passes/LightPass.h"
 #include "render/passes/ModelPass.h"
+#include "render/passes/Patches.h"
 #include "render/passes/RayCastPass.h"
 #include "render/passes/ResolvePass.h"
 #include "render/passes/SkipPass.h"
@@ -80,7 +81,10 @@ struct Renderer::Impl {
   bool hasPrograms();
   void addSamples();
   void addCasting();
-  void redo();
+  void addSamplesFrom(int first);
+  void finishSample(int sample);
+  void redraw(int sample);
+  bool waitsForBricks() const { return data.residency && !data.frame.isPreview; }
   void bind() const;
   void noteStats();
   bool look();
@@ -138,7 +142,7 @@ void Renderer::Impl::addSamples() {
   skip.addSteps(data, 0, queue);
   light.addSteps(data, 0, queue);
   states.addSteps(data, 0, queue);
-  if (data.residency && !data.frame.isPreview)
+  if (waitsForBricks())
     bricks.addSteps(
         data, [this] { bind(); }, [this] { addCasting(); });
   else
@@ -146,32 +150,52 @@ void Renderer::Impl::addSamples() {
   queue.countAll();
 }
 
-/// Draws the first sample once more, over what is there.
-void Renderer::Impl::redo() {
+/// Bricks have come that a sample met. Where rays are all that makes the picture, those are cast again that come
+/// through them; else all of it begins again with the first sample.
+void Renderer::Impl::redraw(int sample) {
+  if (canPatch(data)) {
+    rayCast.addPatches(data, sample, changedRects(data), queue);
+    finishSample(sample);
+    addSamplesFrom(sample + 1);
+    return;
+  }
   rayCast.redo();
   finish.restart();
   ghosts.restart();
+  bricks.addStepsAgain();
 }
 
-/// Each sample: its rays, what is rasterised, what is cast up to there, what an illustrator makes of it.
 void Renderer::Impl::addCasting() {
   if (data.residency)
     queue.add("Bricks", [this] {
       bind();
       data.residency->clearSeen();
+      data.residency->noteDrawn();
     });
-  int samples = std::max(1, data.frame.scene.rayCast.samplesPerPixel);
-  for (int sample = 0; sample < samples; ++sample) {
-    queue.add("Setup", [this, sample] { inputs.writeParams(data, sample); });
+  addSamplesFrom(0);
+}
+
+/// Each sample: its rays, what is rasterised, what is cast up to there, what an illustrator makes of it.
+void Renderer::Impl::addSamplesFrom(int first) {
+  for (int sample = first; sample < samplesOf(data.frame); ++sample) {
+    queue.add("Setup", [this, sample] {
+      inputs.writeParams(data, sample);
+      if (waitsForBricks() && sample > 0 && (sample == 1 || canPatch(data))) gbuffer.keepColor();
+    });
     surfaces.addSteps(data, sample, queue);
     instances.addSteps(data, sample, queue);
     rayCast.addSteps(data, sample, queue);
     counts.addSteps(data, sample, queue);
     ghosts.addSteps(data, sample, queue);
     finish.addSteps(data, sample, queue);
-    if (data.residency && !data.frame.isPreview && (sample == 0 || sample + 1 == samples))
-      bricks.addCheck(data, [this] { redo(); });
+    finishSample(sample);
   }
+}
+
+/// Asks whether a sample met bricks that are not there: each, or, where all would begin again, the first and the last.
+void Renderer::Impl::finishSample(int sample) {
+  bool isAsked = sample == 0 || sample + 1 == samplesOf(data.frame) || canPatch(data);
+  if (waitsForBricks() && isAsked) bricks.addCheck(data, [this, sample] { redraw(sample); });
 }
 
 /// For all steps that follow. Other GL work that comes in between binds things of its own.
@@ -187,6 +211,7 @@ void Renderer::Impl::noteStats() {
   stats.uploadMs = upload.ms();
   stats.longestStepMs = queue.longestMs();
   stats.samples = rayCast.progress().samples;
+  stats.pixelsCast = rayCast.pixelsCast();
   stats.labelBytes = upload.labelBytes();
   stats.reduction = isDrawn && data.residency                           ? data.residency->shortfall()
                     : isDrawn && data.volume && !data.volumeKey.isQuick ? data.volume->reduction

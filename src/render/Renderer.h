@@ -18,11 +18,12 @@ namespace velum::render {
 
 /// What happened while drawing.
 struct Stats {
-  std::string renderer;                    ///< GL_RENDERER
-  double frameMs = 0;                      ///< Time of the last complete frame, all samples, without uploads.
-  double uploadMs = 0;                     ///< Time of the last upload of data.
-  double longestStepMs = 0;                ///< Longest single piece of GL work of this frame.
-  int samples = 0;                         ///< Samples per pixel that are complete.
+  std::string renderer;        ///< GL_RENDERER
+  double frameMs = 0;          ///< Time of the last complete frame, all samples, without uploads.
+  double uploadMs = 0;         ///< Time of the last upload of data.
+  double longestStepMs = 0;    ///< Longest single piece of GL work of this frame.
+  int samples = 0;             ///< Samples per pixel that are complete.
+  std::size_t pixelsCast = 0;  ///< Pixels through which rays were cast, over all samples, and again where bricks came.
   std::map<std::string, double> passesMs;  ///< By pass, of the last complete frame.
   std::size_t labelBytes = 0;              ///< Bytes of labels that were sent to the GPU for this frame.
   std::string reduction;  ///< In words for people, when the data is shown at reduced resolution; else empty.

@@ -115,6 +115,35 @@ TEST_F(StreamedGL, DeepInATerabyteThePictureIsThatOfItsVoxels) {
   EXPECT_LT(differenceOf(whole, there).mean, 1.0);
 }
 
+/// Bricks that a sample meets first are waited for, and what lies behind them is drawn again: not all of the picture.
+TEST_F(StreamedGL, OnlyWhatNewBricksShowIsDrawnAgain) {
+  // A wall, in a corner of which holes are a voxel or two wide: few rays see what is behind.
+  auto value = [](glm::ivec3 p) {
+    bool isHole = p.x < 70 && p.z < 70 && (p.x + 5 * (p.z / 19)) % 23 < 2 && p.z % 19 < 2;
+    return p.y < 24 ? (isHole ? 10.0 : 240.0) : p.y > 90 ? 110.0 + 0.2 * (p.x + p.z) : 10.0;
+  };
+  auto source =
+      std::make_shared<PyramidSource>(makeVolume({200, 200, 200}, SampleType::UInt8, value), 4, glm::ivec3(32));
+  for (int samples : {1, 4}) {
+    scene::Scene scene = lookOf(streamedVolume(source, 3), scene::RenderMode::Volume);
+    scene.rayCast.samplesPerPixel = samples;
+    scene.camera.height = 280.0;
+    lookAlong(scene, {0.02, -1.0, 0.015}, 900);
+    glm::ivec2 size(280, 280);
+    renderer().clear();
+    Image patched = draw(scene, size, kAllLayers);
+    auto cast = double(renderer().stats().pixelsCast);
+    EXPECT_GT(coverageOf(patched), 0.05);
+    // With all bricks there nothing is drawn twice, and the picture is the same.
+    scene.lighting.ambient *= 1.0001;
+    Image again = draw(scene, size, kAllLayers);
+    auto once = double(renderer().stats().pixelsCast);
+    EXPECT_GT(cast, once) << "no brick came late, so that nothing is tried";
+    EXPECT_LE(cast, once + 1.2 * once / samples) << samples;  // a fifth of a sample, a few times
+    EXPECT_LE(differenceOf(patched, again).largest, 1.005) << samples;
+  }
+}
+
 /// What the means of the coarse levels do not show is looked for all the same.
 TEST_F(StreamedGL, AThinWireIsFoundThoughNoCoarseLevelShowsIt) {
   auto source =

@@ -77,13 +77,16 @@ void BrickPass::addCheck(const FrameData& data, Then again) {
     if (mHadAll) return;
     mQueue.dropRest();
     mQueue.addUntilDone(kBricks, [this] { return take(); });
-    mQueue.add(kBricks, [this] {
+    mQueue.add(kBricks, [this, again] {
       takeNews();
-      addRound(kFineMarks);
+      mQueue.add("Setup", mBind);
+      again();
+      mData->residency->noteDrawn();
     });
-    again();
   });
 }
+
+void BrickPass::addStepsAgain() { addRound(kFineMarks); }
 
 bool BrickPass::isPatient() const {
   return mWaits || msSince(mDrawnAt) < (mRayCast.progress().samples > 0 ? kBlindMs : 0.0);

@@ -23,8 +23,10 @@ class BrickPass {
   /// Adds the work before a picture. @param bind  binds all that rays need  @param cast  adds the picture's own work
   void addSteps(const FrameData& data, Then bind, Then cast);
   /// Adds, after a sample, the question whether it met bricks that are not there. If so what is left of the picture is
-  /// given up. @param again  called then: prepares the first sample to be drawn once more
+  /// given up. @param again  called when they have come: adds the work that draws the sample, and what is left, again
   void addCheck(const FrameData& data, Then again);
+  /// Adds the work before a picture once more, without its first rays.
+  void addStepsAgain();
 
  private:
   void addRound(int pixelStep);

@@ -76,9 +76,42 @@ void RayCastPass::addSteps(const FrameData& data, int sample, WorkQueue& queue) 
       [this, covered] { return covered.w > 0 ? double(mNext.y) / covered.w : 1.0; });
 }
 
-/// The next piece: full strips of rows where that is not too much, else a part of one.
-bool RayCastPass::castNext(const FrameData& data, int sample, glm::ivec4 covered) {
+/// The next piece of a rectangle, after which mNext stands where the one after it begins: full strips of rows where
+/// that is not too much, else a part of one.
+glm::ivec4 RayCastPass::nextPiece(glm::ivec4 rect) {
   constexpr int kEdge = shared::kTileGroup;
+  int wanted = mPace.next(mFirst), across = (rect.z + kEdge - 1) / kEdge;
+  if (mNext.x == 0) mStripRows = std::min(std::max(1, wanted / across) * kEdge, rect.w - mNext.y);
+  int down = (mStripRows + kEdge - 1) / kEdge;
+  int columns = std::min(std::max(1, wanted / down) * kEdge, rect.z - mNext.x);
+  glm::ivec4 piece(rect.x + mNext.x, rect.y + mNext.y, columns, mStripRows);
+  int groups = (columns + kEdge - 1) / kEdge * down;
+  mPace.most = std::max(groups, mPace.most);
+  mPace.handedOver.push_back(groups);
+  mNext.x += columns;
+  if (mNext.x >= rect.z) mNext = {0, mNext.y + mStripRows};
+  return piece;
+}
+
+void RayCastPass::redo() {
+  if (mProgress.samples > 1) mTarget.restoreColor({0, 0, mTarget.size()});
+  mProgress = {std::min(mProgress.samples, 1), 0, {0, 0}, 0};
+  mNext = {0, 0};
+}
+
+void RayCastPass::addPatches(const FrameData& data, int sample, std::vector<glm::ivec4> rects, WorkQueue& queue) {
+  for (glm::ivec4 rect : rects)
+    queue.addUntilDone(*this, [this, &data, sample, rect] {
+      glm::ivec4 piece = nextPiece(rect);
+      if (sample > 0) mTarget.restoreColor(piece);
+      castTile(data, piece);
+      if (mNext.y < rect.w) return false;
+      mNext = {0, 0};
+      return true;
+    });
+}
+
+bool RayCastPass::castNext(const FrameData& data, int sample, glm::ivec4 covered) {
   bool isRedone = mProgress.samples > sample;
   if (sample == 0 && mNext == glm::ivec2(0) && !isRedone) mTarget.clear();
   if (covered.z <= 0 || covered.w <= 0) {
@@ -86,21 +119,13 @@ bool RayCastPass::castNext(const FrameData& data, int sample, glm::ivec4 covered
     finishSample(sample);
     return true;
   }
-  int wanted = mPace.next(mFirst), across = (covered.z + kEdge - 1) / kEdge;
-  if (mNext.x == 0) mStripRows = std::min(std::max(1, wanted / across) * kEdge, covered.w - mNext.y);
-  int down = (mStripRows + kEdge - 1) / kEdge;
-  int columns = std::min(std::max(1, wanted / down) * kEdge, covered.z - mNext.x);
-  castTile(data, {covered.x + mNext.x, covered.y + mNext.y, columns, mStripRows});
-  int groups = (columns + kEdge - 1) / kEdge * down;
-  mPace.most = std::max(groups, mPace.most);
-  mPace.handedOver.push_back(groups);
-  mNext.x += columns;
+  glm::ivec4 piece = nextPiece(covered);
+  castTile(data, piece);
   if (!isRedone) {
-    mProgress.strip = glm::ivec2(mNext.y, mNext.y + mStripRows) + covered.y;
-    mProgress.columnsDone = covered.x + mNext.x;
+    mProgress.strip = glm::ivec2(piece.y, piece.y + piece.w);
+    mProgress.columnsDone = piece.x + piece.z;
   }
-  if (mNext.x < covered.z) return false;
-  mNext = {0, mNext.y + mStripRows};
+  if (mNext.x > 0) return false;
   if (!isRedone) mProgress.rowsDone = covered.y + mNext.y;
   if (mNext.y < covered.w) return false;
   finishSample(sample);
@@ -120,6 +145,7 @@ void RayCastPass::markPages(const FrameData& data, int pixelStep) {
 
 void RayCastPass::castTile(const FrameData& data, glm::ivec4 rect, int pixelStep) {
   mTarget.bindImages();
+  if (pixelStep == 1) mPixelsCast += std::size_t(rect.z) * std::size_t(rect.w);
   if (data.residency) data.residency->bindSeen();
   int edge = shared::kTileGroup * pixelStep;
   glm::ivec2 groups = (glm::ivec2(rect.z, rect.w) + edge - 1) / edge;

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <deque>
 #include <glm/glm.hpp>
+#include <vector>
 
 #include "gpu/Program.h"
 #include "render/FrameData.h"
@@ -32,20 +33,23 @@ class RayCastPass : public Pass {
   void addSteps(const FrameData& data, int sample, WorkQueue& queue) override;
   void took(double ms) override;
 
+  /// Casts the rays of a sample once more, in rectangles of the window that do not overlap (x, y of the corner; width,
+  /// height): over what is there, from the sums that were kept before the sample was drawn.
+  void addPatches(const FrameData& data, int sample, std::vector<glm::ivec4> rects, WorkQueue& queue);
   /// Casts rays through some pixels that leave nothing but marks on the pages of a streamed volume.
   /// @param pixelStep  one of so many pixels along each axis
   void markPages(const FrameData& data, int pixelStep);
 
   const PictureProgress& progress() const { return mProgress; }
-  /// Draws the first sample once more, over what is there.
-  void redo() {
-    mProgress = {std::min(mProgress.samples, 1), 0, {0, 0}, 0};
-    mNext = {0, 0};
-  }
+  /// Pixels of this picture through which rays were cast, over all samples.
+  std::size_t pixelsCast() const { return mPixelsCast; }
+  /// Draws the first sample once more, over what is there, or over the sums that were kept after it.
+  void redo();
   /// Begins the next picture: nothing of it is there yet.
   void restart() {
     mProgress = {};
     mNext = {0, 0};
+    mPixelsCast = 0;
   }
 
  private:
@@ -62,6 +66,7 @@ class RayCastPass : public Pass {
     int next(int first);
   };
   bool castNext(const FrameData& data, int sample, glm::ivec4 covered);
+  glm::ivec4 nextPiece(glm::ivec4 rect);
   void finishSample(int sample);
   void castTile(const FrameData& data, glm::ivec4 rect, int pixelStep = 1);
 
@@ -73,6 +78,7 @@ class RayCastPass : public Pass {
   int mFirst;           ///< Groups of a piece while no time is known.
   glm::ivec2 mNext{0};  ///< Where, within the covered rectangle, the next piece begins, pixels.
   int mStripRows = 0;   ///< Rows of the strip in which the next piece lies.
+  std::size_t mPixelsCast = 0;
 };
 
 }  // namespace velum::render

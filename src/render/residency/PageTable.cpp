@@ -8,6 +8,7 @@ namespace {
 
 constexpr std::size_t kWord = sizeof(std::uint32_t);
 constexpr std::size_t kRow = 4 * kWord;
+constexpr std::size_t kMostChanges = 8192;  ///< that are told one by one
 
 /// A slot's rows, as shaders read them.
 struct PackedRows {
@@ -34,6 +35,7 @@ void PageTable::reset(const PageGrid& grid, int level, std::size_t slots) {
   mTexture = gpu::Texture::makeOfBuffer("pages", gpu::Format::Rgba32ui, mBuffer);
   mFirstChanged = 0;
   mEndChanged = mSlots.size();
+  mChanges.reset();
 }
 
 void PageTable::setRow(std::uint32_t slot, const SlotRow& row) {
@@ -49,6 +51,8 @@ glm::ivec3 PageTable::pageAt(std::size_t index) const {
 void PageTable::set(std::size_t index, std::uint32_t slot) {
   if (mSlots[index] == slot) return;
   mSlots[index] = slot;
+  if (mChanges && mChanges->size() == kMostChanges) mChanges.reset();
+  if (mChanges) mChanges->push_back(index);
   if (mFirstChanged == mEndChanged) mFirstChanged = index, mEndChanged = index + 1;
   mFirstChanged = std::min(mFirstChanged, index);
   mEndChanged = std::max(mEndChanged, index + 1);

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "gpu/Buffer.h"
@@ -34,6 +35,10 @@ class PageTable {
   glm::ivec3 pageAt(std::size_t index) const;
   std::uint32_t slot(std::size_t index) const { return mSlots[index]; }
   void set(std::size_t index, std::uint32_t slot);
+  /// Pages whose slot has changed since forgetChanges(), some of them more than once; nothing where they are too many
+  /// to be told.
+  const std::optional<std::vector<std::size_t>>& changes() const { return mChanges; }
+  void forgetChanges() { mChanges.emplace(); }
   /// Says where a slot lies; sent at once.
   void setRow(std::uint32_t slot, const SlotRow& row);
   /// Where pages begin in the table that shaders read, rows of four words.
@@ -55,7 +60,8 @@ class PageTable {
   glm::ivec3 mSize{0};
   std::vector<std::uint32_t> mSlots;  ///< by page
   std::size_t mSlotCount = 0;
-  std::size_t mFirstChanged = 0, mEndChanged = 0;
+  std::size_t mFirstChanged = 0, mEndChanged = 0;  ///< that shaders do not see yet
+  std::optional<std::vector<std::size_t>> mChanges;
   gpu::Buffer mBuffer;
   gpu::Texture mTexture;
 };

@@ -2,6 +2,7 @@
 #include <chrono>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <unordered_map>
 #include <unordered_set>
@@ -50,6 +51,15 @@ class Residency {
   /// Binds the marks for a dispatch that casts rays.
   void bindSeen() const { mSeen.bindStorage(shared::kSeenPageBinding); }
   void clearSeen() { mSeen.clear(); }
+
+  /// What is drawn from now on shows all that is there.
+  void noteDrawn() { mTable.forgetChanges(); }
+  /// Where what is shown has changed since noteDrawn(): boxes that hold all samples that it may change, in texture
+  /// coordinates of volume(). Nothing where that is all over.
+  struct TexBox {
+    glm::dvec3 low, high;
+  };
+  std::optional<std::vector<TexBox>> changes() const;
 
   /// Reads the marks, and asks for what the pages with marks want. Waits for the GPU.
   /// @return how many bricks are not there yet

@@ -131,6 +131,22 @@ std::uint32_t Residency::bestSlot(glm::ivec3 page) const {
   return 0;
 }
 
+/// A group of samples asks the page of its middle, so that those of a neighbour's group may lie in a page's brick.
+std::optional<std::vector<Residency::TexBox>> Residency::changes() const {
+  if (!mTable.changes()) return std::nullopt;
+  constexpr double kReach = (kGroupReach + 1.0) / kPageVoxels;  // of a page's edge
+  std::vector<std::size_t> pages = *mTable.changes();
+  std::sort(pages.begin(), pages.end());
+  pages.erase(std::unique(pages.begin(), pages.end()), pages.end());
+  std::vector<TexBox> boxes;
+  for (std::size_t index : pages) {
+    glm::dvec3 page(mTable.pageAt(index));
+    boxes.push_back({(page - kReach - mVolume.pages->first) / mVolume.pages->perTex,
+                     (page + 1.0 + kReach - mVolume.pages->first) / mVolume.pages->perTex});
+  }
+  return boxes;
+}
+
 /// Chooses anew for the pages that a brick covers, which has come or gone.
 void Residency::refreshPages(const PageBrick& brick) {
   PageTable::Pages pages = mTable.covered(mGrid, brick);

@@ -180,6 +180,7 @@ void addSegment(inout Hit hit, Ray ray, Walk walk, Segment segment, int slot, fl
 const int kGroup = 8;
 struct Group {
   float lattice;  // t of its first lattice point
+  float dt;
   float from;
   float to;
   float x[kGroup + 1];       // values, table positions
@@ -187,7 +188,7 @@ struct Group {
   vec2 solids[kGroup + 1];   // of solidsOf() there
 };
 
-float timeIn(Group group, Walk walk, int i) { return clamp(group.lattice + float(i) * walk.dt, group.from, group.to); }
+float timeIn(Group group, Walk walk, int i) { return clamp(group.lattice + float(i) * group.dt, group.from, group.to); }
 
 float shownPartOf(Group group, int i, bool sparedOnly) {
 #if LABELS != 0
@@ -198,9 +199,10 @@ float shownPartOf(Group group, int i, bool sparedOnly) {
 
 float middleOf(Group group, Walk walk, int i) { return 0.5 * (timeIn(group, walk, i) + timeIn(group, walk, i + 1)); }
 
-Group groupAt(Walk walk, Ray ray, float lattice, float from, float to, bool sparedOnly) {
+Group groupAt(Walk walk, Ray ray, float lattice, float dt, float from, float to, bool sparedOnly) {
   Group group;
   group.lattice = lattice;
+  group.dt = dt;
   group.from = from;
   group.to = to;
 #if LABELS != 2
@@ -400,8 +402,9 @@ void march(inout Hit hit, Ray ray, Walk walk, float a, float b, Face face, bool 
     faceNormal = faceNormalAt(face, ray.origin + faceT * ray.direction, ray.direction);
   }
   float cutoff = hasFlag(kFlagStopOpaque) ? frame.opaqueAlpha : 2.0;
-  float groupLength = float(kGroup) * walk.dt;
-  float perGroup = 1.0 / groupLength;
+#if !BRICKS
+  Stride stride = strideAt(walk, a, kGroup);
+#endif
   float t = a;
   do {
     // Go on to the next group with material.
@@ -409,8 +412,17 @@ void march(inout Hit hit, Ray ray, Walk walk, float a, float b, Face face, bool 
     uint asked;
     float end;
     do {
-      t = leapEmpty(walk, t, b, groupLength, perGroup, sparedOnly);
-      group = groupAt(walk, ray, walk.first + floor((t - walk.first) * perGroup + 1e-4) * groupLength, t, b, sparedOnly);
+#if BRICKS
+      Stride stride = strideAt(walk, t, kGroup);
+      float leapt = leapEmpty(walk, t, b, stride.length, stride.per, sparedOnly);
+      stride = strideAt(walk, leapt, kGroup);
+      float lattice = walk.first + floor((leapt - walk.first) * stride.per + 1e-4) * stride.length;
+      t = leapt < b ? max(t, min(lattice, leapt)) : b;  // a longer group may begin before the leap's end
+#else
+      t = leapEmpty(walk, t, b, stride.length, stride.per, sparedOnly);
+      float lattice = walk.first + floor((t - walk.first) * stride.per + 1e-4) * stride.length;
+#endif
+      group = groupAt(walk, ray, lattice, stride.length / float(kGroup), t, b, sparedOnly);
       asked = mayShow(group) ? 255u : 0u;
       if (sparedOnly || usesShares(sparedOnly)) asked &= shownIn(group, sparedOnly);
       end = max(timeIn(group, walk, kGroup), afterAll(t));

@@ -28,6 +28,9 @@ struct Walk {
   int octantLayer;     // z in the skip map of the octant into which the ray goes
   float first;         // t of lattice point 0
   float dt;
+#if BRICKS
+  float coarseFrom;    // t from which steps are twice as long, twice again at each doubling
+#endif
 };
 
 Walk walkAlong(Ray ray, float first) {
@@ -43,7 +46,28 @@ Walk walkAlong(Ray ray, float first) {
   walk.octantLayer = (int(grows.x) | int(grows.y) << 1 | int(grows.z) << 2) * int(frame.cellGrid.z);
   walk.first = first;
   walk.dt = frame.step;
+#if BRICKS
+  walk.coarseFrom = frame.coarsening.x / max(dot(ray.direction, frame.forward.xyz), 1e-6);
+#endif
   return walk;
+}
+
+/// How far groups of so many samples that begin at a place are apart, and its reciprocal.
+struct Stride {
+  float length;
+  float per;
+};
+Stride strideAt(Walk walk, float t, int samples) {
+  float stride = float(samples) * walk.dt;
+#if BRICKS
+  // As bricks hold larger voxels farther away. Where strides change, a whole number of the longer ones has gone by.
+  float doublings = clamp(floor(log2(max(t, 1e-30) / max(walk.coarseFrom, 1e-30))) + 1.0, 0.0, frame.coarsening.y);
+  float scale = uintBitsToFloat((uint(doublings) + 127u) << 23);
+  float longer = stride * scale;
+  float begin = walk.first + ceil((0.5 * scale * walk.coarseFrom - walk.first) / longer) * longer;
+  stride = scale > 1.0 && t < begin - 0.01 * stride ? 0.5 * longer : longer;
+#endif
+  return Stride(stride, 1.0 / stride);
 }
 
 vec3 texAt(Walk walk, float t) { return walk.tex0 + t * walk.texPerLength; }

@@ -144,7 +144,7 @@ void Renderer::Impl::addSamples() {
   states.addSteps(data, 0, queue);
   if (waitsForBricks())
     bricks.addSteps(
-        data, [this] { bind(); }, [this] { addCasting(); });
+        data, [this] { bind(); }, [this] { addCasting(); }, [this] { begin(Frame(*wanted)); });
   else
     addCasting();
   queue.countAll();
@@ -168,9 +168,8 @@ void Renderer::Impl::redraw(int sample) {
 void Renderer::Impl::addCasting() {
   if (data.residency)
     queue.add("Bricks", [this] {
+      bricks.beginCasting(data);
       bind();
-      data.residency->clearSeen();
-      data.residency->noteDrawn();
     });
   addSamplesFrom(0);
 }

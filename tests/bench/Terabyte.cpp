@@ -52,24 +52,28 @@ Flight fly(render::Renderer& renderer, const scene::Scene& scene, glm::ivec2 siz
   constexpr int kMovesOfOneRest = 40;
   Flight flight;
   // The programs of moving pictures are compiled before.
-  render::Frame moving{.scene = scene, .pictureSize = size, .stepFactor = 2.0, .isPreview = true};
+  render::Frame moving{.scene = scene,
+                       .pictureSize = size,
+                       .stepFactor = 2.0,
+                       .isPreview = true,
+                       .brickBytes = memoryBudget().gpuBrickBytes};
   Progress progress;
   renderer.render(moving, progress);
   Clock::time_point start = Clock::now();
   for (int i = 0; msFrom(start) < seconds * 1000.0; ++i) {
-    render::Frame frame{.scene = scene, .pictureSize = size};
+    render::Frame frame{.scene = scene, .pictureSize = size, .brickBytes = memoryBudget().gpuBrickBytes};
     frame.scene.camera = flightCamera(scene.camera, double(i) / 1200.0);
     bool rests = i % kMovesOfOneRest == kMovesOfOneRest - 1;
     frame.isPreview = !rests;
     if (!rests) frame.stepFactor = 2.0;
     Clock::time_point before = Clock::now();
     bool isDone = false;
-    while (!isDone && (rests || msFrom(before) < 250.0)) {
+    while (!isDone && (rests ? msFrom(start) < seconds * 1000.0 : msFrom(before) < 250.0)) {
       Clock::time_point piece = Clock::now();
       isDone = renderer.work(frame, 8.0);
       flight.longestPiece = std::max(flight.longestPiece, msFrom(piece));
     }
-    (rests ? flight.settled : flight.answers).push_back(msFrom(before));
+    if (isDone || !rests) (rests ? flight.settled : flight.answers).push_back(msFrom(before));
     flight.mostAllocated = std::max(flight.mostAllocated, double(velum::allocatedBytes()));
     flight.mostResident = std::max(flight.mostResident, statusBytes("VmRSS"));
     flight.mostOnGpu = std::max(flight.mostOnGpu, renderer.stats().streaming.usedBytes);
@@ -166,7 +170,7 @@ void measureTerabyte(const Options& options, const Terabyte& terabyte, Report& r
   Flight flight;
   {
     render::Renderer renderer(sharedContext());
-    picture = drawFirst(renderer, {.scene = scene, .pictureSize = size});
+    picture = drawFirst(renderer, {.scene = scene, .pictureSize = size, .brickBytes = memoryBudget().gpuBrickBytes});
     flight = fly(renderer, scene, size, options.quick ? 20.0 : 600.0);
   }
   report.note(fmt::format("{}: {:.2f} TB of 16 bits, {} x {} x {} voxels; {} x {} pixels.", terabyte.title,
@@ -230,6 +234,7 @@ double largest(const std::vector<double>& values) {
 void measureTerabytes(const Options& options, Report& report) {
   MemoryBudget former = memoryBudget(), budget = former;
   budget.gpuBrickBytes = double(1 << 30);
+  budget.brickBytes = 2.0 * (1 << 30);
   setMemoryBudget(budget);
   Progress progress;
   std::unique_ptr<VoxelSource> brain = io::makeBrain(10410, progress);

@@ -21,7 +21,11 @@ class BrickPass {
   /// Nobody looks on: nothing is drawn before all bricks are there.
   void setWaits(bool waits) { mWaits = waits; }
   /// Adds the work before a picture. @param bind  binds all that rays need  @param cast  adds the picture's own work
-  void addSteps(const FrameData& data, Then bind, Then cast);
+  /// @param restart  begins the frame anew: it is to be drawn at a coarser level
+  void addSteps(FrameData& data, Then bind, Then cast, Then restart);
+  /// Before the rays of a picture: what they meet from now on is marked. Their steps get longer where bricks hold
+  /// larger voxels: FrameParams::coarsening.
+  void beginCasting(FrameData& data) const;
   /// Adds, after a sample, the question whether it met bricks that are not there. If so what is left of the picture is
   /// given up. @param again  called when they have come: adds the work that draws the sample, and what is left, again
   void addCheck(const FrameData& data, Then again);
@@ -30,6 +34,7 @@ class BrickPass {
 
  private:
   void addRound(int pixelStep);
+  void addGathering();
   bool take();
   void takeNews();
   bool isPatient() const;
@@ -39,8 +44,8 @@ class BrickPass {
   RayCastPass& mRayCast;
   FrameInputs& mInputs;
   WorkQueue& mQueue;
-  const FrameData* mData = nullptr;
-  Then mBind, mCast;
+  FrameData* mData = nullptr;
+  Then mBind, mCast, mRestart;
   bool mWaits = false;
   bool mHadAll = false;                       ///< The last picture met no brick that was not there,
   scene::Camera mView;                        ///< seen like this,

@@ -1,6 +1,7 @@
 #include "render/passes/RayCastPass.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "gpu/Strided.h"
 #include "render/WorkQueue.h"
@@ -66,7 +67,11 @@ int RayCastPass::Pace::next(int first) {
   return std::clamp(int(std::min(groups, kMostGroups)), 1, int(kMostGroups));
 }
 
-void RayCastPass::took(double ms) { mPace.took(ms); }
+void RayCastPass::took(double ms) {
+  if (mMarkedShare > 0 && !mPace.handedOver.empty() && mPace.handedOver.front() == 0)
+    mSampleMs = ms / std::exchange(mMarkedShare, 0.0);
+  mPace.took(ms);
+}
 
 void RayCastPass::addSteps(const FrameData& data, int sample, WorkQueue& queue) {
   // Where neither the volume's box nor a surface can be, rays have nothing to do.
@@ -140,6 +145,7 @@ void RayCastPass::finishSample(int sample) {
 void RayCastPass::markPages(const FrameData& data, int pixelStep) {
   glm::ivec4 covered = drawnRect(data);
   mPace.handedOver.push_back(0);
+  mMarkedShare = 1.0 / (pixelStep * pixelStep);
   if (covered.z > 0 && covered.w > 0) castTile(data, covered, pixelStep);
 }
 

@@ -43,6 +43,8 @@ class RayCastPass : public Pass {
   const PictureProgress& progress() const { return mProgress; }
   /// Pixels of this picture through which rays were cast, over all samples.
   std::size_t pixelsCast() const { return mPixelsCast; }
+  /// What casting the rays of one sample would take, by those that left marks last; at first 0.
+  double sampleMs() const { return mSampleMs; }
   /// Draws the first sample once more, over what is there, or over the sums that were kept after it.
   void redo();
   /// Begins the next picture: nothing of it is there yet.
@@ -79,6 +81,8 @@ class RayCastPass : public Pass {
   glm::ivec2 mNext{0};  ///< Where, within the covered rectangle, the next piece begins, pixels.
   int mStripRows = 0;   ///< Rows of the strip in which the next piece lies.
   std::size_t mPixelsCast = 0;
+  double mSampleMs = 0;
+  double mMarkedShare = 0;  ///< of a sample's rays, that the driver casts for marks; 0: none
 };
 
 }  // namespace velum::render

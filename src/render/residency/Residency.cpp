@@ -130,6 +130,7 @@ std::vector<PageBrick> Residency::bricksOf(const std::vector<Wish>& wishes) {
 }
 
 std::size_t Residency::gather(const MayShow& mayShow) {
+  mStreaming.reset();
   std::vector<std::uint32_t>& words = mMarks;
   words.resize(mSeen.bytes() / sizeof(std::uint32_t));
   mSeen.read(0, mSeen.bytes(), words.data());
@@ -181,7 +182,8 @@ std::size_t Residency::gather(const MayShow& mayShow) {
       continue;
     }
     std::sort(wishes.begin(), wishes.end(), [](const Wish& a, const Wish& b) { return a.urgency < b.urgency; });
-    if (isDoubtful && read < kSampled) wishes = spread(wishes, kSampled);
+    mIsSampling = isDoubtful && read < kSampled && wishes.size() > kSampled;
+    if (mIsSampling) wishes = spread(wishes, kSampled);
     if (wishes.size() > room) wishes.resize(room);
     mLoader->ask(bricksOf(wishes), isWorthSlot);
     mTable.upload();
@@ -194,6 +196,7 @@ std::size_t Residency::receive(double budgetMs, const MayShow& mayShow) {
   while (!mMissing.empty()) {
     auto loaded = mLoader->take();
     if (!loaded) break;
+    mStreaming.reset();
     std::uint64_t key = loaded->brick.key();
     mMissing.erase(key);
     mHasNews = true;
@@ -234,8 +237,9 @@ std::string Residency::shortfall() const {
   return words;
 }
 
-Streaming Residency::streaming() const {
-  Streaming told;
+const Streaming& Residency::streaming() const {
+  if (mStreaming) return *mStreaming;
+  Streaming& told = mStreaming.emplace();
   told.missing = mMissing.size();
   told.coarser = std::exp2(mEye.coarser);
   auto texel = double(mTexelBytes);

@@ -1,5 +1,6 @@
 #pragma once
 #include <chrono>
+#include <cmath>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -45,6 +46,18 @@ class Residency {
 
   /// Chooses the frame's level by its camera, whose lengths are in the world's unit.
   void look(const Frame& frame);
+  /// From which depth on, and how often, samples may be twice as far apart, as bricks there hold voxels that are
+  /// larger: FrameParams::coarsening, world. {0, 0}: nowhere.
+  glm::dvec2 coarsening() const;
+  /// True when some page shows finer voxels than it wants, until those come. @param drops  shows coarser ones instead
+  bool hasFiner(bool drops);
+  /// True when not all bricks that are seen have room, and all is coarser.
+  bool isShort() const { return mEye.coarser > 0; }
+  /// True when gather() has found no room for bricks of the frame's level: looking again chooses one that has room, so
+  /// that rays take no finer steps than there are voxels.
+  bool isTooFine() const { return levelFor(mEye.nearestPixel * std::exp2(mEye.coarser)) > mTable.level(); }
+  /// The next look() is at the same view, and as coarse as this one has become.
+  void keepCoarse() { mStartCoarser = mEye.coarser; }
   /// The textures, and the volume of the frame's level.
   const GpuVolume& volume() const { return mVolume; }
   void bind() const { mTable.bind(); }
@@ -66,6 +79,9 @@ class Residency {
   std::size_t gather(const MayShow& mayShow);
   /// Takes bricks that have come, for about that long. @return how many are not there yet
   std::size_t receive(double budgetMs, const MayShow& mayShow);
+  /// True when gather() has asked for some of the bricks only, to find out how many of all will be seen: as soon as
+  /// they are there it is to be called again.
+  bool isSampling() const { return mIsSampling; }
   /// True when bricks have come, or pages want others, since the cells were brought up to date.
   bool hasNews() const { return mHasNews; }
   /// Brings the ranges of cells up to date.
@@ -73,8 +89,8 @@ class Residency {
 
   /// In words for people: what is not shown as fine as it is wanted, and why; empty when all is.
   std::string shortfall() const;
-  /// How fine what rays meet is shown, as gather() found it last.
-  Streaming streaming() const;
+  /// How fine what rays meet is shown, as gather() found it last. Kept until bricks come or pages want others.
+  const Streaming& streaming() const;
   /// Bricks on the GPU, and how many there is room for.
   std::size_t residentCount() const { return mResident.size(); }
   std::size_t slotCount() const { return mSlots.size(); }
@@ -91,7 +107,8 @@ class Residency {
     glm::dvec3 eye{0.0}, forward{0.0, 0.0, 1.0};  ///< world
     double pixel = 0;                             ///< edge of a pixel: at distance 1, or anywhere if orthographic
     bool isOrthographic = false;
-    double coarser = 0;  ///< powers of two by which all is coarser, where there is no room
+    double nearestPixel = 0;  ///< edge of a pixel where the data is nearest, world
+    double coarser = 0;       ///< powers of two by which all is coarser, where there is no room
   };
 
   struct Wish {
@@ -103,7 +120,7 @@ class Residency {
   void restartTable(int level);
   int levelFor(double pixelSize) const;
   int wantedAt(glm::ivec3 page) const;
-  std::uint32_t bestSlot(glm::ivec3 page) const;
+  std::uint32_t bestSlot(glm::ivec3 page, bool mayBeFiner = true) const;
   void writeRow(std::uint32_t slot);
   void refreshPages(const PageBrick& brick);
   std::uint32_t freeSlot();
@@ -136,7 +153,10 @@ class Residency {
   std::string mError;  ///< of the first brick that failed
   std::uint64_t mTurn = 0;
   Eye mEye;
+  double mStartCoarser = 0;  ///< Eye::coarser at the next look()
   bool mHasNews = false;
+  bool mIsSampling = false;
+  mutable std::optional<Streaming> mStreaming;
   std::unique_ptr<BrickLoader> mLoader;
 };
 

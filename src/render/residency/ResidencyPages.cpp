@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "render/residency/Residency.h"
 #include "scene/Project.h"
@@ -48,9 +49,11 @@ void Residency::look(const Frame& frame) {
         if (enter < leave) nearest = std::min(nearest, enter);
       }
   }
-  mEye = eye;
   bool isSeen = nearest < std::numeric_limits<double>::max();
-  int level = isSeen ? levelFor(nearest * eye.pixel) : mGrid.coarsest();
+  eye.nearestPixel = isSeen ? nearest * eye.pixel : std::numeric_limits<double>::max();
+  eye.coarser = std::exchange(mStartCoarser, 0.0);
+  mEye = eye;
+  int level = levelFor(eye.nearestPixel * std::exp2(eye.coarser));
   // While something moves what is there stays, unless it is far from what is wanted.
   bool isNear = mTable.level() >= 0 && std::abs(level - mTable.level()) <= 1;
   if (mTable.level() != level && !(frame.isPreview && isNear)) restartTable(level);
@@ -59,6 +62,7 @@ void Residency::look(const Frame& frame) {
 void Residency::restartTable(int level) {
   mTable.reset(mGrid, level, mSlots.size());
   mMarks.clear();
+  mStreaming.reset();
   const PageLevel& own = mGrid.levels()[std::size_t(level)];
   mVolume.dims = own.dims;
   mVolume.worldFromTex = own.worldFromTex;
@@ -115,7 +119,7 @@ int Residency::wantedAt(glm::ivec3 page) const {
 }
 
 /// The slot of the level that a page wants; else of a finer one, else of the least coarse one that is there.
-std::uint32_t Residency::bestSlot(glm::ivec3 page) const {
+std::uint32_t Residency::bestSlot(glm::ivec3 page, bool mayBeFiner) const {
   int wanted = wantedAt(page);
   PageBrick own{mTable.level(), page};
   auto slotOf = [&](int level) -> std::uint32_t {
@@ -124,11 +128,48 @@ std::uint32_t Residency::bestSlot(glm::ivec3 page) const {
     return found == mResident.end() ? 0 : found->second;
   };
   if (wanted == mGrid.coarsest()) return 0;
-  for (int level = wanted; level >= mTable.level(); --level)
+  int finest = mayBeFiner ? mTable.level() : wanted;
+  for (int level = wanted; level >= finest; --level)
     if (auto slot = slotOf(level)) return slot;
   for (int level = wanted + 1; level < mGrid.coarsest(); ++level)
     if (auto slot = slotOf(level)) return slot;
   return 0;
+}
+
+/// Of a page that begins beyond a depth all samples have voxels of the level that is wanted there: the page's middle
+/// says which that is, and a group of samples asks the page of its own middle.
+glm::dvec2 Residency::coarsening() const {
+  const PageLevel& own = mGrid.levels()[std::size_t(mTable.level())];
+  if (mEye.isOrthographic) return {};
+  double margin = glm::length(own.spacing) * (0.5 * kPageVoxels + kGroupReach);
+  glm::dvec2 found(0.0);
+  for (int level = mTable.level() + 1; level <= mGrid.coarsest(); ++level) {
+    double voxel = mGrid.levels()[std::size_t(level)].voxelSize;
+    double doublings = std::floor(std::log2(voxel / own.voxelSize) + 1e-6);
+    if (doublings <= found.y) continue;
+    double from = voxel / (kVoxelsPerPixel * mEye.pixel * std::exp2(mEye.coarser)) + margin;
+    found = {std::max(found.x, from * std::exp2(1.0 - doublings)), doublings};
+  }
+  return found;
+}
+
+bool Residency::hasFiner(bool drops) {
+  bool isFound = false;
+  for (std::uint32_t slot = kFirstSlot; slot < mSlots.size(); ++slot) {
+    if (!mSlots[slot].isUsed) continue;
+    PageTable::Pages pages = mTable.covered(mGrid, mSlots[slot].brick);
+    glm::ivec3 page;
+    for (page.z = pages.low.z; page.z < pages.high.z; ++page.z)
+      for (page.y = pages.low.y; page.y < pages.high.y; ++page.y)
+        for (page.x = pages.low.x; page.x < pages.high.x; ++page.x) {
+          std::size_t index = mTable.indexOf(page);
+          if (mTable.slot(index) != slot || wantedAt(page) <= mSlots[slot].brick.level) continue;
+          isFound = true;
+          if (drops) show(index, bestSlot(page, false));
+        }
+  }
+  if (drops) mTable.upload();
+  return isFound;
 }
 
 /// A group of samples asks the page of its middle, so that those of a neighbour's group may lie in a page's brick.

@@ -1,4 +1,5 @@
 // Direct volume rendering: material composited front to back, segment by segment between the samples.
+#include "common/select.glsl"
 #include "common/shade.glsl"
 #include "common/volume.glsl"
 #include "render/composite.glsl"
@@ -199,11 +200,11 @@ float shownPartOf(Group group, int i, bool sparedOnly) {
 
 float middleOf(Group group, Walk walk, int i) { return 0.5 * (timeIn(group, walk, i) + timeIn(group, walk, i + 1)); }
 
-Group groupAt(Walk walk, Ray ray, float lattice, float dt, float from, float to, bool sparedOnly) {
+Group groupAt(Walk walk, Ray ray, GroupPlace place, float to, bool sparedOnly) {
   Group group;
-  group.lattice = lattice;
-  group.dt = dt;
-  group.from = from;
+  group.lattice = place.lattice;
+  group.dt = place.dt;
+  group.from = place.from;
   group.to = to;
 #if LABELS != 2
   GroupBrick brick = groupBrick(texBetween(walk, timeIn(group, walk, 0), timeIn(group, walk, kGroup)));
@@ -242,19 +243,6 @@ bool mayShow(Group group) {
 #endif
   return shows;
 #endif
-}
-
-/// One of eight by selections: what is indexed by a variable would have to lie in memory.
-float oneOf(float v0, float v1, float v2, float v3, float v4, float v5, float v6, float v7, int i) {
-  bool odd = (i & 1) != 0;
-  float a = odd ? v1 : v0;
-  float b = odd ? v3 : v2;
-  float c = odd ? v5 : v4;
-  float d = odd ? v7 : v6;
-  bool second = (i & 2) != 0;
-  a = second ? b : a;
-  c = second ? d : c;
-  return (i & 4) != 0 ? c : a;
 }
 
 /// Optical depth below which segments are shaded together: what hides less than this share of what is behind it needs no
@@ -402,9 +390,6 @@ void march(inout Hit hit, Ray ray, Walk walk, float a, float b, Face face, bool 
     faceNormal = faceNormalAt(face, ray.origin + faceT * ray.direction, ray.direction);
   }
   float cutoff = hasFlag(kFlagStopOpaque) ? frame.opaqueAlpha : 2.0;
-#if !BRICKS
-  Stride stride = strideAt(walk, a, kGroup);
-#endif
   float t = a;
   do {
     // Go on to the next group with material.
@@ -412,17 +397,9 @@ void march(inout Hit hit, Ray ray, Walk walk, float a, float b, Face face, bool 
     uint asked;
     float end;
     do {
-#if BRICKS
-      Stride stride = strideAt(walk, t, kGroup);
-      float leapt = leapEmpty(walk, t, b, stride.length, stride.per, sparedOnly);
-      stride = strideAt(walk, leapt, kGroup);
-      float lattice = walk.first + floor((leapt - walk.first) * stride.per + 1e-4) * stride.length;
-      t = leapt < b ? max(t, min(lattice, leapt)) : b;  // a longer group may begin before the leap's end
-#else
-      t = leapEmpty(walk, t, b, stride.length, stride.per, sparedOnly);
-      float lattice = walk.first + floor((t - walk.first) * stride.per + 1e-4) * stride.length;
-#endif
-      group = groupAt(walk, ray, lattice, stride.length / float(kGroup), t, b, sparedOnly);
+      GroupPlace place = nextGroup(walk, t, b, kGroup, sparedOnly);
+      t = place.from;
+      group = groupAt(walk, ray, place, b, sparedOnly);
       asked = mayShow(group) ? 255u : 0u;
       if (sparedOnly || usesShares(sparedOnly)) asked &= shownIn(group, sparedOnly);
       end = max(timeIn(group, walk, kGroup), afterAll(t));

@@ -115,3 +115,25 @@ float leapEmpty(Walk walk, float t, float b, float stride, float perStride, bool
   } while (leaping && t < b);
   return t;
 }
+
+/// Where a group of samples lies on a ray.
+struct GroupPlace {
+  float lattice;  // t of the first lattice point
+  float dt;       // between two
+  float from;     // where it begins, behind what was leapt over
+};
+
+/// The next group that may hold something, from t on; at b where none does.
+GroupPlace nextGroup(Walk walk, float t, float b, int samples, bool sparedOnly) {
+  Stride stride = strideAt(walk, t, samples);
+  float leapt = leapEmpty(walk, t, b, stride.length, stride.per, sparedOnly);
+#if BRICKS
+  stride = strideAt(walk, leapt, samples);
+#endif
+  float lattice = walk.first + floor((leapt - walk.first) * stride.per + 1e-4) * stride.length;
+#if BRICKS
+  // A group of longer steps may begin before the leap's end.
+  leapt = leapt < b ? max(t, min(lattice, leapt)) : b;
+#endif
+  return GroupPlace(lattice, stride.length / float(samples), leapt);
+}

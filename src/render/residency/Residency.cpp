@@ -121,6 +121,7 @@ double Residency::urgencyOf(glm::ivec3 page, int level) const {
 /// What is to be read, which is missing until it comes.
 std::vector<PageBrick> Residency::bricksOf(const std::vector<Wish>& wishes) {
   std::vector<PageBrick> bricks;
+  mStreaming.reset();
   mMissing.clear();
   for (const auto& wish : wishes) {
     bricks.push_back(wish.brick);
@@ -130,7 +131,6 @@ std::vector<PageBrick> Residency::bricksOf(const std::vector<Wish>& wishes) {
 }
 
 std::size_t Residency::gather(const MayShow& mayShow) {
-  mStreaming.reset();
   std::vector<std::uint32_t>& words = mMarks;
   words.resize(mSeen.bytes() / sizeof(std::uint32_t));
   mSeen.read(0, mSeen.bytes(), words.data());

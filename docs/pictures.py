@@ -7,6 +7,7 @@ phantoms. usage: pictures.py BATCH FOLDER [NAME...]
 """
 import functools
 import json
+import os
 import pathlib
 import re
 import subprocess
@@ -22,6 +23,8 @@ GAP = 4  # pixels between panels
 DARK, WHITE = "0.035,0.04,0.045", "1,1,1"
 
 OBLIQUE = ["--view", "oblique"]
+BRAIN_SEEDS = ["-0.7281,1.9247,-2.2716", "-2.2348,-0.9049,-1.9041", "-2.4002,0.2527,-1.5366", "-3.4843,0.7671,-1.1691", "-1.5182,-4.1572,-0.8016", "-4.0355,1.1346,-0.4341", "0.7051,2.5862,-0.0666",
+               "-2.2348,-2.9261,0.3009", "1.9178,-4.1572,0.6684", "2.3037,4.2216,1.0359", "3.2776,3.0456,1.4034", "-2.4369,-0.4088,1.7708", "-1.3345,1.1346,2.1383", "-3.0433,0.3445,2.5058"]
 SAMPLES = 16
 
 
@@ -335,6 +338,27 @@ def first_virus(folder):
     ]
 
 
+def brain_cells(folder):
+    """A brain of 20 GB: nerve cells, grown in the voxels of the finest level, stand out of a cut through all of it. Half an hour;
+    VELUM_BRAIN names the store if it is there already."""
+    brain, cells, scene = os.environ.get("VELUM_BRAIN", folder / "brain.ome.zarr"), folder / "cells.ome.zarr", folder / "cells.json"
+    if not pathlib.Path(brain).exists():
+        run(sys.argv[1], "sample", "brain", "--voxels", "2830", "-o", brain)
+    seeds = [word for seed in BRAIN_SEEDS for word in ("--seed", seed)]
+    run(sys.argv[1], "grow", brain, *seeds, "--range", "900,6000", "--name", "nerve cells", "-o", cells)
+    tissue = [(400, (0.30, 0.12, 0.14)), (480, (0.50, 0.22, 0.22)), (560, (0.74, 0.45, 0.40)), (640, (0.90, 0.70, 0.62)), (1500, (1, 0.93, 0.78))]
+    opaque = [{"value": 250, "opacity": 0}, {"value": 350, "opacity": 0.95}]
+    colors = [{"value": value, "color": color} for value, color in tissue]
+    scene.write_text(json.dumps({
+        "velum": 3,
+        "volume": {"source": {"path": str(brain)}, "transfer": {"colors": colors, "opacities": opaque, "unitDistance": 0.006}},
+        "labels": {"source": {"path": str(cells)}, "unlabelled": 1,
+                   "structures": [{"id": 1, "name": "nerve cells", "color": [1, 0.80, 0.35], "showAs": "solid"}]},
+        "cuts": [{"name": "Upper part", "shape": "plane", "centre": [0, 0, 0.55], "axis": [0, 0, 1], "spares": [{"structure": 1}]}],
+        "camera": {"eye": [-4.3, -3.4, 3.3], "target": [-2.1, 0.9, 0.75], "up": [0, 0, 1], "fieldOfViewDeg": 30}}))
+    return [[scene]]
+
+
 # name: (columns, size of a panel, colour of the gaps, what gives the panels: the arguments of `velum-batch render`, or
 # these and the endings of the pictures that one render gives).
 PLATES = {
@@ -356,7 +380,9 @@ PLATES = {
     "first-ct": (3, (400, 340), DARK, first_ct),
     "first-cells": (3, (400, 340), DARK, first_cells),
     "first-virus": (3, (400, 340), WHITE, first_virus),
+    "brain-cells": (1, (1200, 800), DARK, brain_cells),
 }
+BY_NAME_ONLY = {"brain-cells"}  # they take too long
 PHANTOMS = {"systems": ("virion",), "first-plate": ("torso",), "first-ct": ("torso",), "first-virus": ("virion",), "models": ("virion",), "equalizer": ("virion",), "situations": ("torso", "two-spheres", "seismic", "vessels"), "membrane": ("torso", "heart"), "pull": ("hand",), "cross-sections": ("torso", "hand", "foot"), "sheet": ("torso", "vessels", "neurons", "seismic")}
 
 
@@ -403,7 +429,7 @@ def main():
     if len(sys.argv) < 3:
         sys.exit(__doc__)
     batch, out = sys.argv[1], pathlib.Path(sys.argv[2])
-    names = sys.argv[3:] or list(PLATES)
+    names = sys.argv[3:] or [name for name in PLATES if name not in BY_NAME_ONLY]
     if unknown := set(names) - set(PLATES):
         sys.exit(f"pictures: no picture is called {', '.join(unknown)}; there are {', '.join(PLATES)}")
     with tempfile.TemporaryDirectory() as place:

@@ -54,7 +54,7 @@ Walk walkAlong(Ray ray, float first) {
 
 /// How far groups of so many samples that begin at a place are apart, and its reciprocal.
 struct Stride {
-  float length;
+  float apart;
   float per;
 };
 Stride strideAt(Walk walk, float t, int samples) {
@@ -126,14 +126,14 @@ struct GroupPlace {
 /// The next group that may hold something, from t on; at b where none does.
 GroupPlace nextGroup(Walk walk, float t, float b, int samples, bool sparedOnly) {
   Stride stride = strideAt(walk, t, samples);
-  float leapt = leapEmpty(walk, t, b, stride.length, stride.per, sparedOnly);
+  float leapt = leapEmpty(walk, t, b, stride.apart, stride.per, sparedOnly);
 #if BRICKS
   stride = strideAt(walk, leapt, samples);
 #endif
-  float lattice = walk.first + floor((leapt - walk.first) * stride.per + 1e-4) * stride.length;
+  float lattice = walk.first + floor((leapt - walk.first) * stride.per + 1e-4) * stride.apart;
 #if BRICKS
   // A group of longer steps may begin before the leap's end.
   leapt = leapt < b ? max(t, min(lattice, leapt)) : b;
 #endif
-  return GroupPlace(lattice, stride.length / float(samples), leapt);
+  return GroupPlace(lattice, stride.apart / float(samples), leapt);
 }

@@ -91,8 +91,7 @@ struct FrameParams {
   vec4 planes[kMostPlanes];  ///< with PLANES, all cuts: rows of localFromScene that give z
   ivec4 spareClasses;        ///< x, y: bits of the cuts that spare structures of the first class, and of the second; z: the only one
   ivec4 planeBits;           ///< a bit each: x: those that are joined to the one before; y: those that remove the other side
-  vec4 coarsening;  ///< of a volume in bricks: x: depth from which voxels twice as large are wanted, larger ones from there
-                    ///< at each doubling; y: how often; 0: nowhere
+  vec4 coarsening;  ///< of bricks: x: depth from which they hold voxels twice as large, and again at each doubling, y: how often
   vec2 pictureSize;  ///< of the whole picture, pixels
   vec2 subpixel;     ///< place of the sample, from the middle of its pixel
 

@@ -23,8 +23,12 @@ GAP = 4  # pixels between panels
 DARK, WHITE = "0.035,0.04,0.045", "1,1,1"
 
 OBLIQUE = ["--view", "oblique"]
-BRAIN_SEEDS = ["-0.7281,1.9247,-2.2716", "-2.2348,-0.9049,-1.9041", "-2.4002,0.2527,-1.5366", "-3.4843,0.7671,-1.1691", "-1.5182,-4.1572,-0.8016", "-4.0355,1.1346,-0.4341", "0.7051,2.5862,-0.0666",
-               "-2.2348,-2.9261,0.3009", "1.9178,-4.1572,0.6684", "2.3037,4.2216,1.0359", "3.2776,3.0456,1.4034", "-2.4369,-0.4088,1.7708", "-1.3345,1.1346,2.1383", "-3.0433,0.3445,2.5058"]
+BRAIN_SEEDS = ["-3.9069,-0.4272,0.5581", "-0.3790,0.2894,0.5581", "-2.0878,-2.5403,0.5949", "-3.4659,-1.4378,0.5949", "-3.4475,-0.3537,0.5949", "-0.4341,1.0611,0.5949",
+               "0.2458,2.6046,0.6316", "-0.7465,2.6781,0.6316", "-1.0037,-1.6951,0.6684", "-1.0221,0.3261,0.6684", "-0.7281,2.2922,0.6684", "-3.3557,-1.8972,0.6867",
+               "-3.3557,0.3078,0.6867", "-3.6313,-0.9601,0.7051", "-0.6178,3.1926,0.7235", "-0.0299,-1.0703,0.7419", "-2.3634,3.7254,0.7419", "-3.2087,0.4180,0.7602",
+               "-4.0906,0.7855,0.7602", "-1.8489,2.1452,0.7786", "-1.9592,-2.4852,0.8154", "-1.7571,1.4470,0.8337", "-3.2822,3.7806,0.8337", "-3.3557,0.3996,0.8521",
+               "0.2458,0.8590,0.8521", "-0.5627,-0.8314,0.8705", "-3.1352,-1.8788,0.8889", "-3.0984,-0.6845,0.8889", "-0.0299,-0.1516,0.8889", "-1.0772,-1.5664,0.9072",
+               "-0.9486,-2.2647,0.9256", "-3.6313,-0.2802,0.9256", "-1.0405,1.2265,0.9256", "-0.4708,1.8145,0.9256", "-2.7493,3.7806,0.9256"]
 SAMPLES = 16
 
 
@@ -339,13 +343,14 @@ def first_virus(folder):
 
 
 def brain_cells(folder):
-    """A brain of 20 GB: nerve cells, grown in the voxels of the finest level, stand out of a cut through all of it. Half an hour;
+    """A brain of 20 GB: nerve cells, grown in the voxels of the finest level, stand on a cut through all of it. Half an hour;
     VELUM_BRAIN names the store if it is there already."""
     brain, cells, scene = os.environ.get("VELUM_BRAIN", folder / "brain.ome.zarr"), folder / "cells.ome.zarr", folder / "cells.json"
     if not pathlib.Path(brain).exists():
         run(sys.argv[1], "sample", "brain", "--voxels", "2830", "-o", brain)
     seeds = [word for seed in BRAIN_SEEDS for word in ("--seed", seed)]
-    run(sys.argv[1], "grow", brain, *seeds, "--range", "900,6000", "--name", "nerve cells", "-o", cells)
+    over = ["--plane", "0,0,1,0.53", "--distance", "0.45"]  # what stands on the cut
+    run(sys.argv[1], "grow", brain, *seeds, "--range", "900,6000", *over, "--name", "nerve cells", "-o", cells)
     tissue = [(400, (0.30, 0.12, 0.14)), (480, (0.50, 0.22, 0.22)), (560, (0.74, 0.45, 0.40)), (640, (0.90, 0.70, 0.62)), (1500, (1, 0.93, 0.78))]
     opaque = [{"value": 250, "opacity": 0}, {"value": 350, "opacity": 0.95}]
     colors = [{"value": value, "color": color} for value, color in tissue]
@@ -355,8 +360,8 @@ def brain_cells(folder):
         "labels": {"source": {"path": str(cells)}, "unlabelled": 1,
                    "structures": [{"id": 1, "name": "nerve cells", "color": [1, 0.80, 0.35], "showAs": "solid"}]},
         "cuts": [{"name": "Upper part", "shape": "plane", "centre": [0, 0, 0.55], "axis": [0, 0, 1], "spares": [{"structure": 1}]}],
-        "camera": {"eye": [-4.3, -3.4, 3.3], "target": [-2.1, 0.9, 0.75], "up": [0, 0, 1], "fieldOfViewDeg": 30}}))
-    return [[scene]]
+        "camera": {"eye": [-3.7, -2.7, 2.3], "target": [-1.9, 0.9, 0.68], "up": [0, 0, 1], "fieldOfViewDeg": 30}}))
+    return [[scene, "--gpu-brick-memory", "5GiB"]]
 
 
 # name: (columns, size of a panel, colour of the gaps, what gives the panels: the arguments of `velum-batch render`, or

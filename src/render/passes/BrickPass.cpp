@@ -10,8 +10,9 @@ namespace velum::render {
 
 namespace {
 
+/// Structures are as fine as the finest level wherever they lie: steps between which thin ones would fall stay short.
 void lengthenSteps(FrameData& data) {
-  glm::dvec2 found = data.residency->coarsening();
+  glm::dvec2 found = data.labelUse == LabelUse::None ? data.residency->coarsening() : glm::dvec2(0.0);
   data.params.coarsening = {found.x / data.unit, found.y, 0.0, 0.0};
 }
 

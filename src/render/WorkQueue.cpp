@@ -39,7 +39,7 @@ void WorkQueue::add(const char* name, Run run) { addUntilDone(name, once(std::mo
 double WorkQueue::fractionDone() const {
   if (mCount == 0 || mSteps.empty()) return 1.0;
   double begun = mSteps.front().done ? mSteps.front().done() : 0.0;
-  return 1.0 - (double(mSteps.size()) - begun) / double(mCount);
+  return std::max(0.0, 1.0 - (double(mSteps.size()) - begun) / double(mCount));  // pieces may be added later
 }
 
 bool WorkQueue::work(double budgetMs) {

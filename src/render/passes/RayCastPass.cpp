@@ -116,6 +116,7 @@ void RayCastPass::addPatches(const FrameData& data, int sample, std::vector<glm:
     });
 }
 
+/// Casts the next piece. @return true when the sample is complete
 bool RayCastPass::castNext(const FrameData& data, int sample, glm::ivec4 covered) {
   bool isRedone = mProgress.samples > sample;
   if (sample == 0 && mNext == glm::ivec2(0) && !isRedone) mTarget.clear();

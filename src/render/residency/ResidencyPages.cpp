@@ -158,6 +158,12 @@ bool Residency::hasFiner(bool drops) {
   for (std::uint32_t slot = kFirstSlot; slot < mSlots.size(); ++slot) {
     if (!mSlots[slot].isUsed) continue;
     PageTable::Pages pages = mTable.covered(mGrid, mSlots[slot].brick);
+    // A coarse brick covers thousands of pages: those that are farthest, at a corner, want the coarsest level.
+    bool mayBeFiner = false;
+    for (int corner = 0; corner < 8; ++corner)
+      mayBeFiner |= wantedAt(glm::mix(pages.low, pages.high - 1, glm::bvec3(corner & 1, corner & 2, corner & 4))) >
+                    mSlots[slot].brick.level;
+    if (!mayBeFiner) continue;
     glm::ivec3 page;
     for (page.z = pages.low.z; page.z < pages.high.z; ++page.z)
       for (page.y = pages.low.y; page.y < pages.high.y; ++page.y)

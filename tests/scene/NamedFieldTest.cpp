@@ -2,6 +2,7 @@
 
 #include "core/Error.h"
 #include "scene/Scene.h"
+#include "scene/json/FieldFacts.h"
 #include "scene/json/Paths.h"
 
 namespace velum::scene {
@@ -109,6 +110,80 @@ TEST(NamedField, ABracketThatDoesNotCloseIsRefused) {
        {"labels.structures[aorta", "labels.structures[aorta]x", "labels.structures[aorta].", "labels.structures["})
     expectMentions(messageOf(path), {"labels.structures", "[NAME]"});
   expectMentions(messageOf("camera[eye]"), {"camera", "eye"});
+}
+
+TEST(NamedField, ANumberSignNamesAnIdWhateverOthersAreCalled) {
+  Scene scene = organs();
+  scene.labels.structures.push_back({50, "#40"});
+  scene.labels.structures.push_back({51, "#x"});
+  scene.labels.structures[4].id = 7;
+  setField(scene, "labels.structures[#7].opacity", "0.5");
+  EXPECT_EQ(scene.labels.structures[4].opacity, 0.5);
+  EXPECT_EQ(scene.labels.structures[2].opacity, 1.0) << "which is called 7";
+  setField(scene, "labels.structures[#40].opacity", "0.25");
+  EXPECT_EQ(scene.labels.structures[3].opacity, 0.25);
+  EXPECT_EQ(getField(scene, "labels.structures[#51].name"), "#x");
+  EXPECT_EQ(getField(scene, "labels.structures[#x].id"), "51");
+  scene.labels.structures.erase(scene.labels.structures.begin() + 3);
+  EXPECT_THROW(setField(scene, "labels.structures[#40].opacity", "0.25"), ArgumentError) << "none has the id";
+  setField(scene, "cuts[#2].enabled", "false");
+  EXPECT_FALSE(scene.cuts[1].enabled);
+}
+
+TEST(NamedField, AnItemThatIsKnownByAFieldIsReachedByItOrAddedWithIt) {
+  Scene scene = organs();
+  setField(scene, "model.types[root.a.CA].visible", "false");
+  setField(scene, "model.types[root.a.b[2]].visible", "false");
+  setField(scene, "model.types[root.a.CA].color", "1,0,0");
+  ASSERT_EQ(scene.model.types.size(), 2u);
+  EXPECT_EQ(scene.model.types[0], (TypeLook{.type = "root.a.CA", .visible = false, .color = glm::vec3(1, 0, 0)}));
+  EXPECT_EQ(scene.model.types[1], (TypeLook{.type = "root.a.b[2]", .visible = false}));
+  EXPECT_EQ(getField(scene, "model.types[root.a.b[2]].visible"), "false");
+  setField(scene, "model.types[root.a.ca].visible", "false");
+  EXPECT_EQ(scene.model.types.size(), 3u) << "paths are told apart by case";
+  setField(scene, "model.types[12]", R"({"name": "twelve"})");
+  EXPECT_EQ(scene.model.types[3], (TypeLook{.type = "12", .name = "twelve"}));
+
+  setField(scene, "model.targets[root.a].rendered", "7");
+  EXPECT_EQ(scene.model.targets, (std::vector<TypeTarget>{{"root.a", 7.0, {}}}));
+  setField(scene, "cuts[#1].model.spares[root.a].share", "0.5");
+  EXPECT_EQ(scene.cuts[0].model.spares, (std::vector<TypeSpare>{{.type = "root.a", .share = 0.5}}));
+  setField(scene, "cuts[#1].model.focus.types[root.b]", "root.c");
+  EXPECT_EQ(scene.cuts[0].model.focus->types, (std::vector<FocusType>{{"root.c"}}));
+  for (const char* distance : {"2.5", "3"}) setField(scene, "cuts[#1].spares[12].distance", distance);
+  EXPECT_EQ(scene.cuts[0].spares, (std::vector<Spare>{{12, 3.0}}));
+}
+
+TEST(NamedField, WhatIsNotThereIsSaidAndNoKeyIsRefused) {
+  Scene scene = organs();
+  setField(scene, "model.types[root.a].visible", "false");
+  for (const char* path : {"model.types[root.b].visible", "model.types[ROOT.a].visible", "model.types[].visible"}) {
+    try {
+      getField(scene, path);
+      ADD_FAILURE() << path;
+    } catch (const ArgumentError& error) {
+      expectMentions(error.what(), {"model.types has nothing", "root.a"});
+    }
+  }
+  Scene before = scene;
+  EXPECT_THROW(setField(scene, "model.types[].visible", "false"), ArgumentError);
+  EXPECT_THROW(setField(scene, "model.types[root.b].nothing", "false"), ArgumentError);
+  EXPECT_THROW(setField(scene, "cuts[#1].spares[aorta].distance", "1"), ArgumentError);
+  EXPECT_THROW(setField(scene, "cuts[#1].spares[70000].distance", "1"), ArgumentError);
+  EXPECT_TRUE(scene == before);
+}
+
+TEST(NamedField, FactsOfFieldsAreFoundWhateverNamesThePathHolds) {
+  for (const char* name : {"N", "12", "[#12]", "[aorta]", "[V. cava [inf]]", "[a.b.c]"}) {
+    std::string dot = name[0] == '[' ? "" : ".";
+    FieldFacts facts = fieldFacts("labels.structures" + dot + name + ".opacity");
+    EXPECT_EQ(facts.kind, FieldKind::Number) << name;
+    EXPECT_EQ(facts.range.max, 1.0) << name;
+    EXPECT_EQ(fieldFacts("model.types" + dot + name + ".visible").kind, FieldKind::Truth) << name;
+    EXPECT_EQ(fieldFacts("model.types" + dot + name).kind, FieldKind::Other) << name;
+  }
+  for (const char* path : {"labels.structures[aorta", "labels.structures[aorta]x", "labels.structures[a.b].none"})
+    EXPECT_THROW(fieldFacts(path), ArgumentError) << path;
 }
 
 }  // namespace

@@ -32,9 +32,9 @@ FieldFacts factsOf(const FieldInfo& info, std::string_view rest, std::string_vie
     return factsOf<typename detail::MaybeTraits<T>::Value>(info, rest, path);
   } else if constexpr (detail::List<T> && !std::is_same_v<T, std::string>) {
     if (rest.empty()) return {FieldKind::Other, 1, std::string(info.unit), info.range, std::string(info.doc), {}};
-    std::size_t end = rest.starts_with('[') ? rest.find(']') + 1 : rest.find('.');
-    rest.remove_prefix(std::min(end, rest.size()));
-    if (rest.starts_with('.')) rest.remove_prefix(1);
+    bool isNamed = rest.starts_with('[');
+    rest = isNamed ? detail::takeKey(rest, std::string(path.substr(0, path.size() - rest.size()))).rest
+                   : detail::takePart(rest).tail;
     return factsOf<typename detail::ListTraits<T>::Item>(info, rest, path);
   } else if constexpr (detail::Fielded<T>) {
     static const T kFresh{};

@@ -29,6 +29,10 @@ void failNoField(std::string_view name, const std::string& path, const std::vect
                                   meantText(name, known), fmt::join(known, ", ")));
 }
 
+void failWhereFull(const std::string& path, std::size_t index, std::size_t most) {
+  if (index >= most) throw ArgumentError(fmt::format("{} has {} items, and more it cannot have", path, most));
+}
+
 namespace {
 
 /// A whole number without the ".0" of JSON's text.

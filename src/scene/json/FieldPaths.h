@@ -25,13 +25,16 @@ PathPart takePart(std::string_view path);
 /// @throw ArgumentError that names the fields there are @param path  of the struct; empty: the scene
 [[noreturn]] void failNoField(std::string_view name, const std::string& path, const std::vector<std::string>& known);
 
+/// @throw ArgumentError where a list can have no item at that index @param most  items of it
+void failWhereFull(const std::string& path, std::size_t index, std::size_t most);
+
 /// On the command line a bare value stands for an object with its key field alone: spares=3,4.
 template <class T>
 Json expanded(Json value) {
   if constexpr (List<T>) {
     if (!value.is_array()) value = Json::array({value});
     for (auto& item : value) item = expanded<typename ListTraits<T>::Item>(std::move(item));
-  } else if constexpr (requires { T::kKey; }) {
+  } else if constexpr (Keyed<T>) {
     if (!value.is_object()) return {{std::string(T::kKey), std::move(value)}};
   }
   return value;
@@ -54,6 +57,53 @@ void assignMember(T& target, std::string_view rest, std::string_view text, const
   if (!found) failNoField(part.head, path, known);
 }
 
+/// Index of the item that a key names; one whose list knows items by a field (kKey) is appended where it is not there.
+template <List T>
+std::size_t itemWithKey(T& target, std::string_view name, const std::string& path, std::size_t most) {
+  if constexpr (Keyed<typename ListTraits<T>::Item>) {
+    std::size_t place = placeWithKey(target, name);
+    if (place < target.size() || name.empty()) return findByKey(target, name, path);
+    failWhereFull(path, place, most);
+    withKey(target.emplace_back(), [&](auto& key, const FieldInfo& info) {
+      if constexpr (std::is_same_v<std::remove_cvref_t<decltype(key)>, std::string>)
+        key = name;
+      else
+        assign(key, "", name, fmt::format("{}[{}]", path, name), info);
+    });
+    return place;
+  } else {
+    return findByKey(target, name, path);
+  }
+}
+
+template <List T>
+void assignItem(T& target, std::string_view rest, std::string_view text, const std::string& path,
+                const FieldInfo& info) {
+  if (rest.starts_with('[')) {
+    PathKey key = takeKey(rest, path);
+    std::size_t place = itemWithKey(target, key.name, path, info.most);
+    return assign(target[place], key.rest, text, fmt::format("{}[{}]", path, key.name), info);
+  }
+  std::string_view head = rest.substr(0, rest.find('.'));
+  std::string_view tail = head.size() == rest.size() ? "" : rest.substr(head.size() + 1);
+  if (head == "*") {
+    for (std::size_t i = 0; i < target.size(); ++i) assign(target[i], tail, text, fmt::format("{}.{}", path, i), info);
+    return;
+  }
+  std::size_t index = target.size();
+  if (head != "+") {
+    index = 0;
+    for (char c : head)
+      index = c >= '0' && c <= '9' ? std::min(info.most, index * 10 + std::size_t(c - '0')) : info.most;
+    if (head.empty() || index > target.size())
+      throw ArgumentError(fmt::format("{} has {} items; '{}' is none of them (use + to append, * for each)", path,
+                                      target.size(), head));
+  }
+  failWhereFull(path, index, info.most);
+  if (index == target.size()) target.emplace_back();
+  assign(target[index], tail, text, fmt::format("{}.{}", path, index), info);
+}
+
 void assign(auto& target, std::string_view rest, std::string_view text, const std::string& path,
             const FieldInfo& info) {
   using T = std::remove_cvref_t<decltype(target)>;
@@ -73,31 +123,7 @@ void assign(auto& target, std::string_view rest, std::string_view text, const st
     if (!target) target.emplace();
     assign(*target, rest, text, path, info);
   } else if constexpr (List<T>) {
-    if (rest.starts_with('[')) {
-      PathKey key = takeKey(rest, path);
-      std::size_t found = findByKey(target, key.name, path);
-      return assign(target[found], key.rest, text, fmt::format("{}[{}]", path, key.name), info);
-    }
-    std::string_view head = rest.substr(0, rest.find('.'));
-    std::string_view tail = head.size() == rest.size() ? "" : rest.substr(head.size() + 1);
-    if (head == "*") {
-      for (std::size_t i = 0; i < target.size(); ++i)
-        assign(target[i], tail, text, fmt::format("{}.{}", path, i), info);
-      return;
-    }
-    std::size_t index = target.size();
-    if (head != "+") {
-      index = 0;
-      for (char c : head)
-        index = c >= '0' && c <= '9' ? std::min(info.most, index * 10 + std::size_t(c - '0')) : info.most;
-      if (head.empty() || index > target.size())
-        throw ArgumentError(fmt::format("{} has {} items; '{}' is none of them (use + to append, * for each)", path,
-                                        target.size(), head));
-    }
-    if (index >= info.most)
-      throw ArgumentError(fmt::format("{} has {} items, and more it cannot have", path, info.most));
-    if (index == target.size()) target.emplace_back();
-    assign(target[index], tail, text, fmt::format("{}.{}", path, index), info);
+    assignItem(target, rest, text, path, info);
   } else if constexpr (Fielded<T>) {
     assignMember(target, rest, text, path);
   } else {

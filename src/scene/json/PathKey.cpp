@@ -18,6 +18,12 @@ bool equalsLoosely(std::string_view a, std::string_view b) {
                     [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
 }
 
+/// "#12".
+bool isIdOnly(std::string_view name) {
+  auto isDigit = [](char c) { return c >= '0' && c <= '9'; };
+  return name.size() > 1 && name.front() == '#' && std::all_of(name.begin() + 1, name.end(), isDigit);
+}
+
 std::string callsOf(const std::vector<NamedItem>& items, const std::vector<std::size_t>& which) {
   std::string text;
   for (std::size_t i = 0; i < std::min(which.size(), kNamesInMessage); ++i) {
@@ -51,19 +57,26 @@ PathKey takeKey(std::string_view path, const std::string& list) {
   throw ArgumentError(fmt::format("{}{}: expected {}[NAME] or {}[NAME].FIELD", list, path, list, list));
 }
 
-std::size_t findNamed(const std::vector<NamedItem>& items, std::string_view name, const std::string& list) {
-  auto found = where(items, [&](const NamedItem& item) { return item.name == name && !name.empty(); });
-  if (found.empty())
-    found = where(items, [&](const NamedItem& item) { return item.id >= 0 && fmt::format("{}", item.id) == name; });
-  if (found.empty())
-    found = where(items, [&](const NamedItem& item) { return !name.empty() && equalsLoosely(item.name, name); });
-  if (found.size() == 1) return found[0];
-  if (found.size() > 1)
-    throw ArgumentError(fmt::format("{}: {} items are called '{}': {}; say which by its id or its place", list,
-                                    found.size(), name, callsOf(items, found)));
+void failNotThere(const std::vector<NamedItem>& items, std::string_view name, const std::string& list) {
   auto all = where(items, [](const NamedItem& item) { return item.id >= 0 || !item.name.empty(); });
   throw ArgumentError(fmt::format("{} has nothing that is called '{}'; there {} {}", list, name,
                                   all.size() == 1 ? "is" : "are", all.empty() ? "none" : callsOf(items, all)));
+}
+
+std::size_t findNamed(const std::vector<NamedItem>& items, std::string_view name, const std::string& list) {
+  auto withId = [&](std::string_view number) {
+    return where(items, [&](const NamedItem& item) { return item.id >= 0 && fmt::format("{}", item.id) == number; });
+  };
+  bool isId = isIdOnly(name);
+  auto found = isId ? withId(name.substr(1))
+                    : where(items, [&](const NamedItem& item) { return item.name == name && !name.empty(); });
+  if (found.empty() && !isId) found = withId(name);
+  if (found.empty() && !isId)
+    found = where(items, [&](const NamedItem& item) { return !name.empty() && equalsLoosely(item.name, name); });
+  if (found.empty()) failNotThere(items, name, list);
+  if (found.size() == 1) return found[0];
+  throw ArgumentError(fmt::format("{}: {} items are called '{}': {}; say which by its id or its place", list,
+                                  found.size(), name, callsOf(items, found)));
 }
 
 }  // namespace velum::scene::detail

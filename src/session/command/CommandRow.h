@@ -14,7 +14,7 @@
 namespace velum::session::detail {
 
 /// How a command names an item of a list: by its name where no other item has the name, else by its id; by "#12" where
-/// another item is called 12.
+/// another item is called 12. findByKey() is the counterpart.
 template <class Item>
 std::string keyOf(const std::vector<Item>& list, int id) {
   std::string number = std::to_string(id);
@@ -24,15 +24,6 @@ std::string keyOf(const std::vector<Item>& list, int id) {
   for (const Item& item : list)
     if (item.id == id && !item.name.empty() && item.name.front() != '#' && count(item.name) == 1) return item.name;
   return (count(number) > 0 ? "#" : "") + number;
-}
-
-/// The counterpart of keyOf(): the item's place in the list. @param what  kind of the items, for errors
-/// @throw ArgumentError that says which items there are
-template <class Item>
-std::size_t placeOf(const std::vector<Item>& list, const std::string& key, const std::string& what) {
-  for (std::size_t i = 0; i < list.size(); ++i)
-    if (key == "#" + std::to_string(list[i].id)) return i;
-  return scene::detail::findByKey(list, key, what);
 }
 
 /// A place of the world as text for errors.

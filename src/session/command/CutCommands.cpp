@@ -12,7 +12,7 @@ namespace velum::session {
 std::string cutKey(const scene::Scene& scene, int id) { return detail::keyOf(scene.cuts, id); }
 
 const scene::Cut& cutOf(const scene::Scene& scene, const std::string& key) {
-  if (!key.empty()) return scene.cuts[detail::placeOf(scene.cuts, key, "cuts")];
+  if (!key.empty()) return scene.cuts[scene::detail::findByKey(scene.cuts, key, "cuts")];
   if (scene.cuts.size() == 1) return scene.cuts[0];
   throw ArgumentError(scene.cuts.empty() ? "there is no cut; cut.add adds one"
                                          : "there are several cuts; say which, by cut=NAME");

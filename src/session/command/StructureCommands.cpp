@@ -20,7 +20,7 @@ std::vector<std::string> structureNames(const scene::Scene& scene, const std::ve
 std::vector<int> structureIds(const scene::Scene& scene, const std::vector<std::string>& names) {
   std::vector<int> ids;
   const auto& all = scene.labels.structures;
-  for (const auto& name : names) ids.push_back(all[detail::placeOf(all, name, "labels.structures")].id);
+  for (const auto& name : names) ids.push_back(all[scene::detail::findByKey(all, name, "labels.structures")].id);
   return ids;
 }
 

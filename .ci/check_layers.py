@@ -20,7 +20,7 @@ MAY_USE = {  # module: modules it may include (its own is implied)
 }
 ROOMS = {  # module: {room: rooms of the module it may include (its own is implied); "." is the module's own folder}
     # A module's own folder may include each room unless it is listed.
-    "scene": {"json": ".", ".": ""},
+    "scene": {"json": ".", "timeline": ". json", ".": ""},
     "gpu": {"context": ".", ".": ""},
     # Plugins.h, in the module's own folder, names what is in plug-ins, of whichever room.
     "io": {"read": ".", "stores": ". read", "volumes": ". read stores", "labels": ". read stores volumes", "meshes": ". read", "models": "read", "images": ". read", "looks": "read",

@@ -4,6 +4,7 @@
 #include <iterator>
 #include <limits>
 #include <optional>
+#include <string>
 #include <string_view>
 #include "core/Assert.h"
 
@@ -28,6 +29,17 @@ struct FieldInfo {
   bool leftOutByDefault = false;  ///< A value like that of a new object is not written.
   bool nullIsEndless = false;     ///< The number may be infinite; JSON has no such number, so null is written for it.
   std::size_t most = 70'000;  ///< Most items of a list; more than we ever write. Keeps hostile files small in memory.
+  bool isDirection = false;   ///< Of a vector its direction counts: on the way to another one it turns.
+};
+/// Of a field that is a direction.
+constexpr FieldInfo directionInfo(std::string_view doc, bool leftOutByDefault = false) {
+  return {"", {}, doc, leftOutByDefault, false, 70'000, true};
+}
+
+/// A value of any field, as JSON text. In files it stands as itself and not as a text.
+struct AnyValue {
+  std::string json = "null";
+  bool operator==(const AnyValue&) const = default;
 };
 
 /// Names of an enumeration's values, in order. Specialise `kNames` as a constexpr array of string_view.

@@ -20,7 +20,7 @@ struct Camera {
     visit("projection", o.projection, FieldInfo{"", {}, "Perspective, or orthographic (parallel)."});
     visit("eye", o.eye, FieldInfo{kLength, {}, "Position of the eye."});
     visit("target", o.target, FieldInfo{kLength, {}, "Point in the middle of the picture."});
-    visit("up", o.up, FieldInfo{"", {}, "Direction that is up in the picture."});
+    visit("up", o.up, directionInfo("Direction that is up in the picture."));
     visit("fieldOfViewDeg", o.fieldOfViewDeg,
           FieldInfo{"deg", {1, 150}, "Perspective: height of the picture as an angle."});
     visit("height", o.height, FieldInfo{kLength, {1e-9, 1e9}, "Orthographic: height of the picture at the target."});

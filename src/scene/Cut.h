@@ -80,7 +80,7 @@ struct Cut {
           FieldInfo{"", {}, "Removes only what the cut before it removes, too: two joined planes open a wedge.", true});
     visit("centre", o.centre,
           FieldInfo{kLength, {}, "A point of the plane; middle of box, sphere, cylinder; apex of the cone."});
-    visit("axis", o.axis, FieldInfo{"", {}, "Normal of the plane (towards what is removed); axis of the others."});
+    visit("axis", o.axis, directionInfo("Normal of the plane (towards what is removed); axis of the others."));
     visit("spinDeg", o.spinDeg, FieldInfo{"deg", {-360, 360}, "Turn of a box about its axis."});
     visit("size", o.size,
           FieldInfo{kLength,

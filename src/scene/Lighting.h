@@ -24,7 +24,7 @@ struct Lighting {
     visit("diffuse", o.diffuse, FieldInfo{"", {0, 2}, "Key light."});
     visit("specular", o.specular, FieldInfo{"", {0, 2}, "Highlight of the key light."});
     visit("shininess", o.shininess, FieldInfo{"", {1, 500}, "Phong exponent of the highlight."});
-    visit("keyDirection", o.keyDirection, FieldInfo{"", {}, "Towards the key light: x right, y up, z to the eye."});
+    visit("keyDirection", o.keyDirection, directionInfo("Towards the key light: x right, y up, z to the eye."));
     visit("shadow", o.shadow, FieldInfo{"", {0, 1}, "Strength of the shadows."});
     visit("occlusion", o.occlusion, FieldInfo{"", {0, 1}, "Strength of local ambient occlusion."});
     visit("occlusionRadius", o.occlusionRadius,

@@ -241,7 +241,7 @@ Membrane drawnMembrane(Membrane membrane) {
 }
 
 Scene pictureScene(Scene scene) {
-  scene.sections = {}, scene.lettering = {};
+  scene.sections = {}, scene.lettering = {}, scene.timeline = {};
   for (auto& cut : scene.cuts)
     if (cut.membrane) cut.membrane = drawnMembrane(std::move(*cut.membrane));
   if (!usesWindow(scene)) {

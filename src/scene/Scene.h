@@ -20,6 +20,7 @@
 #include "scene/Sections.h"
 #include "scene/Source.h"
 #include "scene/Structure.h"
+#include "scene/Timeline.h"
 #include "scene/TransferFunction.h"
 
 namespace velum::scene {
@@ -112,6 +113,7 @@ struct Scene {
   Background background;
   Finish finish;
   Lettering lettering;
+  Timeline timeline;        ///< what changes in a film
   bool showBounds = false;  ///< thin outlines of the volume's box and of the cuts
   // Compiled once, in SceneCopies.cpp: nearly every file copies some.
   Scene();
@@ -135,6 +137,7 @@ struct Scene {
     visit("background", o.background, FieldInfo{"", {}, "What is behind everything."});
     visit("finish", o.finish, FieldInfo{"", {}, "Contours, lit spheres, hatching, paper."});
     visit("lettering", o.lettering, FieldInfo{"", {}, "Legend and scale bar over the picture.", true});
+    visit("timeline", o.timeline, FieldInfo{"", {}, "What changes in a film, and when.", true});
     visit("showBounds", o.showBounds, FieldInfo{"", {}, "Thin outlines of the volume's box and of the cuts."});
   }
 };

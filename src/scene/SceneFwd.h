@@ -11,6 +11,8 @@ struct Scene;
 struct Source;
 struct Structure;
 struct Surface;
+struct Timeline;
+struct Track;
 struct VolumeLayer;
 
 }  // namespace velum::scene

@@ -19,8 +19,8 @@ struct Section {
   double height = 0.0;  ///< height of the view; 0: all of the data fits
   bool operator==(const Section&) const = default;
   static void fields(auto& o, auto& visit) {
-    visit("normal", o.normal, FieldInfo{"", {}, "Towards the viewer."});
-    visit("up", o.up, FieldInfo{"", {}, "What is up on the screen."});
+    visit("normal", o.normal, directionInfo("Towards the viewer."));
+    visit("up", o.up, directionInfo("What is up on the screen."));
     visit("pan", o.pan, FieldInfo{kLength, {}, "Middle of the view off the middle of the data."});
     visit("height", o.height, FieldInfo{kLength, {0, 1e9}, "Height of the view; 0: all of the data fits."});
   }

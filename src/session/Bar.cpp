@@ -8,7 +8,7 @@ namespace velum::session {
 void Bar::take(Hold hold) {
   mNow = hold.start;
   Wish wish{hold.label, {}, 0};
-  mHeld = std::make_unique<Held>(Held{std::move(hold), mDocument.scene(), std::move(wish), false});
+  mHeld = std::make_unique<Held>(Held{std::move(hold), mDocument.shown(), std::move(wish), false});
 }
 
 std::string Bar::moveTo(double count) {

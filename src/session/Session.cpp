@@ -27,7 +27,7 @@ Session::Session(scene::Scene scene) : mLevels(levelFolder()) {
   mWorking.push_back({&mLevels, nullptr, nullptr, {}, {}});
   mWorking.push_back({&mMembranes, &mMembranes, nullptr, {}, {}});
   mDocument.replace(std::move(scene));
-  for (auto& working : mWorking) working.worker->follow(mDocument.scene());
+  for (auto& working : mWorking) working.worker->follow(mDocument.shown());
   mDocument.setListener([this] { changed(); });
 }
 
@@ -43,7 +43,7 @@ Session::~Session() {
 }
 
 void Session::changed() {
-  for (auto& working : mWorking) working.worker->follow(mDocument.scene());
+  for (auto& working : mWorking) working.worker->follow(mDocument.shown());
   mFile.journalChange();
   if (mListener) mListener();
   bool isDue = std::any_of(mWorking.begin(), mWorking.end(), [](const Working& working) {
@@ -115,7 +115,7 @@ bool Session::isStill() const { return mMembranes.isSettled() && !mMembranes.has
 
 render::Frame Session::frame(glm::ivec2 size) {
   render::Frame frame;
-  frame.scene = scene();
+  frame.scene = shown();
   frame.pictureSize = size;
   frame.brickBytes = memoryBudget().gpuBrickBytes;
   mMembranes.show(frame);
@@ -151,16 +151,16 @@ void Session::settle(Progress& progress) {
 }
 
 std::vector<std::string> Session::grow(Progress& progress) {
-  Shared<LabelVolume> before = scene().labels.data;
+  Shared<LabelVolume> before = shown().labels.data;
   bringToRest(mWorking.front(), progress);
-  const scene::LabelLayer& labels = scene().labels;
+  const scene::LabelLayer& labels = shown().labels;
   bool hasNews = !labels.growths.empty() && !(labels.data == before);
   return hasNews ? labels.data->warnings : std::vector<std::string>();
 }
 
 scene::Scene Session::settled(Progress& progress) {
   settle(progress);
-  return mMembranes.withShapes(scene());
+  return mMembranes.withShapes(shown());
 }
 
 render::Renderer& Session::renderer() {

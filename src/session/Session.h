@@ -40,7 +40,9 @@ class Session {
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
 
+  /// The scene that is saved, and the scene that is seen: at the playhead of its film, where there is one.
   const scene::Scene& scene() const { return mDocument.scene(); }
+  const scene::Scene& shown() const { return mDocument.shown(); }
   Document& document() { return mDocument; }
   const Document& document() const { return mDocument; }
   WorkFile& file() { return mFile; }

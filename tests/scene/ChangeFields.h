@@ -53,6 +53,8 @@ void changeEveryField(auto& value, const FieldInfo& info = {}) {
     value = T(double(value) + 1 <= info.range.max ? value + 1 : value - 1);
   } else if constexpr (std::is_floating_point_v<T>) {
     value = T(otherNumber(double(value), info.range));
+  } else if constexpr (std::is_same_v<T, AnyValue>) {
+    value.json = value.json == "1.5" ? "[1,\"two\"]" : "1.5";
   } else if constexpr (std::is_same_v<T, std::string>) {
     value += "n\xc3\xa4me \"quoted\" \\ \n\t/";
   } else if constexpr (IsGlm<T>::value) {

@@ -47,7 +47,7 @@ CutForm::CutForm(session::Document& document, Selection& selection, JobRunner& j
       mSelection(selection),
       mJobs(jobs),
       mGrid(makeFieldGrid(this, 62)),
-      mForm(document, this, "cuts.N.", [this] { return scene::cutPlace(mDocument.scene(), mSelection.cut()); }) {
+      mForm(document, this, "cuts.N.", [this] { return scene::cutPlace(mDocument.shown(), mSelection.cut()); }) {
   mForm.setGrid(mGrid);
   makePlace();
   makeDirection();
@@ -102,7 +102,7 @@ void CutForm::makePlace() {
   mPositionLabel = addRow(tr("Position"), mPosition);
   connect(mPosition, &NumberRow::changed, this, [this](double length) {
     editCut(
-        "Move cut", [&](scene::Cut& cut) { cut = session::withOffset(mDocument.scene(), cut, length); }, true);
+        "Move cut", [&](scene::Cut& cut) { cut = session::withOffset(mDocument.shown(), cut, length); }, true);
   });
   connect(mPosition, &NumberRow::settled, this, [this] { mDocument.endMerge(); });
   QWidget* row = makeTriple(mCentre, "Centre", [this](int i, double length) {
@@ -152,19 +152,19 @@ void CutForm::makeAlign() {
 }
 
 void CutForm::align(glm::dvec3 axis) {
-  auto aligned = [&](const scene::Cut& cut) { return session::alignedCut(mDocument.scene(), cut, axis); };
-  const scene::Cut* cut = scene::findCut(mDocument.scene(), mSelection.cut());
+  auto aligned = [&](const scene::Cut& cut) { return session::alignedCut(mDocument.shown(), cut, axis); };
+  const scene::Cut* cut = scene::findCut(mDocument.shown(), mSelection.cut());
   if (!cut) return;
   if (!scene::isMembrane(*cut)) return editCut("Align cut", [&](scene::Cut& one) { one = aligned(one); });
   auto placed = std::make_shared<scene::Cut>(aligned(*cut));
   mJobs.startShort(
       tr("Looking for where the membrane keeps what it protects"),
-      [placed, scene = mDocument.scene()](Progress& progress) {
+      [placed, scene = mDocument.shown()](Progress& progress) {
         *placed = session::placedToKeep(scene, *placed, progress).value_or(*placed);
       },
       // A cut that the user has changed meanwhile stays as it is.
       [this, placed, before = *cut] {
-        const scene::Cut* now = scene::findCut(mDocument.scene(), before.id);
+        const scene::Cut* now = scene::findCut(mDocument.shown(), before.id);
         if (!now || *now != before) return;
         placeCut(mDocument, *placed, "Align cut");
       });
@@ -207,16 +207,16 @@ void CutForm::makeFace() {
                  "a wedge, a sphere and a plane a bowl"),
        .step = tr("Join cuts"),
        .stepOff = tr("Part cuts"),
-       .isEnabled = [this] { return scene::cutPlace(mDocument.scene(), mShown.id) > 0 && !scene::isInlay(mShown); }});
+       .isEnabled = [this] { return scene::cutPlace(mDocument.shown(), mShown.id) > 0 && !scene::isInlay(mShown); }});
   addRow(tr("Joined"), joined);
   connect(mFlip, &QPushButton::clicked, this,
-          [this] { session::edit(mDocument, session::FlipCut{session::cutKey(mDocument.scene(), mShown.id)}); });
+          [this] { session::edit(mDocument, session::FlipCut{session::cutKey(mDocument.shown(), mShown.id)}); });
 }
 
 void CutForm::showDirections() {
   const QString positive[] = {tr("L"), tr("P"), tr("S")}, negative[] = {tr("R"), tr("A"), tr("I")},
                 axes[] = {"x ", "y ", "z "};
-  bool known = hasPatientLetters(mDocument.scene());
+  bool known = hasPatientLetters(mDocument.shown());
   for (int i = 0; i < 3; ++i) {
     mCentre[i]->setDirections(known ? positive[i] : QString(), known ? negative[i] : QString());
     mCentre[i]->setPrefix(known ? QString() : axes[i]);
@@ -228,7 +228,7 @@ void CutForm::showDirections() {
 
 /// Words of the clinic stand where there is a patient; all else has a front and a top.
 void CutForm::nameSides() {
-  const scene::Scene& scene = mDocument.scene();
+  const scene::Scene& scene = mDocument.shown();
   bool isPatient = *mNamesPatient;
   auto side = [&](int axis, bool isPlus) { return sideName(scene, axis, isPlus); };
   for (int i = 0; i < 3; ++i) {
@@ -262,7 +262,7 @@ void CutForm::showSize(const scene::Cut& cut) {
 
 void CutForm::showCut(const scene::Cut& cut) {
   mShown = cut;
-  Length length(mDocument.scene());
+  Length length(mDocument.shown());
   showDirections();
   for (auto* spin : mCentre) spin->setFreeLength(length, false, false);
   for (auto* spin : mSize) spin->setFreeLength(length, true, false);
@@ -274,7 +274,7 @@ void CutForm::showCut(const scene::Cut& cut) {
   for (QWidget* part : mOfPlace) part->setVisible(isPlaced);
   bool isPlane = cut.shape == scene::CutShape::Plane,
        isBall = session::traitsOf(cut.shape).girth == session::Girth::Ball;
-  auto [offset, reach] = session::cutPosition(mDocument.scene(), cut);
+  auto [offset, reach] = session::cutPosition(mDocument.shown(), cut);
   mPosition->setVisible(isPlane);
   mPositionLabel->setVisible(isPlane);
   mPosition->setRange(std::min(-reach, offset), std::max(reach, offset));

@@ -64,7 +64,7 @@ CutPanel::CutPanel(session::Document& document, Selection& selection, JobRunner&
     session::edit(mDocument, session::RenameCut{key(id), name.trimmed().toStdString()});
   });
   connect(mSpares, &SpareList::changed, this, [this](const std::vector<int>& ids, bool whole) {
-    session::edit(mDocument, session::SpareStructures{session::structureNames(mDocument.scene(), ids), whole,
+    session::edit(mDocument, session::SpareStructures{session::structureNames(mDocument.shown(), ids), whole,
                                                       key(mSelection.cut())});
   });
   refresh();
@@ -125,17 +125,17 @@ QWidget* CutPanel::buildTools() {
   return tools;
 }
 
-bool CutPanel::hasData() const { return scene::hasData(mDocument.scene()); }
+bool CutPanel::hasData() const { return scene::hasData(mDocument.shown()); }
 
 bool CutPanel::hasRoom() {
-  if (mDocument.scene().cuts.size() < scene::kMostCuts) return true;
+  if (mDocument.shown().cuts.size() < scene::kMostCuts) return true;
   emit refused(tr("A scene holds %1 cuts at most; remove one first.").arg(scene::kMostCuts));
   return false;
 }
 
 void CutPanel::addCut(scene::Cut cut, const char* label) {
   if (!hasData() || !hasRoom()) return;
-  if (cut.name.empty()) cut.name = session::newCutName(mDocument.scene(), cut.shape);
+  if (cut.name.empty()) cut.name = session::newCutName(mDocument.shown(), cut.shape);
   int id = 0;
   session::editByHand(mDocument, label, [&](scene::Scene& scene) { id = scene::addCut(scene, cut); });
   mSelection.setCut(id);
@@ -143,7 +143,7 @@ void CutPanel::addCut(scene::Cut cut, const char* label) {
 
 void CutPanel::addAs(const session::Call& call) {
   if (!hasData() || !hasRoom()) return;
-  int id = scene::nextCutId(mDocument.scene());
+  int id = scene::nextCutId(mDocument.shown());
   session::edit(mDocument, call);
   mSelection.setCut(id);
 }
@@ -157,15 +157,15 @@ void CutPanel::searchMembrane() {
   auto membrane = std::make_shared<scene::Cut>();
   mJobs.startShort(
       tr("Looking for where the membrane keeps what it protects"),
-      [membrane, scene = mDocument.scene()](Progress& progress) { *membrane = session::newMembrane(scene, progress); },
-      [this, membrane, data = mDocument.scene().volume.data] {
-        if (mDocument.scene().volume.data == data) addCut(*membrane, "Add membrane");  // not into what is open by now
+      [membrane, scene = mDocument.shown()](Progress& progress) { *membrane = session::newMembrane(scene, progress); },
+      [this, membrane, data = mDocument.shown().volume.data] {
+        if (mDocument.shown().volume.data == data) addCut(*membrane, "Add membrane");  // not into what is open by now
       });
 }
 
 void CutPanel::addAlongView() { addAs(session::CutAlongView{}); }
 
-std::string CutPanel::key(int id) const { return session::cutKey(mDocument.scene(), id); }
+std::string CutPanel::key(int id) const { return session::cutKey(mDocument.shown(), id); }
 
 void CutPanel::removeSelected() {
   if (place() >= 0) session::edit(mDocument, session::RemoveCut{key(mSelection.cut())});
@@ -183,10 +183,10 @@ void CutPanel::moveSelected(int by) {
   if (place() >= 0) session::edit(mDocument, session::MoveCutInList{key(mSelection.cut()), by});
 }
 
-int CutPanel::place() const { return scene::cutPlace(mDocument.scene(), mSelection.cut()); }
+int CutPanel::place() const { return scene::cutPlace(mDocument.shown(), mSelection.cut()); }
 
 void CutPanel::refresh() {
-  const scene::Scene& scene = mDocument.scene();
+  const scene::Scene& scene = mDocument.shown();
   int count = int(scene.cuts.size()), index = place();
   if (index < 0) {
     // Select the cut that now has the place of the one that was removed.

@@ -32,7 +32,7 @@ FocusForm::FocusForm(session::Document& document, Selection& selection, QWidget*
     : QWidget(parent),
       mDocument(document),
       mSelection(selection),
-      mForm(document, this, "cuts.N.", [this] { return scene::cutPlace(mDocument.scene(), mCut.id); }) {
+      mForm(document, this, "cuts.N.", [this] { return scene::cutPlace(mDocument.shown(), mCut.id); }) {
   QGridLayout* grid = makeFieldGrid(this, 72);
   grid->setVerticalSpacing(7);
   mForm.setGrid(grid);
@@ -74,7 +74,7 @@ void FocusForm::addShare(const std::string& field, double scene::TypeSpare::*mem
     return session::typeSpareFor(mCut, mPaths.empty() ? std::string() : mPaths[0]).*member;
   };
   text.call = [this, field](const std::string& value) {
-    return session::LeaveTypesBy{mPaths, field, value, session::cutKey(mDocument.scene(), mCut.id)};
+    return session::LeaveTypesBy{mPaths, field, value, session::cutKey(mDocument.shown(), mCut.id)};
   };
   mForm.add("model.spares.N." + field, title, std::move(text));
 }
@@ -94,7 +94,7 @@ void FocusForm::lock(bool locked, double aspect) {
   editSelectedCut(mDocument, mSelection, locked ? "Lock the view" : "Follow the view", [&](scene::Cut& cut) {
     if (!cut.model.focus) return;
     cut.model.focus->lock.reset();
-    if (locked) cut.model.focus->lock = scene::ViewLock{mDocument.scene().camera, aspect};
+    if (locked) cut.model.focus->lock = scene::ViewLock{mDocument.shown().camera, aspect};
   });
 }
 
@@ -109,8 +109,8 @@ void FocusForm::showCut(const scene::Cut& cut, const std::vector<std::string>& p
   if (!hasFocus()) return;
   QStringList names;
   for (const scene::FocusType& type : cut.model.focus->types)
-    names << toText(scene::shownName(mDocument.scene().model, type.type, session::shortName(type.type)));
-  std::string words = session::clearingWords(mDocument.scene());
+    names << toText(scene::shownName(mDocument.shown().model, type.type, session::shortName(type.type)));
+  std::string words = session::clearingWords(mDocument.shown());
   mFocus->setText(tr("In view: %1").arg(names.join(", ")) +
                   (words.empty() ? "" : "\n" + QString::fromStdString(words)));
   mLock->setChecked(cut.model.focus->lock.has_value());

@@ -22,7 +22,7 @@ NothingLeftNote::NothingLeftNote(session::Session& session, MessageBar& messages
     : QObject(parent), mSession(session), mMessages(messages), mLook(kPauseMs, this) {}
 
 void NothingLeftNote::refresh() {
-  const scene::Scene& scene = mSession.scene();
+  const scene::Scene& scene = mSession.shown();
   if (leavesTheSame(scene, mLooked)) return;
   mLooked = scene;
   if (scene.cuts.empty()) {

@@ -99,7 +99,7 @@ CutHandle PictureCutHandles::handleUnder(const ViewPoint& at) const {
   const scene::Cut* cut = selectedCut(mDocument, mSelection);
   if (!cut || at.isOnSection()) return CutHandle::None;
   const ViewSpace& view = at.space();
-  return session::handleAt(session::makeCutGizmo(mDocument.scene(), *cut, view.size()), view.camera(), view.size(),
+  return session::handleAt(session::makeCutGizmo(mDocument.shown(), *cut, view.size()), view.camera(), view.size(),
                            at.pixel(), kReachPixels);
 }
 
@@ -111,7 +111,7 @@ bool PictureCutHandles::press(const PointerEvent& event) {
   if (handle == CutHandle::None) return false;
   mHandle = handle;
   mStart = *selectedCut(mDocument, mSelection);
-  mStartGizmo = session::makeCutGizmo(mDocument.scene(), mStart, event.at.space().size());
+  mStartGizmo = session::makeCutGizmo(mDocument.shown(), mStart, event.at.space().size());
   mFrom = event.at.pixel();
   if (isTurn(handle)) event.at.view().widget().setCursor(Qt::ClosedHandCursor);
   setHover(handle);
@@ -121,9 +121,9 @@ bool PictureCutHandles::press(const PointerEvent& event) {
 void PictureCutHandles::drag(const PointerEvent& event) {
   const ViewSpace& view = event.at.space();
   scene::Cut moved = session::dragCut(mStart, mStartGizmo, mHandle, view.camera(), view.size(), mFrom, event.at.pixel(),
-                                      session::makeCutSnap(mDocument.scene(), event.keys & Qt::ShiftModifier));
+                                      session::makeCutSnap(mDocument.shown(), event.keys & Qt::ShiftModifier));
   mPointer = event.at.place();
-  mTag = QString::fromStdString(session::dragText(scene::lengthFormat(mDocument.scene()), mStart, moved, mHandle));
+  mTag = QString::fromStdString(session::dragText(scene::lengthFormat(mDocument.shown()), mStart, moved, mHandle));
   placeCut(mDocument, moved, session::dragLabel(mStart, mHandle), true);
   mToolbox.repaint(event.at.view());
 }
@@ -141,7 +141,7 @@ std::optional<Qt::CursorShape> PictureCutHandles::hover(const ViewPoint& at) {
   CutHandle handle = handleUnder(at);
   setHover(handle);
   if (handle == CutHandle::None) return std::nullopt;
-  return cursorFor(session::makeCutGizmo(mDocument.scene(), *selectedCut(mDocument, mSelection), at.space().size()),
+  return cursorFor(session::makeCutGizmo(mDocument.shown(), *selectedCut(mDocument, mSelection), at.space().size()),
                    handle, at.space());
 }
 
@@ -153,7 +153,7 @@ void PictureCutHandles::paint(ViewPainter& over) const {
   const scene::Cut* cut = selectedCut(mDocument, mSelection);
   if (over.space.section() || !cut) return;
   over.painter.setOpacity(cut->enabled ? 1.0 : 0.45);
-  paintGizmo(over.painter, session::makeCutGizmo(mDocument.scene(), *cut, over.space.size()), over.space, mHover);
+  paintGizmo(over.painter, session::makeCutGizmo(mDocument.shown(), *cut, over.space.size()), over.space, mHover);
   over.painter.setOpacity(1.0);
   drawTag(over.painter, mPointer, over.size, mTag);
 }

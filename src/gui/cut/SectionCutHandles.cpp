@@ -102,7 +102,7 @@ void SectionCutHandles::paint(ViewPainter& over) const {
   const scene::SectionPlane* plane = over.space.section();
   if (!plane) return;
   const scene::Cut* selected = selectedCut(mDocument, mSelection);
-  for (const auto& cut : mDocument.scene().cuts) paintCut(over.painter, *plane, cut, &cut == selected);
+  for (const auto& cut : mDocument.shown().cuts) paintCut(over.painter, *plane, cut, &cut == selected);
   if (selected) {
     over.painter.setOpacity(selected->enabled ? 1.0 : 0.5);
     paintHandles(over, *selected);
@@ -117,7 +117,7 @@ bool SectionCutHandles::press(const PointerEvent& event) {
   glm::dvec2 place = event.at.pixel();
   const scene::Cut* cut = selectedCut(mDocument, mSelection);
   mHandle = cut ? session::sectionHandleAt(*plane, *cut, place, kHandleReach, shapeOf(*cut)) : session::SectionHandle{};
-  for (const auto& other : mDocument.scene().cuts) {
+  for (const auto& other : mDocument.shown().cuts) {
     if (mHandle.kind != SectionHandleKind::None) break;
     auto handle = session::sectionHandleAt(*plane, other, place, 0.5 * kHandleReach, shapeOf(other));
     if (handle.kind != SectionHandleKind::Move || other.id == mSelection.cut()) continue;
@@ -148,9 +148,9 @@ void SectionCutHandles::drag(const PointerEvent& event) {
   mPointer = event.at.place();
   // In the section plane in which the handle was taken: a cut that is dragged must not run away when the view follows.
   scene::Cut now = session::dragSectionCut(mStart, mStartFrame, mHandle, mFrom, event.at.pixel(),
-                                           session::makeCutSnap(mDocument.scene(), event.keys & Qt::ShiftModifier));
+                                           session::makeCutSnap(mDocument.shown(), event.keys & Qt::ShiftModifier));
   auto like = session::likeInPicture(mHandle);
-  mTag = QString::fromStdString(session::dragText(scene::lengthFormat(mDocument.scene()), mStart, now, like));
+  mTag = QString::fromStdString(session::dragText(scene::lengthFormat(mDocument.shown()), mStart, now, like));
   placeCut(mDocument, now, session::dragLabel(mStart, like), true);
   mToolbox.repaint(event.at.view());
 }

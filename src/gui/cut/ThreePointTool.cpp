@@ -34,7 +34,7 @@ void ThreePointTool::click(const PointerEvent& event) {
   if (!world) return say(tr("Nothing is there: click on what is drawn. %1").arg(whatIsNext()));
   mPoints.push_back(*world);
   if (mPoints.size() < 3) return say(whatIsNext());
-  auto cut = session::cutThrough(mDocument.scene(), mPoints[0], mPoints[1], mPoints[2]);
+  auto cut = session::cutThrough(mDocument.shown(), mPoints[0], mPoints[1], mPoints[2]);
   if (!cut) {
     mPoints.pop_back();
     return say(tr("The three lie on one line: click a third beside it. Esc gives up."));

@@ -31,7 +31,7 @@ TypeSpareList::TypeSpareList(session::Document& document, Selection& selection, 
     : QWidget(parent),
       mDocument(document),
       mSelection(selection),
-      mForm(document, this, "cuts.N.", [this] { return scene::cutPlace(mDocument.scene(), mCut.id); }) {
+      mForm(document, this, "cuts.N.", [this] { return scene::cutPlace(mDocument.shown(), mCut.id); }) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(8);
@@ -61,7 +61,7 @@ void TypeSpareList::editCut(const std::string& label, const Change& change, bool
 
 void TypeSpareList::setShare(const std::vector<std::string>& paths, double share) {
   if (paths.empty()) return;
-  std::string cut = session::cutKey(mDocument.scene(), mCut.id);
+  std::string cut = session::cutKey(mDocument.shown(), mCut.id);
   session::edit(mDocument, session::LeaveTypesBy{paths, "share", fmt::format("{}", std::clamp(share, 0.0, 1.0)), cut},
                 true);
 }
@@ -76,7 +76,7 @@ void TypeSpareList::addHow(QGridLayout* grid) {
       return session::typeSpareFor(mCut, paths.empty() ? std::string() : paths[0]).*member;
     };
     text.call = [this, field](const std::string& value) {
-      return session::LeaveTypesBy{mView->selectedPaths(), field, value, session::cutKey(mDocument.scene(), mCut.id)};
+      return session::LeaveTypesBy{mView->selectedPaths(), field, value, session::cutKey(mDocument.shown(), mCut.id)};
     };
     mForm.add("model.spares.N." + field, title, std::move(text));
   };
@@ -162,7 +162,7 @@ void TypeSpareList::showMenu(QPoint place) {
   if (paths.empty()) return;
   QMenu menu(this);
   menu.addAction(tr("As what it is in"), this, [this, paths] {
-    session::edit(mDocument, session::LeaveAsAbove{paths, session::cutKey(mDocument.scene(), mCut.id)});
+    session::edit(mDocument, session::LeaveAsAbove{paths, session::cutKey(mDocument.shown(), mCut.id)});
   });
   menu.exec(mView->viewport()->mapToGlobal(place));
 }
@@ -170,7 +170,7 @@ void TypeSpareList::showMenu(QPoint place) {
 void TypeSpareList::showSelected() {
   std::vector<std::string> paths = mView->selectedPaths();
   bool any = !paths.empty();
-  mRow->setText(any ? nameText(session::rowsLabel(mDocument.scene(), paths)) : tr("Select a row to say how"));
+  mRow->setText(any ? nameText(session::rowsLabel(mDocument.shown(), paths)) : tr("Select a row to say how"));
   mForm.refresh();
   mFocus->showCut(mCut, paths);
 }

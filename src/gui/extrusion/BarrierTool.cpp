@@ -29,10 +29,10 @@ constexpr double kPathTolerance = 0.1;  // of the path that is kept, in radii
 BarrierTool::BarrierTool(const WindowParts& parts)
     : mDocument(parts.document()), mSelection(parts.selection), mToolbox(parts.toolbox) {}
 
-bool BarrierTool::isReady() const { return session::lastGrowth(mDocument.scene(), mSelection.structure()); }
+bool BarrierTool::isReady() const { return session::lastGrowth(mDocument.shown(), mSelection.structure()); }
 
 bool BarrierTool::start() {
-  if (mRadius <= 0.0) mRadius = kFirstVoxels * scene::sectionStep(mDocument.scene());
+  if (mRadius <= 0.0) mRadius = kFirstVoxels * scene::sectionStep(mDocument.shown());
   return isReady();
 }
 
@@ -74,7 +74,7 @@ void BarrierTool::release(const PointerEvent& event) {
   goOn(event.at);
   scene::Barrier barrier = *std::exchange(mDraft, std::nullopt);
   barrier.path = session::simplifiedPath(barrier.path, kPathTolerance * barrier.radius);
-  const scene::Scene& scene = mDocument.scene();
+  const scene::Scene& scene = mDocument.shown();
   int id = mSelection.structure();
   if (session::lastGrowth(scene, id) && session::findStructure(scene, id))
     session::edit(mDocument,
@@ -105,7 +105,7 @@ bool BarrierTool::wheel(const PointerEvent& event, double notches) {
 }
 
 void BarrierTool::widen(double notches) {
-  double step = scene::sectionStep(mDocument.scene());
+  double step = scene::sectionStep(mDocument.shown());
   mRadius = std::clamp(mRadius * std::pow(kTurn, notches), 0.5 * step, 200.0 * step);
   mToolbox.repaint();
 }
@@ -119,7 +119,7 @@ KeyAnswer BarrierTool::key(const KeyStroke& stroke) {
 }
 
 void BarrierTool::paint(ViewPainter& over) const {
-  if (const scene::Growth* growth = session::lastGrowth(mDocument.scene(), mSelection.structure()))
+  if (const scene::Growth* growth = session::lastGrowth(mDocument.shown(), mSelection.structure()))
     for (const auto& barrier : growth->barriers) paintStroke(over, barrier.path, barrier.radius, kAlarm, false);
   if (mDraft) paintStroke(over, mDraft->path, mDraft->radius, kAlarm, false);
   if (&over.view == mView) paintBrush(over, mPointer, mRadius, kAlarm);

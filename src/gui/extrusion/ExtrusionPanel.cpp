@@ -119,7 +119,7 @@ void ExtrusionPanel::rename() {
   auto one = mList->current();
   QString name = mName->text().trimmed();
   mName->setModified(false);
-  const scene::Scene& scene = mDocument.scene();
+  const scene::Scene& scene = mDocument.shown();
   if (!one || name.toStdString() == session::structureName(scene, one->structure)) return;
   session::edit(mDocument,
                 session::RenameStructure{session::structureNames(scene, {one->structure})[0], name.toStdString()});
@@ -129,7 +129,7 @@ void ExtrusionPanel::setColor(glm::vec3 color) {
   auto one = mList->current();
   if (!one) return;
   session::edit(mDocument,
-                session::ColorStructures{session::structureNames(mDocument.scene(), {one->structure}), color});
+                session::ColorStructures{session::structureNames(mDocument.shown(), {one->structure}), color});
 }
 
 ExtrusionPanel::Shown ExtrusionPanel::shownOf(const scene::Scene& scene) const {
@@ -146,7 +146,7 @@ ExtrusionPanel::Shown ExtrusionPanel::shownOf(const scene::Scene& scene) const {
 }
 
 void ExtrusionPanel::refresh() {
-  const scene::Scene& scene = mDocument.scene();
+  const scene::Scene& scene = mDocument.shown();
   mSteps->showScene(scene);
   if (Shown now = shownOf(scene); !(now == mShown)) {
     mShown = std::move(now);
@@ -157,7 +157,7 @@ void ExtrusionPanel::refresh() {
 }
 
 void ExtrusionPanel::showRows() {
-  const scene::Scene& scene = mDocument.scene();
+  const scene::Scene& scene = mDocument.shown();
   const auto& extrusions = mShown.extrusions;
   mList->showScene(scene, extrusions);
   mList->select(mSelection.cut(), mSelection.structure());
@@ -171,7 +171,7 @@ void ExtrusionPanel::showRows() {
 }
 
 void ExtrusionPanel::showForm() {
-  const scene::Scene& scene = mDocument.scene();
+  const scene::Scene& scene = mDocument.shown();
   auto one = mList->current();
   mDistance->setEnabled(bool(one));
   mBack->setEnabled(bool(one));
@@ -192,8 +192,8 @@ void ExtrusionPanel::showForm() {
 void ExtrusionPanel::setDistance(double distance) {
   auto one = mList->current();
   if (!one) return;
-  QString name = QString::fromStdString(session::structureName(mDocument.scene(), one->structure));
-  auto pull = session::pullAgain(mDocument.scene(), *one);
+  QString name = QString::fromStdString(session::structureName(mDocument.shown(), one->structure));
+  auto pull = session::pullAgain(mDocument.shown(), *one);
   session::editByHand(
       mDocument, tr("Pull out %1").arg(name).toStdString(),
       [&](scene::Scene& scene) { session::pullTo(scene, pull, distance); }, true);
@@ -218,8 +218,8 @@ void ExtrusionPanel::putBack() {
     ids.push_back(one.structure);
     areOfOne &= one.cut == chosen.front().cut;
   }
-  std::string cut = areOfOne ? session::cutKey(mDocument.scene(), chosen.front().cut) : std::string();
-  session::edit(mDocument, session::PutBack{session::structureNames(mDocument.scene(), ids), cut});
+  std::string cut = areOfOne ? session::cutKey(mDocument.shown(), chosen.front().cut) : std::string();
+  session::edit(mDocument, session::PutBack{session::structureNames(mDocument.shown(), ids), cut});
 }
 
 void ExtrusionPanel::putAllBack() { session::edit(mDocument, session::PutAllBack{}); }

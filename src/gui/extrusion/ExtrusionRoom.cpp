@@ -33,7 +33,7 @@ ExtrusionRoom::ExtrusionRoom(const WindowParts& parts)
 void ExtrusionRoom::refresh(const session::Session&) { mPanel->refresh(); }
 
 void ExtrusionRoom::takeStep(PullSteps::Step step) {
-  const auto& cuts = mParts.session.scene().cuts;
+  const auto& cuts = mParts.session.shown().cuts;
   switch (step) {
     case PullSteps::Step::Cut:
       if (cuts.empty()) mParts.actions.find("cut.addPlane")->trigger();

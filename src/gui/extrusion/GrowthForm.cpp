@@ -106,18 +106,18 @@ NumberField* GrowthForm::addNumber(const char* name, const QString& spoken, cons
 
 void GrowthForm::change(const QString& step, const char* field, const std::string& value) {
   session::Document& document = mSession.document();
-  if (!session::findStructure(document.scene(), mStructure)) return;
-  std::string name = session::structureNames(document.scene(), {mStructure})[0];
+  if (!session::findStructure(document.shown(), mStructure)) return;
+  std::string name = session::structureNames(document.shown(), {mStructure})[0];
   session::edit(document, session::ChangeGrowth{name, field, value}, true, step.toStdString());
 }
 
 const scene::Growth* GrowthForm::growth() const {
-  return mStructure > 0 ? session::lastGrowth(mSession.document().scene(), mStructure) : nullptr;
+  return mStructure > 0 ? session::lastGrowth(mSession.document().shown(), mStructure) : nullptr;
 }
 
 void GrowthForm::showStructure(int structure) {
   mStructure = structure;
-  const auto& volume = mSession.document().scene().volume.data;
+  const auto& volume = mSession.document().shown().volume.data;
   const scene::Growth* grown = growth();
   setVisible(grown && volume);
   if (!grown || !volume) return;
@@ -140,12 +140,12 @@ void GrowthForm::showNumbers(const Volume& volume, const scene::Growth& grown) {
   };
   show(mLow, volume.range.x, volume.range.y, isWhole ? 0 : decimals, unit, grown.low);
   show(mHigh, volume.range.x, volume.range.y, isWhole ? 0 : decimals, unit, grown.high);
-  show(mSteepest, 0.0, 1e6, decimals, unit + "/" + Length(mSession.document().scene()).sceneUnit(),
+  show(mSteepest, 0.0, 1e6, decimals, unit + "/" + Length(mSession.document().shown()).sceneUnit(),
        std::isfinite(grown.steepest) ? grown.steepest : 0.0);
   const QSignalBlocker quietClosing(mClosing), quietHoles(mFillHoles);
-  mClosing->setFreeLength(Length(mSession.document().scene()), false);
+  mClosing->setFreeLength(Length(mSession.document().shown()), false);
   mClosing->setMinimum(0.0);
-  mClosing->setSingleStep(scene::sectionStep(mSession.document().scene()));
+  mClosing->setSingleStep(scene::sectionStep(mSession.document().shown()));
   mClosing->setValue(grown.closing);
   mFillHoles->setChecked(grown.fillHoles);
 }

@@ -48,13 +48,13 @@ LeakBox::LeakBox(session::Session& session, QWidget* parent)
 void LeakBox::goOn() {
   Progress progress;
   if (auto leak = mSession.growth().status().leak)
-    session::run(mSession, session::GrowOn{session::structureNames(mSession.scene(), {leak->structure})[0]}, progress);
+    session::run(mSession, session::GrowOn{session::structureNames(mSession.shown(), {leak->structure})[0]}, progress);
   refresh();
 }
 
 /// The text of the box about a leak; the buttons below it offer what to do.
 QString LeakBox::textOf(const session::Leak& leak) const {
-  const scene::Scene& scene = mSession.document().scene();
+  const scene::Scene& scene = mSession.document().shown();
   QString name = QString::fromStdString(session::structureName(scene, leak.structure));
   if (leak.times == 0.0)
     return tr("%1 takes most of what there is in the cut, or the darkest values, which are around everything. It has "
@@ -68,7 +68,7 @@ QString LeakBox::textOf(const session::Leak& leak) const {
 
 /// The same for a message over the view, as the pointer may be far from the page.
 QString LeakBox::saidOf(const session::Leak& leak) const {
-  const scene::Scene& scene = mSession.document().scene();
+  const scene::Scene& scene = mSession.document().shown();
   QString name = QString::fromStdString(session::structureName(scene, leak.structure));
   if (leak.times == 0.0) return tr("%1 is not grown yet: the page Pull out says why, and lets it.").arg(name);
   return tr("%1 is held %2 out, where it would flow into something else: the page Pull out lets it go on.")

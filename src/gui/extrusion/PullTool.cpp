@@ -48,13 +48,13 @@ PullTool::PullTool(const WindowParts& parts)
 }
 
 bool PullTool::start() {
-  const scene::Scene& scene = mDocument.scene();
+  const scene::Scene& scene = mDocument.shown();
   if (!scene::hasData(scene)) return false;
   mChosen.clear();
   if (hasCutToPullFrom()) return true;
   if (scene.cuts.size() >= scene::kMostCuts) return false;
   session::edit(mDocument, session::AddCut{scene::CutShape::Plane, {}}, false, "Cut to pull out of");
-  mSelection.setCut(mDocument.scene().cuts.back().id);
+  mSelection.setCut(mDocument.shown().cuts.back().id);
   return true;
 }
 
@@ -73,14 +73,14 @@ void PullTool::stop() {
 }
 
 void PullTool::refresh() {
-  if (!scene::hasData(mDocument.scene())) return mToolbox.stop(*this);
+  if (!scene::hasData(mDocument.shown())) return mToolbox.stop(*this);
   showPreview();
 }
 
 /// Shows what has been found of the dragged structures, as far as they are pulled.
 void PullTool::showPreview() {
   if (mDragged.empty() || !mPreview.isOn()) return;
-  const scene::Scene& scene = mDocument.scene();
+  const scene::Scene& scene = mDocument.shown();
   std::vector<session::Pulled> pulled;
   for (const auto& [pull, drag, end, before] : mDragged)
     if (const scene::Cut* cut = scene::findCut(scene, pull.cut))
@@ -99,7 +99,7 @@ void PullTool::letGo() {
 std::optional<PullTool::Target> PullTool::targetAt(const ViewPoint& at) const {
   const auto& pick = at.pick();
   if (!pick || !pick->hit || pick->instance != 0) return std::nullopt;
-  const scene::Scene& scene = mDocument.scene();
+  const scene::Scene& scene = mDocument.shown();
   Target target{pick->world, scene.labels.visible ? pick->structure : 0, {}};
   target.cuts = session::cutsUnder(scene, target.world, target.structure, slackOf(scene));
   if (target.cuts.empty()) return std::nullopt;
@@ -123,7 +123,7 @@ bool PullTool::isBeside(const ViewPoint& at) const {
   if (at.pick() && at.pick()->hit) return true;
   for (double away : {0.5 * kBesidePixels, kBesidePixels})
     for (QPointF way : {QPointF(1, 0), QPointF(0, 1), QPointF(-1, 0), QPointF(0, -1)})
-      if (targetAt(ViewPoint(at.view(), mDocument.scene(), at.place() + away * way))) return true;
+      if (targetAt(ViewPoint(at.view(), mDocument.shown(), at.place() + away * way))) return true;
   return false;
 }
 
@@ -151,7 +151,7 @@ bool PullTool::press(const PointerEvent& event) {
 
 /// @param isPart  of a label only what is joined to the place is taken
 bool PullTool::begin(const Target& target, const ViewPoint& at, bool goesOn, bool isPart) {
-  const scene::Scene& scene = mDocument.scene();
+  const scene::Scene& scene = mDocument.shown();
   auto pull = isPart ? session::beginPartPull(scene, target.cuts.front(), target.world, target.structure)
                      : session::beginPull(scene, target.cuts.front(), target.world, target.structure,
                                           mParts.session.histograms());
@@ -193,7 +193,7 @@ void PullTool::pullTo(const ViewPoint& at) {
   for (const auto& one : mDragged) distances.push_back(std::min(one.drag.distanceAt(at.pixel()), one.end));
   setDistances(distances);
   const Dragged& last = mDragged.back();
-  mTag = tr("%1: %2").arg(nameOf(last.pull), Length(mDocument.scene()).text(distances.back()));
+  mTag = tr("%1: %2").arg(nameOf(last.pull), Length(mDocument.shown()).text(distances.back()));
   if (distances.back() == 0.0)
     mTag = tr("%1, drag %2 to pull it out").arg(mTag, wayText(last.drag.wayOut()));
   else if (distances.back() == last.end)
@@ -214,7 +214,7 @@ void PullTool::setDistances(const std::vector<double>& distances) {
 
 /// A structure that has grown during the drag may end before the pointer's place.
 void PullTool::endAtTheirEnds() {
-  const scene::Scene& scene = mDocument.scene();
+  const scene::Scene& scene = mDocument.shown();
   std::vector<double> distances;
   bool isFurther = false;
   for (const auto& one : mDragged) {
@@ -290,9 +290,9 @@ KeyAnswer PullTool::key(const KeyStroke& stroke) {
 
 /// Moves the supporting plane along its normal, by the step of sections.
 bool PullTool::movePlane(double steps) {
-  const scene::Cut* cut = scene::findCut(mDocument.scene(), mSelection.cut());
+  const scene::Cut* cut = scene::findCut(mDocument.shown(), mSelection.cut());
   if (!cut || !session::canPullFrom(*cut)) return false;
-  glm::dvec3 step = session::pullDirection(*cut, cut->centre) * (steps * scene::sectionStep(mDocument.scene()));
+  glm::dvec3 step = session::pullDirection(*cut, cut->centre) * (steps * scene::sectionStep(mDocument.shown()));
   editSelectedCut(
       mDocument, mSelection, "Move cut", [&](scene::Cut& one) { one.centre += step; }, true);
   return true;
@@ -307,10 +307,10 @@ bool PullTool::wheel(const PointerEvent& event, double notches) {
 void PullTool::paint(ViewPainter& over) const {
   if (!over.space.section() && !mPreview.image().isNull())
     over.painter.drawImage(QRectF(QPointF(), over.size), mPreview.image());
-  if (!over.space.section()) paintPlanes(over, mDocument.scene(), supporting());
+  if (!over.space.section()) paintPlanes(over, mDocument.shown(), supporting());
   if (mStroke) {
     bool isAdd = mStrokeKind == Stroke::Add;
-    mStroke->paint(over, 0.5 * scene::sectionStep(mDocument.scene()), isAdd ? kAccent : kAlarm);
+    mStroke->paint(over, 0.5 * scene::sectionStep(mDocument.shown()), isAdd ? kAccent : kAlarm);
   }
   if (&over.view == mView && !mTag.isEmpty()) drawTag(over.painter, mPointer, over.size, mTag);
 }

@@ -8,7 +8,7 @@ namespace velum::gui {
 /// pointer has done by then is done at once.
 bool PullTool::beginWhenRead(const Target& target, const ViewPoint& at, bool goesOn, bool isPart) {
   giveUpReading();
-  const scene::VolumeLayer& layer = mDocument.scene().volume;
+  const scene::VolumeLayer& layer = mDocument.shown().volume;
   bool isKnown = target.structure != 0 && !isPart;
   if (isKnown || session::isInMemoryAround(layer, target.world)) return begin(target, at, goesOn, isPart);
   mParts.messages.showNote(tr("Reading the voxels there; hold the button"));
@@ -17,7 +17,7 @@ bool PullTool::beginWhenRead(const Target& target, const ViewPoint& at, bool goe
   mReading = new Job([layer, target](Progress&) { session::bringAround(layer, target.world); }, this);
   auto go = [this, target, layer, view = &at.view(), place = at.place(), goesOn, isPart] {
     mReading = nullptr;
-    const scene::Scene& scene = mDocument.scene();
+    const scene::Scene& scene = mDocument.shown();
     if (scene.volume.data != layer.data || !scene::findCut(scene, target.cuts.front())) return;
     begin(target, ViewPoint(*view, scene, place), goesOn, isPart);
     if (mPointer != place) pullTo(ViewPoint(*view, scene, mPointer));

@@ -24,7 +24,7 @@ void PullTool::askWhatIsNotOfIt() { mIsAsking = true; }
 /// True on the selected structure, or on parts that it could have leaked into. On another labelled structure the keys
 /// mean that only a part of this structure is pulled.
 bool PullTool::saysNotThis(const PointerEvent& event) const {
-  const scene::Growth* last = session::lastGrowth(mDocument.scene(), mSelection.structure());
+  const scene::Growth* last = session::lastGrowth(mDocument.shown(), mSelection.structure());
   if (!last) return false;
   if (mIsAsking && event.keys == Qt::NoModifier) return bool(event.at.world());
   if (event.keys != (Qt::ControlModifier | Qt::ShiftModifier) || !event.at.world()) return false;
@@ -36,13 +36,13 @@ bool PullTool::saysNotThis(const PointerEvent& event) const {
 void PullTool::beginStroke(const ViewPoint& at, Stroke stroke) {
   int structure = mSelection.structure();
   mTag.clear();
-  if (session::lastGrowth(mDocument.scene(), structure)) {
+  if (session::lastGrowth(mDocument.shown(), structure)) {
     mStroke.emplace();
     mStrokeKind = stroke;
     mView = &at.view();
     return strokeTo(at);
   }
-  const scene::Structure* row = session::findStructure(mDocument.scene(), structure);
+  const scene::Structure* row = session::findStructure(mDocument.shown(), structure);
   mParts.messages.showNote(
       row ? tr("%1 has labels of its own: a stroke with Ctrl adds to what was found from its values")
                 .arg(QString::fromStdString(row->name))
@@ -51,7 +51,7 @@ void PullTool::beginStroke(const ViewPoint& at, Stroke stroke) {
 
 void PullTool::strokeTo(const ViewPoint& at) {
   if (mStrokeKind == Stroke::NotThis) {
-    auto place = at.material(kBehindVoxels * scene::sectionStep(mDocument.scene()));
+    auto place = at.material(kBehindVoxels * scene::sectionStep(mDocument.shown()));
     if (place)
       mStroke->goOn(*place, {at.structure(), 0});
     else
@@ -68,8 +68,8 @@ void PullTool::strokeTo(const ViewPoint& at) {
 void PullTool::endStroke() {
   SeedStroke stroke = *std::exchange(mStroke, std::nullopt);
   int structure = mSelection.structure();
-  if (!session::lastGrowth(mDocument.scene(), structure)) return;
-  auto places = stroke.places(*mDocument.scene().volume.data);
+  if (!session::lastGrowth(mDocument.shown(), structure)) return;
+  auto places = stroke.places(*mDocument.shown().volume.data);
   if (mStrokeKind == Stroke::Add) return addPlaces(structure, places);
   mIsAsking = false;
   takeAway(structure, places);
@@ -78,9 +78,9 @@ void PullTool::endStroke() {
 /// Tissue that is joined to the places under the stroke becomes part of the structure, as far as the structure is
 /// pulled.
 void PullTool::addPlaces(int structure, const std::vector<glm::dvec3>& places) {
-  const scene::Growth* last = session::lastGrowth(mDocument.scene(), structure);
-  QString name = QString::fromStdString(session::structureName(mDocument.scene(), structure));
-  glm::dvec2 range = mDocument.scene().volume.data->range;
+  const scene::Growth* last = session::lastGrowth(mDocument.shown(), structure);
+  QString name = QString::fromStdString(session::structureName(mDocument.shown(), structure));
+  glm::dvec2 range = mDocument.shown().volume.data->range;
   double low = std::max(last->low, range.x), high = std::min(last->high, range.y);
   std::size_t count = 0;
   session::editByHand(mDocument, tr("Add to %1").arg(name).toStdString(),
@@ -92,7 +92,7 @@ void PullTool::addPlaces(int structure, const std::vector<glm::dvec3>& places) {
 
 /// The structure gives up tissue that is nearer to these places than to its own.
 void PullTool::takeAway(int structure, const std::vector<glm::dvec3>& places) {
-  QString name = QString::fromStdString(session::structureName(mDocument.scene(), structure));
+  QString name = QString::fromStdString(session::structureName(mDocument.shown(), structure));
   std::size_t count = 0;
   session::editByHand(mDocument, tr("Not this: %1").arg(name).toStdString(),
                       [&](scene::Scene& scene) { count = session::addOthers(scene, structure, places); });

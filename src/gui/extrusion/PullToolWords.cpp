@@ -10,7 +10,7 @@
 namespace velum::gui {
 
 bool PullTool::hasCutToPullFrom() const {
-  const auto& cuts = mDocument.scene().cuts;
+  const auto& cuts = mDocument.shown().cuts;
   return std::any_of(cuts.begin(), cuts.end(), session::canPullFrom);
 }
 
@@ -20,7 +20,7 @@ QString PullTool::hint() const {
     return tr("Click on what is not of it, or draw over it: it gives up what is nearer to that. Esc takes this back.");
   if (mTarget && mTarget->cuts.size() > 1)
     return tr("Two planes hold this: Space changes the one that it is pulled out of. Esc ends.");
-  if (session::lastGrowth(mDocument.scene(), mSelection.structure()))
+  if (session::lastGrowth(mDocument.shown(), mSelection.structure()))
     return tr(
         "Drag a structure out of the cut. Shift takes several. A stroke with Ctrl adds to the selected one, a click or "
         "a "
@@ -38,12 +38,12 @@ QString PullTool::hint() const {
 QString PullTool::nameOf(const session::Pull& pull) const {
   if (pull.added) return QString::fromStdString(pull.added->name);
   if (pull.structure == 0) return tr("What has no label");
-  return QString::fromStdString(session::structureName(mDocument.scene(), pull.structure));
+  return QString::fromStdString(session::structureName(mDocument.shown(), pull.structure));
 }
 
 /// The label: the structure under the pointer, and how far it stands out.
 QString PullTool::tagOf(const Target& target) const {
-  const scene::Scene& scene = mDocument.scene();
+  const scene::Scene& scene = mDocument.shown();
   const scene::Cut* cut = scene::findCut(scene, target.cuts.front());
   if (!cut || target.structure == 0) return {};
   QString name = QString::fromStdString(session::structureName(scene, target.structure));

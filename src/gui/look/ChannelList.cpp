@@ -69,7 +69,7 @@ void ChannelList::addRow() {
 }
 
 void ChannelList::show(int channel, bool alone) {
-  const auto& looks = mDocument.scene().volume.channels;
+  const auto& looks = mDocument.shown().volume.channels;
   if (std::size_t(channel) >= looks.size()) return;
   if (alone) return session::edit(mDocument, session::ShowChannelAlone{channel});
   bool visible = !looks[std::size_t(channel)].visible;
@@ -78,7 +78,7 @@ void ChannelList::show(int channel, bool alone) {
 }
 
 void ChannelList::recolor(int channel, glm::vec3 color) {
-  if (std::size_t(channel) < mDocument.scene().volume.channels.size())
+  if (std::size_t(channel) < mDocument.shown().volume.channels.size())
     session::edit(mDocument, session::ColorChannel{channel, color});
 }
 
@@ -88,7 +88,7 @@ void ChannelList::choose(int channel) {
 }
 
 void ChannelList::refresh() {
-  const scene::VolumeLayer& layer = mDocument.scene().volume;
+  const scene::VolumeLayer& layer = mDocument.shown().volume;
   bool mixes = scene::mixesChannels(layer);
   setVisible(mixes);
   if (!mixes) return;

@@ -21,7 +21,7 @@ FinishGrid::FinishGrid(session::Document& document, QWidget* parent)
 }
 
 void FinishGrid::refresh() {
-  const scene::Scene& scene = document().scene();
+  const scene::Scene& scene = document().shown();
   setEnabled(scene::hasData(scene));
   list().mark(textOf(scene::finishName(scene)));
   Key key{scene.volume.data, scene.volume.channel, scene::currentTransfer(scene.volume)};

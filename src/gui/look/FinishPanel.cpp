@@ -62,7 +62,7 @@ void FinishPanel::addOffer() {
 }
 
 void FinishPanel::refreshOffer() {
-  const scene::Scene& scene = mDocument.scene();
+  const scene::Scene& scene = mDocument.shown();
   bool drawsLines = scene.finish.contours > 0 || scene.finish.hatching > 0;
   bool isLook = scene.volume.data && !scene.volume.data->isColor && scene.rayCast.mode == scene::RenderMode::Volume;
   mOffer->setVisible(drawsLines && isLook &&
@@ -99,7 +99,7 @@ void FinishPanel::addContours() {
             {.object = "contourCreases",
              .tip = tr("How much of them where the surface turns sharply, %; molecules of models have none"),
              .name = tr("Contours of creases"),
-             .isEnabled = [this] { return hasCreases(mDocument.scene()); }});
+             .isEnabled = [this] { return hasCreases(mDocument.shown()); }});
   mForm.add("contourColor", tr("Ink"), {.object = "contourColor", .tip = tr("Colour of contours and strokes")});
 }
 
@@ -155,7 +155,7 @@ void FinishPanel::addPaper() {
             {.object = "paperColor",
              .tip = tr("Colour of the paper"),
              .name = tr("Colour of the paper"),
-             .isEnabled = [this] { return mDocument.scene().finish.paper != scene::Paper::Own; }});
+             .isEnabled = [this] { return mDocument.shown().finish.paper != scene::Paper::Own; }});
 }
 
 void FinishPanel::askPaper() {
@@ -175,7 +175,7 @@ void FinishPanel::takePaper(const QString& path) {
 /// The user's own paper is the last item of the list, named after its file.
 void FinishPanel::listOwnPaper() {
   constexpr int kOwn = static_cast<int>(scene::Paper::Own);
-  QString own = QFileInfo(QString::fromStdString(mDocument.scene().finish.ownPaper.source.path)).fileName();
+  QString own = QFileInfo(QString::fromStdString(mDocument.shown().finish.ownPaper.source.path)).fileName();
   if (mPaper->itemText(kOwn) == own) return;
   mPaper->removeItem(kOwn);
   if (!own.isEmpty()) mPaper->addItem(own);
@@ -186,7 +186,7 @@ void FinishPanel::refresh() {
   refreshOffer();
   mSpheres->refresh();
   listOwnPaper();
-  bool hasData = scene::hasData(mDocument.scene());
+  bool hasData = scene::hasData(mDocument.shown());
   mForm.setEnabled(hasData);
   mOwnPaper->setEnabled(hasData);
   mForm.refresh();

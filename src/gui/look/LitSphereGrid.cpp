@@ -66,8 +66,8 @@ void LitSphereGrid::fill() {
 }
 
 void LitSphereGrid::refresh() {
-  const scene::Finish& finish = mDocument.scene().finish;
-  setEnabled(scene::hasData(mDocument.scene()));
+  const scene::Finish& finish = mDocument.shown().finish;
+  setEnabled(scene::hasData(mDocument.shown()));
   if (!(finish.spheres == mOwn)) {
     mOwn = finish.spheres;
     fill();

@@ -36,12 +36,12 @@ void LookCommands::build(ActionTable& actions, QMenu* menu) {
 }
 
 void LookCommands::importFrom(const QString& path) {
-  if (!mDocument.scene().volume.data)
+  if (!mDocument.shown().volume.data)
     return mMessages.showNote(tr("Open a volume first: %1 is a look for one.").arg(QFileInfo(path).fileName()));
   try {
     session::Call call(session::ImportLook{path.toStdString()});
     Progress progress;
-    session::Edit edit = session::editOf(mDocument.scene(), call, progress);
+    session::Edit edit = session::editOf(mDocument.shown(), call, progress);
     session::commit(mDocument, edit, call);
     mFolder = QFileInfo(path).path();
     if (!edit.told.empty()) mMessages.showNote(QFileInfo(path).fileName(), edit.told);
@@ -52,7 +52,7 @@ void LookCommands::importFrom(const QString& path) {
 
 void LookCommands::exportTo(const QString& path) {
   try {
-    auto losses = session::exportLook(mDocument.scene(), path.toStdString());
+    auto losses = session::exportLook(mDocument.shown(), path.toStdString());
     mFolder = QFileInfo(path).path();
     mMessages.showNote(tr("Saved %1").arg(path), losses);
   } catch (const std::exception& error) {

@@ -54,7 +54,7 @@ QWidget* LookPanel::makeLook() {
   QGridLayout* rows = makeFieldGrid(nullptr, kLabelWidth);
   makeSection(section, tr("Rendering"))->addLayout(rows);
   mForm.setGrid(rows);
-  auto volume = [this]() -> const scene::VolumeLayer& { return mDocument.scene().volume; };
+  auto volume = [this]() -> const scene::VolumeLayer& { return mDocument.shown().volume; };
   mForm.add(
       "rayCast.mode", tr("Render"),
       {.object = "mode",
@@ -74,7 +74,7 @@ QWidget* LookPanel::makeLook() {
              return volume().data ? Range{volume().data->range.x, volume().data->range.y} : Range{0, 1};
            },
        .isShown = [this,
-                   volume] { return volume().data && mDocument.scene().rayCast.mode == scene::RenderMode::Iso; }});
+                   volume] { return volume().data && mDocument.shown().rayCast.mode == scene::RenderMode::Iso; }});
   mIso = static_cast<NumberRow*>(iso);
   mForm.add(
       "volume.smooth", tr("Smooth"),
@@ -128,9 +128,9 @@ QWidget* LookPanel::makeLettering() {
   QGridLayout* rows = makeFieldGrid(nullptr, kLabelWidth);
   makeSection(section, tr("Lettering"))->addLayout(rows);
   mForm.setGrid(rows);
-  auto lettering = [this]() -> const scene::Lettering& { return mDocument.scene().lettering; };
+  auto lettering = [this]() -> const scene::Lettering& { return mDocument.shown().lettering; };
   const QStringList corners{tr("Top left"), tr("Top right"), tr("Bottom left"), tr("Bottom right")};
-  auto hasNames = [this] { return mDocument.scene().model.data || mDocument.scene().labels.data; };
+  auto hasNames = [this] { return mDocument.shown().model.data || mDocument.shown().labels.data; };
   mForm.add(
       "lettering.legend", tr("Legend"),
       {.object = "legend",
@@ -176,7 +176,7 @@ void LookPanel::refresh() {
   mChannels->refresh();
   mPresets->refresh();
   mEditor->refresh();
-  if (const auto& volume = mDocument.scene().volume.data) showIso(*volume);
+  if (const auto& volume = mDocument.shown().volume.data) showIso(*volume);
   mForm.refresh();
 }
 

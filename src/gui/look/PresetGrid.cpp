@@ -62,12 +62,12 @@ void PresetGrid::choose(const QString& name) { session::edit(document(), session
 
 /// Lists the presets for this kind of data and the preset that is chosen; with "More" all others, too.
 void PresetGrid::fill() {
-  bool mixes = scene::mixesChannels(document().scene().volume);
+  bool mixes = scene::mixesChannels(document().shown().volume);
   Modality first = mixes ? Modality::Microscopy : mVolume ? kindOf(*mVolume) : Modality::Unknown;
   // A patient's scan of which nothing is known is an MR more often than anything else.
-  bool isPatient = mVolume && hasPatientLetters(document().scene());
+  bool isPatient = mVolume && hasPatientLetters(document().shown());
   Modality second = first == Modality::Unknown && isPatient ? Modality::MR : first;
-  std::string current = scene::currentTransfer(document().scene().volume).preset;
+  std::string current = scene::currentTransfer(document().shown().volume).preset;
   list().clear();
   for (bool others : {false, true})
     for (const auto& preset : scene::presets()) {
@@ -80,7 +80,7 @@ void PresetGrid::fill() {
 }
 
 void PresetGrid::refresh() {
-  const scene::VolumeLayer& layer = document().scene().volume;
+  const scene::VolumeLayer& layer = document().shown().volume;
   setEnabled(bool(layer.data));
   int channel = layer.data ? scene::shownChannel(layer) : -1;
   if (!(mVolume == layer.data) || mChannel != channel) {

@@ -9,9 +9,9 @@ namespace velum::gui {
 
 void ShowThisTool::click(const PointerEvent& event) {
   auto place = event.at.material();
-  const auto& volume = mDocument.scene().volume.data;
+  const auto& volume = mDocument.shown().volume.data;
   if (!place || !volume) return;
-  auto tissue = session::measureTissue(mDocument.scene().volume, *place);
+  auto tissue = session::measureTissue(mDocument.shown().volume, *place);
   if (!tissue) return;
   bool hide = event.keys & Qt::ControlModifier, add = event.keys & Qt::ShiftModifier;
   session::edit(mDocument, session::ShowThis{*place, hide, add});

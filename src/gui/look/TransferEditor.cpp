@@ -171,13 +171,13 @@ void TransferEditor::useGradients(bool use) {
 }
 
 TransferEditor::Key TransferEditor::shownKey() const {
-  const auto& layer = mDocument.scene().volume;
+  const auto& layer = mDocument.shown().volume;
   if (!layer.data) return {0, 0, 0};
   return {layer.data.id(), scene::shownChannel(layer), scene::shownTimeStep(layer)};
 }
 
 void TransferEditor::refresh() {
-  const scene::VolumeLayer& layer = mDocument.scene().volume;
+  const scene::VolumeLayer& layer = mDocument.shown().volume;
   setEnabled(bool(layer.data));
   const scene::TransferFunction& transfer = scene::currentTransfer(layer);
   mCanvas->setTransfer(transfer);
@@ -195,7 +195,7 @@ void TransferEditor::refresh() {
 
 /// The data's range, widened to points that lie beyond it, so that they can be reached.
 session::AxisView TransferEditor::wholeAxis() const {
-  const scene::VolumeLayer& layer = mDocument.scene().volume;
+  const scene::VolumeLayer& layer = mDocument.shown().volume;
   session::AxisView whole{layer.data->range.x, layer.data->range.y};
   for (const auto& point : scene::currentTransfer(layer).opacities) {
     whole.low = std::min(whole.low, point.value);
@@ -208,7 +208,7 @@ void TransferEditor::countHistograms() {
   if (mJob) return;  // what is wanted then is looked up when this one ends
   Key key = shownKey();
   auto counted = std::make_shared<Histograms>();
-  Shared<Volume> volume = mDocument.scene().volume.data;
+  Shared<Volume> volume = mDocument.shown().volume.data;
   mJob = std::make_unique<Job>(
       [counted, volume, key](Progress& progress) {
         counted->values = session::valueHistogram(*volume, std::get<1>(key), std::get<2>(key));
@@ -226,7 +226,7 @@ void TransferEditor::countHistograms() {
 }
 
 void TransferEditor::showHistograms(const Histograms& histograms) {
-  const scene::VolumeLayer& layer = mDocument.scene().volume;
+  const scene::VolumeLayer& layer = mDocument.shown().volume;
   const scene::TransferFunction& transfer = scene::currentTransfer(layer);
   bool isOtherData = std::get<0>(mShown) != std::get<0>(shownKey());
   session::AxisView before = mCanvas->view(), gradientsBefore = mGradients->view();
@@ -244,7 +244,7 @@ void TransferEditor::showHistograms(const Histograms& histograms) {
   }
   QString unit = QString::fromStdString(layer.data->unit);
   mCanvas->setUnit(unit);
-  mGradients->setUnit((unit.isEmpty() ? QString() : unit) + "/" + Length(mDocument.scene()).sceneUnit());
+  mGradients->setUnit((unit.isEmpty() ? QString() : unit) + "/" + Length(mDocument.shown()).sceneUnit());
   showNumbers();
 }
 
@@ -259,8 +259,8 @@ void TransferEditor::showNumbers() {
   mValue->setRange(-1e300, 1e300);
   mValue->setDecimals(decimalsFor(canvas->view()));
   mValue->setSingleStep(std::pow(10.0, -decimalsFor(canvas->view())));
-  QString unit = QString::fromStdString(mDocument.scene().volume.data ? mDocument.scene().volume.data->unit : "");
-  if (mGradientsActive) unit += "/" + Length(mDocument.scene()).sceneUnit();
+  QString unit = QString::fromStdString(mDocument.shown().volume.data ? mDocument.shown().volume.data->unit : "");
+  if (mGradientsActive) unit += "/" + Length(mDocument.shown()).sceneUnit();
   mValue->setSuffix(unit.isEmpty() ? QString() : " " + unit);
   mSecond->setCurrentIndex(part == Part::Stop ? 1 : 0);
   if (part == Part::Stop) {

@@ -29,7 +29,7 @@ HandTool::HandTool(Kind kind, const WindowParts& parts, SheetGrips& grips)
 }
 
 bool HandTool::start() {
-  for (const auto& cut : mDocument.scene().cuts)
+  for (const auto& cut : mDocument.shown().cuts)
     if (!selectedMembrane(mDocument, mSelection) && scene::isMembrane(cut)) mSelection.setCut(cut.id);
   if (selectedMembrane(mDocument, mSelection)) return true;
   mMessages.showNote(tr("Add a membrane first: pins and forces are put on its sheet."));

@@ -45,7 +45,7 @@ MembraneForm::MembraneForm(session::Document& document, Selection& selection, QW
       mSketch(new SketchForm(this)),
       mForm(document, this, "cuts.N.membrane.", [this] {
         const scene::Cut* cut = selectedMembrane(mDocument, mSelection);
-        return cut ? scene::cutPlace(mDocument.scene(), cut->id) : -1;
+        return cut ? scene::cutPlace(mDocument.shown(), cut->id) : -1;
       }) {
   mForm.setSteps(tr("Change membrane: %1"));
   auto* layout = new QVBoxLayout(this);
@@ -86,7 +86,7 @@ MembraneForm::MembraneForm(session::Document& document, Selection& selection, QW
 
 void MembraneForm::setForceOf(const session::Protectable& what, double strength) {
   if (!selectedMembrane(mDocument, mSelection)) return;
-  const scene::Scene& scene = mDocument.scene();
+  const scene::Scene& scene = mDocument.shown();
   const char* verb = strength != 0 ? "Force of" : "No force of";
   std::string cut = session::cutKey(scene, mSelection.cut());
   if (what.structure)
@@ -166,7 +166,7 @@ void MembraneForm::addCloth() {
   auto isPaper = [isSided] { return !isSided(); };
   auto choose = [this](const std::string& rule) {
     return session::ChooseRule{enumValue<scene::KernelRule>(rule).value(),
-                               session::cutKey(mDocument.scene(), mSelection.cut())};
+                               session::cutKey(mDocument.shown(), mSelection.cut())};
   };
   mForm.add("repositioning", tr("Moving"),
             {.object = "membraneMoving",
@@ -205,8 +205,8 @@ void MembraneForm::showCut(const scene::Cut& cut) {
   mStrength->showField(m.field);
   mHands->showCut(cut);
   mNoise->showField(m.field);
-  mStructures->showRows(session::protectables(mDocument.scene(), m.field));
-  mSketch->showLength(Length(mDocument.scene()));
+  mStructures->showRows(session::protectables(mDocument.shown(), m.field));
+  mSketch->showLength(Length(mDocument.shown()));
   mSketch->showStrokes(m.field.strokes);
   mForm.refresh();
 }
@@ -231,11 +231,11 @@ void MembraneForm::showStatus(const std::optional<session::MembraneStatus>& stat
   mPlay->setText(isPlaying ? tr("Hold") : tr("Let move"));
   if (!status) return;
   // The old figure stays until there is a new one, so that the panel does not jump.
-  if (QString text = figureText(*status, Length(mDocument.scene())); !text.isEmpty()) mFigure->setText(text);
+  if (QString text = figureText(*status, Length(mDocument.shown())); !text.isEmpty()) mFigure->setText(text);
   mFigure->setEnabled(status->isMeasured);
   mShares->setEnabled(status->isMeasured);
   if (status->isMeasured) {
-    mNoise->showLeftOut(status->leftOut, status->voxels.volume, Length(mDocument.scene()));
+    mNoise->showLeftOut(status->leftOut, status->voxels.volume, Length(mDocument.shown()));
     mShares->setShares(status->shares);
   }
   QString kernels = tr("%1 kernels, %2 \u00d7 %3 particles")
@@ -247,7 +247,7 @@ void MembraneForm::showStatus(const std::optional<session::MembraneStatus>& stat
                   : status->phase == Phase::Paused    ? tr("Paused at step %1").arg(status->steps)
                                                       : tr("Settling, step %1").arg(status->steps);
   mDoing->setText(status->error.empty() ? doing + "." : QString::fromStdString(status->error));
-  const auto& volume = mDocument.scene().volume.data;
+  const auto& volume = mDocument.shown().volume.data;
   if (volume && volume->finer)
     kernels += "\n" + tr("Forces and figures come from level %1 (0 is the finest)").arg(status->voxels.level);
   mDoing->setToolTip(kernels + "\n" +
@@ -255,7 +255,7 @@ void MembraneForm::showStatus(const std::optional<session::MembraneStatus>& stat
                          .arg(status->forcesMs, 0, 'f', 0)
                          .arg(status->stepMs, 0, 'f', 1)
                          .arg(status->speed, 0, 'g', 3)
-                         .arg(Length(mDocument.scene()).sceneUnit()));
+                         .arg(Length(mDocument.shown()).sceneUnit()));
 }
 
 }  // namespace velum::gui

@@ -66,7 +66,7 @@ void MembraneRoom::showKept() {
   const scene::Cut* cut = selectedMembrane(mParts.document(), mParts.selection);
   auto status = cut ? mParts.session.membranes().status(cut->id) : std::nullopt;
   bool isSeen = status && cut->enabled && !scene::isInlay(*cut) && mParts.toolbox.handlesShown();
-  if (isSeen) mKept->showStatus(*status, Length(mParts.document().scene()), membrane::attracts(cut->membrane->field));
+  if (isSeen) mKept->showStatus(*status, Length(mParts.document().shown()), membrane::attracts(cut->membrane->field));
   // Before the first measurement there is nothing to show.
   mKept->setVisible(isSeen && (status->isMeasured || mKept->isVisible()));
 }

@@ -67,7 +67,7 @@ void NoiseForm::showField(const scene::ForceField& field) {
   const QSignalBlocker quiet(mLeast);
   mLeast->setValue(field.leastPiece < 0 ? kAutomatic : std::max(field.leastPiece, 1));
   mDenoise->setChecked(field.denoise);
-  setEnabled(bool(mDocument.scene().volume.data));
+  setEnabled(bool(mDocument.shown().volume.data));
 }
 
 void NoiseForm::showLeftOut(const membrane::LeftOut& leftOut, double voxelSize, const Length& length) {

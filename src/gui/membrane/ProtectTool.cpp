@@ -29,7 +29,7 @@ void ProtectTool::click(const PointerEvent& event) {
   int structure = event.at.structure();
   double strength = mLetThrough ? 0.0 : session::kProtectStrength;
   std::optional<session::Tissue> tissue;
-  const scene::Scene& scene = mDocument.scene();
+  const scene::Scene& scene = mDocument.shown();
   bool isType = event.at.type() >= 0;
   bool isStructure = isType || (structure > 0 && scene.labels.visible);
   std::string cut = session::cutKey(scene, mSelection.cut()),

@@ -129,7 +129,7 @@ void SheetGrips::drag(const PointerEvent& event) {
       },
       true);
   mTag = QString::fromStdString(
-      session::handText(scene::lengthFormat(mDocument.scene()), *selectedMembrane(mDocument, mSelection), shown));
+      session::handText(scene::lengthFormat(mDocument.shown()), *selectedMembrane(mDocument, mSelection), shown));
   mToolbox.repaint();
 }
 

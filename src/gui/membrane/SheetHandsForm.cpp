@@ -156,7 +156,7 @@ void SheetHandsForm::showRow(const Row& row, const scene::Cut& cut) {
     const QSignalBlocker quiet(spin);
     spin->setValue(value);
   };
-  row.first->setFreeLength(Length(mDocument.scene()), row.hand.kind != HandKind::Pin);
+  row.first->setFreeLength(Length(mDocument.shown()), row.hand.kind != HandKind::Pin);
   QString name = nameOf(row.hand, *cut.membrane);
   double strength = 0.0;
   if (row.hand.kind == HandKind::Pin) {
@@ -192,7 +192,7 @@ void SheetHandsForm::showCut(const scene::Cut& cut) {
 void SheetHandsForm::showUnheld(const scene::Cut& cut) {
   QStringList lines;
   for (const Row& row : mRows) {
-    std::string why = session::whyNotHeld(scene::lengthFormat(mDocument.scene()), cut, row.hand);
+    std::string why = session::whyNotHeld(scene::lengthFormat(mDocument.shown()), cut, row.hand);
     if (!why.empty()) lines << tr("%1 %2.").arg(nameOf(row.hand, *cut.membrane), QString::fromStdString(why));
   }
   mUnheld->setText(lines.join("\n"));

@@ -38,7 +38,7 @@ const std::vector<scene::Stroke>* Sketch::strokes() const {
 }
 
 void Sketch::refresh() {
-  const auto& volume = mDocument.scene().volume.data;
+  const auto& volume = mDocument.shown().volume.data;
   if (volume && mFitted != volume.id()) {
     mFitted = volume.id();
     mRadius = rounded(kFirstShare * velum::radiusOf(*volume));
@@ -89,7 +89,7 @@ void Sketch::addStroke(const scene::Stroke& stroke, const std::string& label) {
 
 /// Counted once for each volume, so that fitting costs what is under the strokes.
 const Histogram& Sketch::whole() {
-  const auto& layer = mDocument.scene().volume;
+  const auto& layer = mDocument.shown().volume;
   std::tuple now{layer.data.id(), layer.channel, layer.timeStep};
   if (now != mCounted) mWhole = session::wholeHistogram(layer);
   mCounted = now;
@@ -102,7 +102,7 @@ void Sketch::edit(const std::string& label, const std::function<void(Strokes&)>&
   change(next);
   editSelectedMembrane(
       mDocument, mSelection, label,
-      [&](scene::Membrane& m) { session::setStrokes(m.field, next, mDocument.scene().volume, whole()); }, merge);
+      [&](scene::Membrane& m) { session::setStrokes(m.field, next, mDocument.shown().volume, whole()); }, merge);
 }
 
 KeyAnswer Sketch::radiusKey(const KeyStroke& stroke) {

@@ -23,7 +23,7 @@ class Sketch : public QObject, public Manipulator {
   /// Which stroke of the membrane is marked; -1: none.
   int selected() const { return mSelected; }
   /// A membrane is selected, and there is a volume to stroke over.
-  bool isReady() const { return strokes() && mDocument.scene().volume.data; }
+  bool isReady() const { return strokes() && mDocument.shown().volume.data; }
   void addStroke(const scene::Stroke& stroke, const std::string& label);
   /// [ and ] change the radius, whichever tool has the pointer.
   KeyAnswer radiusKey(const KeyStroke& stroke);

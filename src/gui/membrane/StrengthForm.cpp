@@ -62,13 +62,13 @@ void StrengthForm::showField(const scene::ForceField& field) {
 }
 
 void StrengthForm::showCurve() {
-  const auto& layer = mDocument.scene().volume;
+  const auto& layer = mDocument.shown().volume;
   for (QWidget* part : {static_cast<QWidget*>(mCanvas), static_cast<QWidget*>(mAttribute)})
     part->setEnabled(bool(layer.data));
   mCanvas->setCurve(byGradient() ? mShown.byGradient : mShown.byValue);
   if (!layer.data) return;
   QString unit = QString::fromStdString(layer.data->unit);
-  mCanvas->setUnit(byGradient() ? unit + "/" + Length(mDocument.scene()).sceneUnit() : unit);
+  mCanvas->setUnit(byGradient() ? unit + "/" + Length(mDocument.shown()).sceneUnit() : unit);
   // Of several channels the sheet goes by the one that is edited.
   bool hasSeveral = layer.channels.size() > 1;
   auto channel = std::size_t(std::clamp(layer.channel, 0, layer.data->channels - 1));
@@ -85,8 +85,8 @@ void StrengthForm::showCurve() {
 void StrengthForm::countHistogram() {
   if (mJob) return;
   auto values = std::make_shared<Histogram>(), gradients = std::make_shared<Histogram>();
-  Shared<Volume> volume = mDocument.scene().volume.data;
-  const auto& layer = mDocument.scene().volume;
+  Shared<Volume> volume = mDocument.shown().volume.data;
+  const auto& layer = mDocument.shown().volume;
   int channel = std::clamp(layer.channel, 0, volume->channels - 1),
       timeStep = std::clamp(layer.timeStep, 0, volume->timeSteps - 1);
   mJob = std::make_unique<Job>(

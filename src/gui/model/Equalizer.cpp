@@ -38,7 +38,7 @@ Equalizer::Equalizer(session::Session& session, Viewport& viewport, JobRunner& j
 }
 
 void Equalizer::hear(const render::InstanceBits& bits, bool isComplete) {
-  const auto& model = mSession.scene().model.data;
+  const auto& model = mSession.shown().model.data;
   if (!model || bits.count % std::max<std::uint64_t>(1, model->instances.size()) != 0) return;
   mCounts.take(model, bits, isComplete);
   if (isComplete && !isHeld()) mHeldPath.clear();
@@ -46,7 +46,7 @@ void Equalizer::hear(const render::InstanceBits& bits, bool isComplete) {
 }
 
 void Equalizer::refresh() {
-  const scene::ModelLayer& layer = mSession.scene().model;
+  const scene::ModelLayer& layer = mSession.shown().model;
   if (mCounts.model() == layer.data && scene::isCounted(layer)) return;
   if (!isHeld()) mHeldPath.clear();
   if (!mCounts.model()) return;
@@ -57,7 +57,7 @@ void Equalizer::refresh() {
 void Equalizer::setCuts(std::vector<int> ids) { mChosen = std::move(ids); }
 
 std::vector<int> Equalizer::cuts() const {
-  std::vector<int> enabled = session::enabledCuts(mSession.scene()), chosen;
+  std::vector<int> enabled = session::enabledCuts(mSession.shown()), chosen;
   for (int id : enabled)
     if (std::find(mChosen.begin(), mChosen.end(), id) != mChosen.end()) chosen.push_back(id);
   return chosen.empty() ? enabled : chosen;
@@ -71,7 +71,7 @@ Counts Equalizer::countOf(const std::string& path) const {
 }
 
 void Equalizer::take(const std::string& path, Handle handle) {
-  scene::Scene from = mSession.scene();
+  scene::Scene from = mSession.shown();
   if (!from.model.data) return;
   session::TypesAt place = session::typesAt(*from.model.data, path);
   // A user who asks for more instances of hidden types wants to see them.
@@ -83,7 +83,7 @@ void Equalizer::take(const std::string& path, Handle handle) {
   auto solver = std::make_shared<session::RenderedSolver>(
       isForView || !mChosen.empty() ? session::RenderedSolver(from, cuts(), place.path, sheets, aspect, field)
                                     : session::RenderedSolver::ofAllCuts(from, place.path, sheets, aspect));
-  mBar.take({labelOf(mSession.scene(), place), handle, place.path == mHeldPath ? mBar.now() : countOf(path),
+  mBar.take({labelOf(mSession.shown(), place), handle, place.path == mHeldPath ? mBar.now() : countOf(path),
              solver->range().total, [solver, handle](double drawn) {
                session::Solved solved = solver->solve(drawn);
                if (handle == Handle::Left)
@@ -121,7 +121,7 @@ void Equalizer::findSeen(const session::Bar::Wish& wish) {
   double ratio = mViewport.devicePixelRatioF();
   glm::ivec2 size(std::lround(mViewport.width() * ratio), std::lround(mViewport.height() * ratio));
   std::vector<std::string> cuts;
-  for (int id : mChosen.empty() ? std::vector<int>() : wish.cuts) cuts.push_back(session::cutKey(mSession.scene(), id));
+  for (int id : mChosen.empty() ? std::vector<int>() : wish.cuts) cuts.push_back(session::cutKey(mSession.shown(), id));
   session::Call call = session::LetSee{mHeldPath, fmt::format("{}", wish.seen), cuts,
                                        fmt::format("{}x{}", std::max(size.x, 1), std::max(size.y, 1))};
   auto make = [call, step = wish.label](const scene::Scene& scene, Progress& progress) {

@@ -73,9 +73,9 @@ QWidget* EqualizerBar::makeStates() {
 }
 
 void EqualizerBar::goToState(int state) {
-  session::ClipState now = session::clipState(mDocument.scene()), wanted = session::ClipState(state);
+  session::ClipState now = session::clipState(mDocument.shown()), wanted = session::ClipState(state);
   if (wanted != now) {
-    if (now == session::ClipState::Thinned) mThinned = mDocument.scene().cuts;
+    if (now == session::ClipState::Thinned) mThinned = mDocument.shown().cuts;
     if (wanted == session::ClipState::Whole) session::edit(mDocument, session::ShowUncut{});
     if (wanted == session::ClipState::Cut) session::edit(mDocument, session::ShowUnthinned{});
     if (wanted == session::ClipState::Thinned && !mThinned.empty())
@@ -85,10 +85,10 @@ void EqualizerBar::goToState(int state) {
 }
 
 void EqualizerBar::showState() {
-  session::ClipState now = session::clipState(mDocument.scene());
+  session::ClipState now = session::clipState(mDocument.shown());
   for (std::size_t i = 0; i < mStates.size(); ++i) mStates[i]->setChecked(int(i) == int(now));
   // A state can be gone to where there is a way to it: "Cut" needs cuts, "Thinned" needs shares that were there before.
-  mStates[int(session::ClipState::Cut)]->setEnabled(!mDocument.scene().cuts.empty());
+  mStates[int(session::ClipState::Cut)]->setEnabled(!mDocument.shown().cuts.empty());
   mStates[int(session::ClipState::Thinned)]->setEnabled(now == session::ClipState::Thinned || !mThinned.empty());
 }
 
@@ -112,19 +112,19 @@ void EqualizerBar::fillCuts() {
     refresh();
   });
   menu->addSeparator();
-  for (const scene::Cut& cut : mDocument.scene().cuts) {
+  for (const scene::Cut& cut : mDocument.shown().cuts) {
     QAction* action = menu->addAction(QString::fromStdString(cut.name));
     action->setCheckable(true);
     action->setEnabled(cut.enabled);
     action->setChecked(std::find(chosen.begin(), chosen.end(), cut.id) != chosen.end());
     connect(action, &QAction::triggered, this, [this, id = cut.id](bool on) { toggleCut(id, on); });
   }
-  if (mDocument.scene().cuts.empty())
+  if (mDocument.shown().cuts.empty())
     menu->addAction(tr("There is none: the first handle adds one that is everywhere"))->setEnabled(false);
 }
 
 void EqualizerBar::refresh() {
-  const scene::Scene& scene = mDocument.scene();
+  const scene::Scene& scene = mDocument.shown();
   if (mModel != scene.model.data) mThinned.clear();  // shares of another model
   mModel = scene.model.data;
   std::vector<int> chosen = mEqualizer.chosenCuts();

@@ -28,12 +28,12 @@ InsideLine::InsideLine(session::Document& document, Equalizer& equalizer, QWidge
 
 void InsideLine::refresh() {
   // Without cuts the next picture that is counted says more.
-  if (!mDocument.scene().cuts.empty()) showCounts();
+  if (!mDocument.shown().cuts.empty()) showCounts();
 }
 
 /// By the last complete picture; while something moves, the line stays as it is.
 void InsideLine::showCounts() {
-  const scene::Scene& scene = mDocument.scene();
+  const scene::Scene& scene = mDocument.shown();
   const session::LiveCounts& counts = mEqualizer.counts();
   bool isOfThis = counts.model() && counts.model() == scene.model.data;
   if (isOfThis && !counts.isExact() && scene.cuts.empty()) return;

@@ -22,7 +22,7 @@ ModelCommands::ModelCommands(session::Document& document, Selection& selection, 
     : QObject(parent), mDocument(document), mSelection(selection), mFlight(document, nullptr) {}
 
 std::vector<std::string> ModelCommands::named(const Types& types) const {
-  return session::typeNames(mDocument.scene(), types);
+  return session::typeNames(mDocument.shown(), types);
 }
 
 void ModelCommands::setVisible(const Types& types, bool visible) {
@@ -32,15 +32,15 @@ void ModelCommands::setVisible(const Types& types, bool visible) {
 void ModelCommands::toggleSolo(const Types& types) {
   if (types.empty()) return;
   session::SoloTypes call{named(types), {}};
-  const Shared<Model>& model = mDocument.scene().model.data;
+  const Shared<Model>& model = mDocument.shown().model.data;
   bool isOfThis = model && mSolo.shown.size() == model->types.size();
-  if (isOfThis && session::isSolo(mDocument.scene(), mSolo.alone)) {
+  if (isOfThis && session::isSolo(mDocument.shown(), mSolo.alone)) {
     Types shown;
     for (std::uint32_t i = 0; i < mSolo.shown.size(); ++i)
       if (mSolo.shown[i]) shown.push_back(i);
     call.shown = named(shown);
   }
-  scene::Scene after = mDocument.scene();
+  scene::Scene after = mDocument.shown();
   session::TypeSoloMemory next = session::toggleSoloTypes(after, mSolo, types);
   session::edit(mDocument, call);
   mSolo = next;
@@ -52,7 +52,7 @@ void ModelCommands::setColor(const Types& types, glm::vec3 color) {
 
 void ModelCommands::chooseColor(const Types& types, QWidget* window) {
   if (types.empty()) return;
-  glm::vec3 now = glm::clamp(scene::typeColors(mDocument.scene().model)[types[0]], 0.0f, 1.0f);
+  glm::vec3 now = glm::clamp(scene::typeColors(mDocument.shown().model)[types[0]], 0.0f, 1.0f);
   QColor color = QColorDialog::getColor(QColor::fromRgbF(now.r, now.g, now.b), window,
                                         types.size() == 1 ? tr("Colour of the type") : tr("Colour of the types"));
   if (color.isValid()) setColor(types, {color.redF(), color.greenF(), color.blueF()});
@@ -66,20 +66,20 @@ void ModelCommands::reset(const Types& types) { session::edit(mDocument, session
 
 void ModelCommands::flyTo(const session::InstancePlace& place) {
   if (place.radius <= 0.0) return;
-  mFlight.start(session::closeUp(mDocument.scene().camera, place.middle, place.radius, 1.0));
+  mFlight.start(session::closeUp(mDocument.shown().camera, place.middle, place.radius, 1.0));
 }
 
-void ModelCommands::goTo(const Types& types) { flyTo(session::ballAround(mDocument.scene(), types)); }
+void ModelCommands::goTo(const Types& types) { flyTo(session::ballAround(mDocument.shown(), types)); }
 
 void ModelCommands::goToInstance(std::uint32_t instance) {
-  if (auto place = session::instancePlace(mDocument.scene(), instance)) flyTo(*place);
+  if (auto place = session::instancePlace(mDocument.shown(), instance)) flyTo(*place);
 }
 
 /// What the selected membrane does with types; nothing where another cut is selected.
 void ModelCommands::fillMembraneMenu(QMenu& menu, const Types& types) {
   const scene::Cut* cut = selectedMembrane(mDocument, mSelection);
-  if (!cut || !mDocument.scene().model.data) return;
-  const Model& model = *mDocument.scene().model.data;
+  if (!cut || !mDocument.shown().model.data) return;
+  const Model& model = *mDocument.shown().model.data;
   bool isProtected = std::all_of(types.begin(), types.end(), [&](std::uint32_t type) {
     return scene::strengthOf(cut->membrane->field, pathOf(model, model.types[type])) > 0.0;
   });
@@ -90,7 +90,7 @@ void ModelCommands::fillMembraneMenu(QMenu& menu, const Types& types) {
   connect(action, &QAction::triggered, this, [this, types](bool on) {
     if (!selectedMembrane(mDocument, mSelection)) return;
     session::edit(mDocument, session::ProtectTypes{named(types), on ? session::kProtectStrength : 0.0,
-                                                   session::cutKey(mDocument.scene(), mSelection.cut())});
+                                                   session::cutKey(mDocument.shown(), mSelection.cut())});
   });
   menu.addSeparator();
 }
@@ -110,7 +110,7 @@ void ModelCommands::setTarget(const std::string& path, std::optional<double> vis
 /// What can be done about what stands before a type.
 void ModelCommands::fillViewMenu(QMenu& menu, const std::string& path) {
   if (path.empty() || path.find('.') == std::string::npos) return;  // nothing hides all there is
-  bool isKept = session::isKeptInView(mDocument.scene(), path);
+  bool isKept = session::isKeptInView(mDocument.shown(), path);
   QAction* keep = menu.addAction(tr("Keep in view"));
   keep->setCheckable(true);
   keep->setChecked(isKept);
@@ -118,12 +118,12 @@ void ModelCommands::fillViewMenu(QMenu& menu, const std::string& path) {
   connect(keep, &QAction::triggered, this, [this, path](bool on) { setInView(path, on); });
   menu.addAction(tr("What hides this?"), this, [this, path] { emit hidingAsked(QString::fromStdString(path)); })
       ->setToolTip(tr("Says which types stand before it, and by how much"));
-  auto wanted = session::visibleTarget(mDocument.scene(), path);
+  auto wanted = session::visibleTarget(mDocument.shown(), path);
   menu.addAction(
           wanted ? tr("Number to be seen: %1...").arg(QLocale().toString(*wanted, 'f', 0)) : tr("Number to be seen..."),
           this, [this, path] { emit targetWanted(QString::fromStdString(path)); })
       ->setToolTip(tr("So many are to be seen; with the numbers that other types have, as near as can be"));
-  if (session::isHeld(mDocument.scene().model, path))
+  if (session::isHeld(mDocument.shown().model, path))
     menu.addAction(wanted ? tr("Any number") : tr("Let its number follow the group"), this,
                    [this, path] { setTarget(path, std::nullopt); })
         ->setToolTip(tr("The number that was set is forgotten: it follows when that of its group is set"));
@@ -144,7 +144,7 @@ void ModelCommands::fillNameMenu(QMenu& menu, const Types& types, const std::str
     menu.addAction(tr("Rename..."), this, [this, path] { emit renameAsked(QString::fromStdString(path)); })
         ->setToolTip(tr("Give it the name by which it is shown, in pictures, too (F2)"));
   std::vector<std::string> paths = path.empty() ? named(types) : std::vector{path};
-  const std::vector<std::string>& entries = mDocument.scene().lettering.entries;
+  const std::vector<std::string>& entries = mDocument.shown().lettering.entries;
   bool isListed = std::all_of(paths.begin(), paths.end(), [&](const std::string& one) {
     return std::find(entries.begin(), entries.end(), one) != entries.end();
   });
@@ -158,8 +158,8 @@ void ModelCommands::fillNameMenu(QMenu& menu, const Types& types, const std::str
 void ModelCommands::fillGhostMenu(QMenu& menu, const Types& types) {
   QMenu* ghosts = menu.addMenu(tr("Ghosts"));
   ghosts->setToolTipsVisible(true);
-  std::string path = pathOf(*mDocument.scene().model.data, mDocument.scene().model.data->types[types[0]]);
-  auto now = scene::typeLook(mDocument.scene().model, path).ghosts;
+  std::string path = pathOf(*mDocument.shown().model.data, mDocument.shown().model.data->types[types[0]]);
+  auto now = scene::typeLook(mDocument.shown().model, path).ghosts;
   const std::pair<QString, std::optional<scene::Ghosts>> kinds[] = {{tr("As the model"), std::nullopt},
                                                                     {tr("None"), scene::Ghosts::None},
                                                                     {tr("Filled"), scene::Ghosts::Filled},
@@ -174,7 +174,7 @@ void ModelCommands::fillGhostMenu(QMenu& menu, const Types& types) {
 
 void ModelCommands::fillMenu(QMenu& menu, const Types& types, const QString& title, const std::string& path) {
   if (types.empty()) return;
-  const scene::Scene& scene = mDocument.scene();
+  const scene::Scene& scene = mDocument.shown();
   menu.setToolTipsVisible(true);
   menu.addAction(title)->setEnabled(false);
   menu.addSeparator();

@@ -24,7 +24,7 @@ ModelLookGrid::ModelLookGrid(session::Document& document, QWidget* parent)
 }
 
 void ModelLookGrid::refresh() {
-  const scene::Scene& scene = document().scene();
+  const scene::Scene& scene = document().shown();
   list().mark(textOf(scene::modelLookName(scene)));
   if (mModel == scene.model.data) return;
   mModel = scene.model.data;

@@ -147,7 +147,7 @@ void ModelPanel::connectHiders() {
   connect(mHiders, &HidersBox::clearAsked, this,
           [this](const QString& path) { mCommands.setInView(path.toStdString(), true); });
   auto typesOf = [this](const QString& path) {
-    return session::typesAt(*mDocument.scene().model.data, path.toStdString()).types;
+    return session::typesAt(*mDocument.shown().model.data, path.toStdString()).types;
   };
   connect(mHiders, &HidersBox::hideAsked, this,
           [this, typesOf](const QString& path) { mCommands.setVisible(typesOf(path), false); });
@@ -156,9 +156,9 @@ void ModelPanel::connectHiders() {
 }
 
 void ModelPanel::showHiding(const session::Hiding& hiding) {
-  mHiders->showHiding(hiding, mDocument.scene().model);
+  mHiders->showHiding(hiding, mDocument.shown().model);
   std::string path = hiding.path;
-  session::TypeNumbers types = session::typesAt(*mDocument.scene().model.data, path).types;
+  session::TypeNumbers types = session::typesAt(*mDocument.shown().model.data, path).types;
   if (types.size() == 1) mCommands.selection().setType(int(types[0]));
 }
 
@@ -210,7 +210,7 @@ QWidget* ModelPanel::makeRows() {
             {.object = "modelGhostOpacity",
              .tip = tr("Of the ghosts, %"),
              .step = tr("Change opacity of ghosts"),
-             .isEnabled = [this] { return scene::hasGhosts(mDocument.scene().model); }});
+             .isEnabled = [this] { return scene::hasGhosts(mDocument.shown().model); }});
   mForm.add(
       "model.detail", tr("Detail"),
       {.object = "modelDetail",
@@ -218,7 +218,7 @@ QWidget* ModelPanel::makeRows() {
            tr("How much of a pixel drawn shapes may be off by, at one sample a pixel: smaller is finer, and slower")});
   mForm.add("model.copies", tr("Copies"),
             {.object = "modelCopies", .tip = tr("Of the whole model, side by side in a block"), .range = [this] {
-               return Range{1.0, double(std::max(64, mDocument.scene().model.copies))};
+               return Range{1.0, double(std::max(64, mDocument.shown().model.copies))};
              }});
   return section;
 }
@@ -254,7 +254,7 @@ void ModelPanel::showCount() {
 }
 
 void ModelPanel::refresh() {
-  const scene::Scene& scene = mDocument.scene();
+  const scene::Scene& scene = mDocument.shown();
   const scene::ModelLayer& layer = scene.model;
   if (layer.data) mLooks->refresh();  // follows more than this page shows
   showScale(scene);

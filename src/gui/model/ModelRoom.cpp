@@ -36,7 +36,7 @@ ModelRoom::ModelRoom(const WindowParts& parts)
 }
 
 void ModelRoom::refresh(const session::Session& session) {
-  bool hasModel = bool(session.scene().model.data);
+  bool hasModel = bool(session.shown().model.data);
   if (hasModel != mHadModel) {
     mHadModel = hasModel;
     mParts.tabs.setPageShown(mPanel, hasModel);
@@ -45,7 +45,7 @@ void ModelRoom::refresh(const session::Session& session) {
   }
   mEqualizer->refresh();
   mPanel->refresh();
-  refreshLettering(session.scene());
+  refreshLettering(session.shown());
 }
 
 void ModelRoom::connectEqualizer() {
@@ -60,7 +60,7 @@ void ModelRoom::connectEqualizer() {
   connect(&mPanel->steps(), &EqualizeSteps::asked, this, &ModelRoom::takeStep);
   connect(&mPanel->list(), &ModelList::refused, this, [this](const QString& why) { mParts.messages.showNote(why); });
   connect(&mPanel->list(), &ModelList::hovered, this, [this, &viewport](const session::TypeNumbers& types) {
-    bool isAll = mParts.session.scene().model.data && types.size() == mParts.session.scene().model.data->types.size();
+    bool isAll = mParts.session.shown().model.data && types.size() == mParts.session.shown().model.data->types.size();
     if (mHighlight.show(isAll ? session::TypeNumbers() : types)) mParts.toolbox.repaint(viewport);
   });
   connect(&viewport, &Viewport::pointedAt, this,
@@ -71,7 +71,7 @@ void ModelRoom::connectEqualizer() {
 void ModelRoom::takeStep(EqualizeSteps::Step step) {
   switch (step) {
     case EqualizeSteps::Step::Cut:
-      if (mParts.session.scene().cuts.empty()) mParts.actions.find("cut.addPlane")->trigger();
+      if (mParts.session.shown().cuts.empty()) mParts.actions.find("cut.addPlane")->trigger();
       mParts.tabs.showPage(mPanel);
       break;
     case EqualizeSteps::Step::Balance:
@@ -91,10 +91,10 @@ void ModelRoom::takeStep(EqualizeSteps::Step step) {
 /// Finds by pictures that are drawn in the background what hides a type: the answer comes a moment later.
 void ModelRoom::findHiding(const QString& path) {
   auto hiding = std::make_shared<session::Hiding>();
-  auto work = [hiding, scene = mParts.session.scene(), name = path.toStdString(), size = pictureSize()](
+  auto work = [hiding, scene = mParts.session.shown(), name = path.toStdString(), size = pictureSize()](
                   Progress& progress) { *hiding = session::findHiding(scene, name, size, progress); };
   mParts.jobs.start(tr("Looking what hides %1").arg(nameOf(path)), work, [this, hiding] {
-    if (!mParts.session.scene().model.data) return;
+    if (!mParts.session.shown().model.data) return;
     mParts.tabs.showPage(mPanel);
     mPanel->showHiding(*hiding);
   });
@@ -108,11 +108,11 @@ void ModelRoom::connectViews() {
   connect(&viewport, &Viewport::menuAskedAt, this, [this, &selection](const render::Pick& pick, QPoint place) {
     if (!pick.hit || pick.type < 0) return;
     selection.setType(pick.type);
-    const Model& model = *mParts.session.scene().model.data;
+    const Model& model = *mParts.session.shown().model.data;
     QMenu menu(&mParts.window);
     const MoleculeType& type = model.types[std::size_t(pick.type)];
     mCommands->fillMenu(menu, {std::uint32_t(pick.type)},
-                        typeText(mParts.session.scene().model, std::uint32_t(pick.type)), pathOf(model, type));
+                        typeText(mParts.session.shown().model, std::uint32_t(pick.type)), pathOf(model, type));
     menu.exec(place);
   });
   connect(&viewport, &Viewport::instanceWanted, this,
@@ -124,14 +124,14 @@ void ModelRoom::connectViews() {
     }
     bool isOther = mLettering.count();
     if (mHighlight.look() || isOther) mParts.toolbox.repaint(viewport);
-    if (mParts.session.scene().model.data) mPanel->looks().drawPictures();
+    if (mParts.session.shown().model.data) mPanel->looks().drawPictures();
   });
 }
 
 /// Finds by pictures how many instances of a type are seen and can be, then asks how many are to be.
 void ModelRoom::findSeenRange(const QString& path) {
   auto range = std::make_shared<session::SeenRange>();
-  auto work = [range, scene = mParts.session.scene(), name = path.toStdString(), size = pictureSize()](
+  auto work = [range, scene = mParts.session.shown(), name = path.toStdString(), size = pictureSize()](
                   Progress& progress) { *range = session::findSeenRange(scene, name, size, progress); };
   mParts.jobs.start(tr("Looking how many of %1 can be seen").arg(nameOf(path)), work, [this, range, path] {
     // After the job has ended: what is asked for is another.
@@ -140,10 +140,10 @@ void ModelRoom::findSeenRange(const QString& path) {
 }
 
 void ModelRoom::askTarget(const QString& path, const session::SeenRange& range) {
-  if (!mParts.session.scene().model.data) return;
+  if (!mParts.session.shown().model.data) return;
   QLocale locale;
   QString name = nameOf(path), text;
-  auto before = session::visibleTarget(mParts.session.scene(), path.toStdString());
+  auto before = session::visibleTarget(mParts.session.shown(), path.toStdString());
   text = locale.toString(qulonglong(before ? std::uint64_t(*before) : range.now));
   QString facts = tr("Of %1 %2, %3 are seen now. At most about %4 can be, where cuts leave all of them.")
                       .arg(locale.toString(qulonglong(range.total)), name, locale.toString(qulonglong(range.now)),
@@ -167,7 +167,7 @@ void ModelRoom::askTarget(const QString& path, const session::SeenRange& range) 
 /// The name of a type or compartment as it is shown.
 QString ModelRoom::nameOf(const QString& path) const {
   return toText(
-      scene::shownName(mParts.session.scene().model, path.toStdString(), path.section('.', -1).toStdString()));
+      scene::shownName(mParts.session.shown().model, path.toStdString(), path.section('.', -1).toStdString()));
 }
 
 /// Of the view, in pixels.
@@ -179,7 +179,7 @@ glm::ivec2 ModelRoom::pictureSize() const {
 
 /// Meets all targets at once, by pictures that are drawn in the background; targets that cannot be met are told.
 void ModelRoom::meetTargets() {
-  if (mParts.session.scene().model.targets.empty())
+  if (mParts.session.shown().model.targets.empty())
     return mParts.messages.showNote(tr("No type has a number to be seen: give one in its menu."));
   glm::ivec2 size = pictureSize();
   session::Call call = session::MeetTargets{fmt::format("{}x{}", size.x, size.y)};
@@ -192,7 +192,7 @@ void ModelRoom::meetTargets() {
 }
 
 void ModelRoom::findType() {
-  if (!mParts.session.scene().model.data) return mParts.messages.showNote(tr("No model is open."));
+  if (!mParts.session.shown().model.data) return mParts.messages.showNote(tr("No model is open."));
   mParts.tabs.showPage(mPanel);
   mPanel->startSearch();
 }
@@ -214,14 +214,14 @@ void ModelRoom::addActions() {
   ActionTable& actions = mParts.actions;
   QMenu* menu = mParts.menu(MenuId::Structures);
   menu->addSeparator();
-  auto hasModel = [this] { return bool(mParts.session.scene().model.data); };
+  auto hasModel = [this] { return bool(mParts.session.shown().model.data); };
   actions.addForScene(menu, "model.list", tr("&Model"), tr("Show the types of the model"), [this, hasModel] {
     hasModel() ? mParts.tabs.showPage(mPanel) : mParts.messages.showNote(tr("No model is open."));
   });
   actions.addForScene(menu, "model.find", tr("Find &type..."), tr("Search a type of the model by name"),
                       [this] { findType(); });
   actions.addForScene(menu, "model.showAll", tr("Show all t&ypes"), tr("Show every type of the model"), [this] {
-    session::TypeNumbers types(mParts.session.scene().model.data ? mParts.session.scene().model.data->types.size() : 0);
+    session::TypeNumbers types(mParts.session.shown().model.data ? mParts.session.shown().model.data->types.size() : 0);
     std::iota(types.begin(), types.end(), 0u);
     mCommands->setVisible(types, true);
   });

@@ -183,7 +183,7 @@ void FieldForm::show(const Row& row, const std::string& value) {
     return button->setColor({float(numbers.at(0)), float(numbers.at(1)), float(numbers.at(2))});
   auto* control = static_cast<NumberRow*>(row.control);
   double shown = inPercent(row.facts, row.text) ? 100.0 : 1.0;
-  if (row.facts.unit == kLength) control->setLength(Length(mDocument.scene()));
+  if (row.facts.unit == kLength) control->setLength(Length(mDocument.shown()));
   if (row.text.range) control->setRange(row.text.range().min * shown, row.text.range().max * shown);
   control->setValue(numbers.at(0) * shown);
 }
@@ -195,7 +195,7 @@ void FieldForm::refresh() {
     if (row.text.isEnabled) row.control->setEnabled(row.text.isEnabled());
     std::string path = row.text.isShown && !row.text.isShown() ? std::string() : pathOf(row);
     if (path.empty()) continue;
-    show(row, row.text.number ? fmt::format("{}", row.text.number()) : scene::getField(mDocument.scene(), path));
+    show(row, row.text.number ? fmt::format("{}", row.text.number()) : scene::getField(mDocument.shown(), path));
   }
 }
 

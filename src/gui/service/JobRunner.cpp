@@ -31,7 +31,7 @@ void JobRunner::startShort(const QString& what, session::Job::Work work, std::fu
 void JobRunner::run(const session::Call& call, bool merge) {
   mLastError.clear();
   try {
-    if (!call.command().act && session::isLong(mSession.scene(), call)) return runLong(call, merge);
+    if (!call.command().act && session::isLong(mSession.shown(), call)) return runLong(call, merge);
     Progress progress;
     auto told = session::run(mSession, call, progress, merge);
     if (!told.empty()) mMessages.showNote({}, told);
@@ -46,17 +46,17 @@ void JobRunner::runLong(const session::Call& call, bool merge) {
     session::commit(mSession.document(), edit, call, merge);
     if (!edit.told.empty()) mMessages.showNote({}, edit.told);
   };
-  edit(QString::fromStdString(call.command().step(mSession.scene(), call.arguments())),
+  edit(QString::fromStdString(call.command().step(mSession.shown(), call.arguments())),
        {Beside::Ground::Scene, make, commit, true});
 }
 
 void JobRunner::edit(const QString& what, const Beside& beside) {
   auto edit = std::make_shared<session::Edit>();
-  auto work = [edit, make = beside.make, scene = mSession.scene()](Progress& progress) {
+  auto work = [edit, make = beside.make, scene = mSession.shown()](Progress& progress) {
     *edit = make(scene, progress);
   };
   auto done = [this, edit, what, beside] {
-    const scene::Scene &now = mSession.scene(), &before = edit->before;
+    const scene::Scene &now = mSession.shown(), &before = edit->before;
     bool isOfCuts = beside.ground == Beside::Ground::Cuts;
     if (isOfCuts ? now.cuts != before.cuts || now.model.data != before.model.data
                  : now.volume.data != before.volume.data)

@@ -54,7 +54,7 @@ void PictureGrid::drawPictures() {
   for (const QString& name : names) wanted.push_back(name.toStdString());
   mTried.unite(QSet<QString>(names.begin(), names.end()));
   glm::ivec2 size(mList->pictureSize().width(), mList->pictureSize().height());
-  auto work = [this, draw = mKind.draw, scene = mDocument.scene(), wanted, size, turn = mTurn](Progress& progress) {
+  auto work = [this, draw = mKind.draw, scene = mDocument.shown(), wanted, size, turn = mTurn](Progress& progress) {
     auto done = [&](const std::string& name, const Image& image) {
       callLater(this, [this, turn, name = QString::fromStdString(name), picture = toQImage(image)] {
         if (turn == mTurn || mKind.keepsOld) takePicture(name, picture);

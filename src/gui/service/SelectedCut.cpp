@@ -7,7 +7,7 @@
 namespace velum::gui {
 
 const scene::Cut* selectedCut(const session::Document& document, const Selection& selection) {
-  return scene::findCut(document.scene(), selection.cut());
+  return scene::findCut(document.shown(), selection.cut());
 }
 
 const scene::Cut* selectedMembrane(const session::Document& document, const Selection& selection) {
@@ -16,8 +16,8 @@ const scene::Cut* selectedMembrane(const session::Document& document, const Sele
 }
 
 void placeCut(session::Document& document, const scene::Cut& placed, const std::string& step, bool merge) {
-  if (!scene::findCut(document.scene(), placed.id)) return;
-  session::edit(document, session::placeOf(placed, session::cutKey(document.scene(), placed.id)), merge, step);
+  if (!scene::findCut(document.shown(), placed.id)) return;
+  session::edit(document, session::placeOf(placed, session::cutKey(document.shown(), placed.id)), merge, step);
 }
 
 void editSelectedCut(session::Document& document, const Selection& selection, const std::string& label,

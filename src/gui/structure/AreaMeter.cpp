@@ -30,8 +30,8 @@ void AreaMeter::setOn(bool on) {
 }
 
 void AreaMeter::refresh() {
-  if (!mIsOn || isHeld() || mSession.scene() == mMeasured) return;
-  mMeasured = mSession.scene();
+  if (!mIsOn || isHeld() || mSession.shown() == mMeasured) return;
+  mMeasured = mSession.shown();
   if (!mMeasured.labels.data) {
     mCounting.stop();
     mResult = {};
@@ -78,7 +78,7 @@ bool AreaMeter::take(int id) {
     emit told(tr("There is no cut out of which it could be pulled: add one first (C)"));
     return false;
   }
-  const scene::Scene& scene = mSession.scene();
+  const scene::Scene& scene = mSession.shown();
   session::AreaSolver solver(scene, mResult.cuts, id, mResult.hits);
   mBar.take({session::structureLabel(scene, "Pull out", {id}), session::Bar::Handle::Left, *area, area->total(),
              [solver = std::move(solver)](double pixels) { return solver.solve(pixels); }});

@@ -27,7 +27,7 @@ StructureCommands::StructureCommands(session::Document& document, Selection& sel
 }
 
 std::vector<std::string> StructureCommands::named(const Ids& ids) const {
-  return session::structureNames(mDocument.scene(), ids);
+  return session::structureNames(mDocument.shown(), ids);
 }
 
 void StructureCommands::setVisible(const Ids& ids, bool visible) {
@@ -39,15 +39,15 @@ void StructureCommands::invertVisible(const Ids& ids) {
 }
 
 void StructureCommands::toggleSolo(int id) {
-  if (!session::findStructure(mDocument.scene(), id)) return;
+  if (!session::findStructure(mDocument.shown(), id)) return;
   session::SoloStructure call{named({id})[0]};
-  if (mSolo.structure > 0 && session::soloStructure(mDocument.scene()) == mSolo.structure) {
+  if (mSolo.structure > 0 && session::soloStructure(mDocument.shown()) == mSolo.structure) {
     Ids shown = mSolo.visible;
-    std::erase_if(shown, [&](int one) { return !session::findStructure(mDocument.scene(), one); });
+    std::erase_if(shown, [&](int one) { return !session::findStructure(mDocument.shown(), one); });
     call.shown = named(shown);
     call.unlabelled = mSolo.unlabelled;
   }
-  scene::Scene after = mDocument.scene();
+  scene::Scene after = mDocument.shown();
   session::SoloMemory next = session::toggleSolo(after, mSolo, id);
   session::edit(mDocument, call);
   mSolo = next;
@@ -77,13 +77,13 @@ void StructureCommands::setLitSphere(const Ids& ids, const QString& name) {
   session::edit(mDocument, session::SetStructureSphere{named(ids), name.toStdString()});
 }
 
-const scene::Cut* StructureCommands::cut() const { return scene::findCut(mDocument.scene(), mSelection.cut()); }
+const scene::Cut* StructureCommands::cut() const { return scene::findCut(mDocument.shown(), mSelection.cut()); }
 
 QString StructureCommands::cutName() const {
   const scene::Cut* selected = cut();
   if (!selected) return {};
   if (!selected->name.empty()) return QString::fromStdString(selected->name);
-  return tr("cut %1").arg(scene::cutPlace(mDocument.scene(), selected->id) + 1);
+  return tr("cut %1").arg(scene::cutPlace(mDocument.shown(), selected->id) + 1);
 }
 
 bool StructureCommands::isSpared(int id) const {
@@ -94,7 +94,7 @@ bool StructureCommands::isSpared(int id) const {
 void StructureCommands::setSpared(const Ids& ids, bool whole) {
   if (const scene::Cut* selected = cut())
     session::edit(mDocument,
-                  session::SpareStructures{named(ids), whole, session::cutKey(mDocument.scene(), selected->id)});
+                  session::SpareStructures{named(ids), whole, session::cutKey(mDocument.shown(), selected->id)});
 }
 
 const scene::Membrane* StructureCommands::membrane() const {
@@ -113,7 +113,7 @@ double StructureCommands::strengthOf(int id) const {
 void StructureCommands::setStrength(const Ids& ids, double strength) {
   if (membrane())
     session::edit(mDocument,
-                  session::ProtectStructures{named(ids), strength, session::cutKey(mDocument.scene(), cut()->id)});
+                  session::ProtectStructures{named(ids), strength, session::cutKey(mDocument.shown(), cut()->id)});
 }
 
 void StructureCommands::goTo(int id) {
@@ -127,7 +127,7 @@ void StructureCommands::goTo(int id) {
     scene.sections.crosshair = middle;
     scene.sections.isPlaced = true;
   });
-  mFlight.start(session::closeUp(mDocument.scene().camera, middle, session::radiusOfStructure(labels, *size), 1.0));
+  mFlight.start(session::closeUp(mDocument.shown().camera, middle, session::radiusOfStructure(labels, *size), 1.0));
 }
 
 /// What the selected membrane does with structures; nothing where another cut is selected.
@@ -155,11 +155,11 @@ void StructureCommands::fillShowMenu(QMenu& menu, const Ids& ids) {
   };
   auto isShownAs = [&](scene::ShowAs as) {
     return std::all_of(ids.begin(), ids.end(), [&](int id) {
-      const scene::Structure* structure = session::findStructure(mDocument.scene(), id);
+      const scene::Structure* structure = session::findStructure(mDocument.shown(), id);
       return structure && structure->visible && structure->showAs == as;
     });
   };
-  bool isAlone = !mDocument.scene().volume.data || !mDocument.scene().volume.visible;
+  bool isAlone = !mDocument.shown().volume.data || !mDocument.shown().volume.visible;
   if (!isAlone) {
     add(tr("Solid"), tr("A closed surface of its colour, whatever the curve of opacity says"),
         isShownAs(scene::ShowAs::Solid), [this, ids] { setShowAs(ids, scene::ShowAs::Solid); });
@@ -167,7 +167,7 @@ void StructureCommands::fillShowMenu(QMenu& menu, const Ids& ids) {
         isShownAs(scene::ShowAs::Material), [this, ids] { setShowAs(ids, scene::ShowAs::Material); });
   }
   bool isHidden = std::none_of(ids.begin(), ids.end(), [&](int id) {
-    const scene::Structure* structure = session::findStructure(mDocument.scene(), id);
+    const scene::Structure* structure = session::findStructure(mDocument.shown(), id);
     return structure && structure->visible;
   });
   add(tr("Hidden"), tr("It is not drawn"), isHidden, [this, ids, isHidden] { setVisible(ids, isHidden); });
@@ -176,7 +176,7 @@ void StructureCommands::fillShowMenu(QMenu& menu, const Ids& ids) {
 void StructureCommands::fillSphereMenu(QMenu& menu, const Ids& ids) {
   QMenu* spheres = menu.addMenu(tr("Lit sphere"));
   spheres->setToolTip(tr("How the material looks in a finished picture"));
-  QString now = QString::fromStdString(session::findStructure(mDocument.scene(), ids[0])->litSphere);
+  QString now = QString::fromStdString(session::findStructure(mDocument.shown(), ids[0])->litSphere);
   auto add = [&](const QString& name, const QString& title, const QIcon& icon) {
     QAction* action = spheres->addAction(icon, title, this, [this, ids, name] { setLitSphere(ids, name); });
     action->setCheckable(true);
@@ -188,14 +188,14 @@ void StructureCommands::fillSphereMenu(QMenu& menu, const Ids& ids) {
     add(QString::fromUtf8(sphere.name.data(), int(sphere.name.size())),
         QString::fromUtf8(sphere.title.data(), int(sphere.title.size())),
         iconOf(scene::makeLitSphere(sphere.name, 32)));
-  for (const scene::LitSphere& own : mDocument.scene().finish.spheres)
+  for (const scene::LitSphere& own : mDocument.shown().finish.spheres)
     add(QString::fromStdString(own.name), QString::fromStdString(own.name), own.data ? iconOf(*own.data) : QIcon());
 }
 
 /// Whether the legend lists them. Nothing for one without a name, which it cannot say.
 void StructureCommands::fillLegendEntry(QMenu& menu, const Ids& ids) {
-  const std::vector<std::string>& entries = mDocument.scene().lettering.entries;
-  auto nameOf = [this](int id) { return session::findStructure(mDocument.scene(), id)->name; };
+  const std::vector<std::string>& entries = mDocument.shown().lettering.entries;
+  auto nameOf = [this](int id) { return session::findStructure(mDocument.shown(), id)->name; };
   if (std::any_of(ids.begin(), ids.end(), [&](int id) { return nameOf(id).empty(); })) return;
   QAction* list = menu.addAction(tr("List in legend"), this, [this, ids](bool on) { listInLegend(ids, on); });
   list->setCheckable(true);
@@ -207,18 +207,18 @@ void StructureCommands::fillLegendEntry(QMenu& menu, const Ids& ids) {
 
 void StructureCommands::fillMenu(QMenu& menu, const Ids& ids) {
   if (ids.empty()) return;
-  const scene::Structure* first = session::findStructure(mDocument.scene(), ids[0]);
+  const scene::Structure* first = session::findStructure(mDocument.shown(), ids[0]);
   if (!first) return;
   bool one = ids.size() == 1;
   menu.setToolTipsVisible(true);
-  QAction* title = menu.addAction(one ? QString::fromStdString(session::structureName(mDocument.scene(), ids[0]))
+  QAction* title = menu.addAction(one ? QString::fromStdString(session::structureName(mDocument.shown(), ids[0]))
                                       : tr("%n structures", nullptr, int(ids.size())));
   title->setEnabled(false);
   menu.addSeparator();
   fillShowMenu(menu, ids);
   menu.addSeparator();
   if (one) {
-    bool solo = session::soloStructure(mDocument.scene()) == ids[0];
+    bool solo = session::soloStructure(mDocument.shown()) == ids[0];
     menu.addAction(solo ? tr("End solo") : tr("Solo"), this, [this, ids] { toggleSolo(ids[0]); })
         ->setToolTip(solo ? tr("Show again what was shown before") : tr("Show nothing but this"));
     menu.addAction(tr("Go there"), this, [this, ids] { goTo(ids[0]); })

@@ -243,7 +243,7 @@ void StructurePanel::showColumns(bool on) {
 void StructurePanel::measureValues() {
   using Key = StructureOrder::Key;
   bool isOrder = mList->order().key() == Key::Mean || mList->order().key() == Key::Most;
-  if ((mValues->isChecked() || isOrder) && isVisible()) mCommands.meter().measureValues(mDocument.scene());
+  if ((mValues->isChecked() || isOrder) && isVisible()) mCommands.meter().measureValues(mDocument.shown());
 }
 
 /// Bars and values were not counted while nobody saw them.
@@ -268,14 +268,14 @@ void StructurePanel::showCount() {
   std::size_t shown = 0;
   auto ids = mList->listedIds();
   std::sort(ids.begin(), ids.end());
-  for (const auto& structure : mDocument.scene().labels.structures)
+  for (const auto& structure : mDocument.shown().labels.structures)
     shown += structure.visible && std::binary_search(ids.begin(), ids.end(), structure.id);
   mCount->setText(tr("%1 of %2").arg(shown).arg(ids.size()));
 }
 
 void StructurePanel::showSelected() {
   auto ids = mList->selectedIds();
-  const scene::Scene& scene = mDocument.scene();
+  const scene::Scene& scene = mDocument.shown();
   const scene::Structure* first = ids.empty() ? nullptr : session::findStructure(scene, ids[0]);
   mDetail->setEnabled(first);
   QString name = tr("Select a structure");
@@ -289,7 +289,7 @@ void StructurePanel::showSelected() {
 }
 
 void StructurePanel::showSmoothing(const scene::Structure* structure) {
-  const scene::Scene& scene = mDocument.scene();
+  const scene::Scene& scene = mDocument.shown();
   Length length(scene);
   bool isOfFile = structure && session::isOfFile(scene.labels, structure->id);
   mSmoothing->setEnabled(isOfFile);
@@ -304,7 +304,7 @@ void StructurePanel::showSmoothing(const scene::Structure* structure) {
 }
 
 void StructurePanel::refresh() {
-  const scene::Scene& scene = mDocument.scene();
+  const scene::Scene& scene = mDocument.shown();
   const scene::LabelLayer& labels = scene.labels;
   measureValues();
   if (mIsMade && labels == mShownLabels && scene.sections.labelOpacity == mShownOnSections) return;

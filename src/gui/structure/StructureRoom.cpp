@@ -20,12 +20,12 @@ StructureRoom::StructureRoom(const WindowParts& parts)
 }
 
 void StructureRoom::smooth(const std::vector<int>& ids, double deviation) {
-  mParts.jobs.run(session::SmoothStructures{session::structureNames(mParts.session.scene(), ids), deviation});
+  mParts.jobs.run(session::SmoothStructures{session::structureNames(mParts.session.shown(), ids), deviation});
 }
 
 void StructureRoom::refresh(const session::Session& session) {
   // Beside a model alone there is nothing that could have labels, and the row of tabs is full.
-  const scene::Scene& scene = session.scene();
+  const scene::Scene& scene = session.shown();
   mIsModelAlone = scene.model.data && !scene.volume.data && !scene.labels.data;
   mParts.tabs.setPageShown(mPanel, !mIsModelAlone);
   mPanel->refresh();
@@ -54,7 +54,7 @@ void StructureRoom::addActions() {
   QMenu* menu = mParts.menu(MenuId::Structures);
   auto withSelected = [this](void (*act)(StructureCommands&, int, const scene::Scene&)) {
     return [this, act] {
-      if (int id = mParts.selection.structure()) act(*mCommands, id, mParts.session.scene());
+      if (int id = mParts.selection.structure()) act(*mCommands, id, mParts.session.shown());
     };
   };
   actions.addForScene(menu, "structure.openLabels", tr("&Open labels beside..."),
@@ -77,7 +77,7 @@ void StructureRoom::addActions() {
       withSelected([](StructureCommands& commands, int id, const scene::Scene&) { commands.toggleSolo(id); }));
   actions.addForScene(menu, "structure.showAll", tr("Show &all"), tr("Show every structure"), [this] {
     std::vector<int> ids;
-    for (const auto& structure : mParts.session.scene().labels.structures) ids.push_back(structure.id);
+    for (const auto& structure : mParts.session.shown().labels.structures) ids.push_back(structure.id);
     mCommands->setVisible(ids, true);
   });
   actions.addForScene(

@@ -107,7 +107,7 @@ std::vector<Manipulator*> Toolbox::chainOf(const ToolView& view) const {
 
 bool Toolbox::press(ToolView& view, const QMouseEvent& event) {
   if (mHolder) return true;
-  ViewPoint at(view, mDocument.scene(), event.position());
+  ViewPoint at(view, mDocument.shown(), event.position());
   for (Manipulator* next : chainOf(view)) {
     mHolder = next;  // a tool that ends with the press lets go of it itself
     if (next->press(pointerEvent(at, event))) return true;
@@ -118,7 +118,7 @@ bool Toolbox::press(ToolView& view, const QMouseEvent& event) {
 
 bool Toolbox::drag(ToolView& view, const QMouseEvent& event) {
   if (!mHolder) return false;
-  ViewPoint at(view, mDocument.scene(), event.position());
+  ViewPoint at(view, mDocument.shown(), event.position());
   mHolder->drag(pointerEvent(at, event));
   return true;
 }
@@ -126,14 +126,14 @@ bool Toolbox::drag(ToolView& view, const QMouseEvent& event) {
 bool Toolbox::release(ToolView& view, const QMouseEvent& event) {
   if (!mHolder) return false;
   if (event.buttons() != Qt::NoButton) return true;
-  ViewPoint at(view, mDocument.scene(), event.position());
+  ViewPoint at(view, mDocument.shown(), event.position());
   std::exchange(mHolder, nullptr)->release(pointerEvent(at, event));
   return true;
 }
 
 bool Toolbox::click(ToolView& view, const QMouseEvent& event) {
   if (!mActive || event.button() != Qt::LeftButton) return false;
-  ViewPoint at(view, mDocument.scene(), event.position());
+  ViewPoint at(view, mDocument.shown(), event.position());
   mActive->click(pointerEvent(at, event));
   return true;
 }
@@ -141,7 +141,7 @@ bool Toolbox::click(ToolView& view, const QMouseEvent& event) {
 bool Toolbox::wheel(ToolView& view, const QWheelEvent& event) {
   QPoint turn = event.angleDelta();  // with Alt, Qt takes it for a sideways one
   double notches = (turn.y() != 0 ? turn.y() : turn.x()) / 120.0;
-  ViewPoint at(view, mDocument.scene(), event.position());
+  ViewPoint at(view, mDocument.shown(), event.position());
   PointerEvent pointer{at, Qt::NoButton, event.modifiers(), event.globalPosition().toPoint()};
   auto chain = chainOf(view);
   return notches != 0.0 &&
@@ -150,7 +150,7 @@ bool Toolbox::wheel(ToolView& view, const QWheelEvent& event) {
 
 std::optional<Qt::CursorShape> Toolbox::hover(ToolView& view, QPointF place) {
   if (mHolder) return std::nullopt;
-  ViewPoint at(view, mDocument.scene(), place);
+  ViewPoint at(view, mDocument.shown(), place);
   std::optional<Qt::CursorShape> cursor;
   for (Manipulator* next : chainOf(view)) {
     if (!cursor)
@@ -170,19 +170,19 @@ void Toolbox::leave() {
 
 void Toolbox::pressAt(ToolView& view, QPointF place) {
   if (mHolder || !mActive) return;
-  ViewPoint at(view, mDocument.scene(), place);
+  ViewPoint at(view, mDocument.shown(), place);
   mHolder = mActive;
   if (!mActive->press({at, Qt::LeftButton, Qt::NoModifier, view.widget().mapToGlobal(place).toPoint()}))
     mHolder = nullptr;
 }
 
 void Toolbox::dragAt(ToolView& view, QPointF place) {
-  ViewPoint at(view, mDocument.scene(), place);
+  ViewPoint at(view, mDocument.shown(), place);
   if (mHolder) mHolder->drag({at, Qt::NoButton, Qt::NoModifier, view.widget().mapToGlobal(place).toPoint()});
 }
 
 void Toolbox::releaseAt(ToolView& view, QPointF place, bool isClick) {
-  ViewPoint at(view, mDocument.scene(), place);
+  ViewPoint at(view, mDocument.shown(), place);
   PointerEvent event{at, Qt::LeftButton, Qt::NoModifier, view.widget().mapToGlobal(place).toPoint()};
   if (mHolder)
     std::exchange(mHolder, nullptr)->release(event);
@@ -191,7 +191,7 @@ void Toolbox::releaseAt(ToolView& view, QPointF place, bool isClick) {
 }
 
 void Toolbox::hoverAt(ToolView& view, QPointF place) {
-  ViewPoint at(view, mDocument.scene(), place);
+  ViewPoint at(view, mDocument.shown(), place);
   if (mActive && !mHolder) mActive->hover(at);
 }
 

@@ -14,7 +14,7 @@ CameraFlight::CameraFlight(session::Document& document, QObject* parent) : QObje
   mWay.setEndValue(1.0);
   mWay.setEasingCurve(QEasingCurve::InOutCubic);
   connect(&mWay, &QVariantAnimation::valueChanged, this, [this](const QVariant& value) {
-    if (!(mDocument.scene().camera == mLast)) return mWay.stop();
+    if (!(mDocument.shown().camera == mLast)) return mWay.stop();
     scene::Camera camera = mLast = scene::between(mFrom, mTo, value.toDouble());
     mDocument.view([camera](scene::Scene& scene) { scene.camera = camera; });
   });
@@ -22,7 +22,7 @@ CameraFlight::CameraFlight(session::Document& document, QObject* parent) : QObje
 
 void CameraFlight::start(const scene::Camera& to) {
   mWay.stop();
-  mFrom = mLast = mDocument.scene().camera;
+  mFrom = mLast = mDocument.shown().camera;
   mTo = to;
   mWay.start();
 }

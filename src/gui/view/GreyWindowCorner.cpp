@@ -65,7 +65,7 @@ GreyWindowCorner& GreyWindowCorner::of(QWidget& section) {
 void GreyWindowCorner::refresh() {
   glm::dvec2 whole(parentWidget()->width(), parentWidget()->height());
   QPointF corner = lowerRight(whole);
-  mText = QString::fromStdString(session::windowText(mDocument.scene().volume));
+  mText = QString::fromStdString(session::windowText(mDocument.shown().volume));
   QSize size = fontMetrics().boundingRect(mText).size() + kAround;
   setVisible(!mText.isEmpty() && size.width() - kAround.width() < cornerRoom(whole));
   setGeometry(
@@ -95,7 +95,7 @@ void GreyWindowCorner::enterEvent(QEnterEvent*) { update(); }
 void GreyWindowCorner::leaveEvent(QEvent*) { update(); }
 
 void GreyWindowCorner::startTyping() {
-  const scene::VolumeLayer& layer = mDocument.scene().volume;
+  const scene::VolumeLayer& layer = mDocument.shown().volume;
   if (session::windowText(layer).empty()) return;
   mField->setText(QString::fromStdString(session::windowText(layer)));
   mField->setToolTip(tr("Type %1").arg(QString::fromStdString(session::typedWindowForms(layer))));
@@ -111,7 +111,7 @@ void GreyWindowCorner::startTyping() {
 }
 
 void GreyWindowCorner::take() {
-  auto window = session::typedWindow(mField->text().toStdString(), mDocument.scene().volume);
+  auto window = session::typedWindow(mField->text().toStdString(), mDocument.shown().volume);
   if (!window) {
     mark(true);
     return QToolTip::showText(mField->mapToGlobal(QPoint(0, 0)), mField->toolTip(), mField);

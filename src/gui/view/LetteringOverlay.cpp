@@ -25,7 +25,7 @@ QImage imageOf(const session::Mark& mark) {
 }  // namespace
 
 bool LetteringOverlay::count() {
-  const scene::Scene& scene = mDocument.scene();
+  const scene::Scene& scene = mDocument.shown();
   if (!scene.lettering.legend || !scene.model.data) return false;
   Viewport::TypePixels picture = mViewport.typesOfPixels();
   if (picture.types.empty()) return false;
@@ -37,13 +37,13 @@ bool LetteringOverlay::count() {
 
 const session::TypePixels& LetteringOverlay::pixels() const {
   static const session::TypePixels kUnknown;
-  return mDocument.scene().model.data == mModel ? mPixels : kUnknown;
+  return mDocument.shown().model.data == mModel ? mPixels : kUnknown;
 }
 
 std::vector<QString> LetteringOverlay::names() const {
   std::vector<QString> names;
-  if (!mDocument.scene().lettering.legend) return names;
-  for (const session::LegendEntry& entry : session::legendEntries(mDocument.scene(), pixels()))
+  if (!mDocument.shown().lettering.legend) return names;
+  for (const session::LegendEntry& entry : session::legendEntries(mDocument.shown(), pixels()))
     names.push_back(toText(entry.name));
   return names;
 }
@@ -52,7 +52,7 @@ void LetteringOverlay::paint(ViewPainter& over) const {
   if (&over.view != &mViewport) return;
   double ratio = over.painter.device()->devicePixelRatioF();
   glm::ivec2 size(glm::round(glm::dvec2(over.size.width(), over.size.height()) * ratio));
-  for (const session::Mark& mark : session::letteringMarks(mDocument.scene(), size, pixels())) {
+  for (const session::Mark& mark : session::letteringMarks(mDocument.shown(), size, pixels())) {
     QImage image = imageOf(mark);
     image.setDevicePixelRatio(ratio);
     over.painter.drawImage(QPointF(mark.corner.x, mark.corner.y) / ratio, image);

@@ -31,7 +31,7 @@ constexpr double kDotPixels = 1.6;                                // smaller cir
 
 /// Windows by name, the whole range, and one that is typed.
 void addWindowMenu(QMenu& menu, SectionView& view, session::Document& document) {
-  const auto& volume = document.scene().volume.data;
+  const auto& volume = document.shown().volume.data;
   if (!volume || volume->isColor) return;
   QMenu* windows = menu.addMenu(SectionView::tr("&Grey window"));
   windows->setToolTipsVisible(true);
@@ -100,13 +100,13 @@ void SectionView::setMaximised(bool maximised) {
 }
 
 scene::SectionPlane SectionView::plane() const {
-  return scene::makeSectionPlane(mDocument.scene(), mKind, logicalSize());
+  return scene::makeSectionPlane(mDocument.shown(), mKind, logicalSize());
 }
 
 void SectionView::refresh() {
   if (!isVisible()) return;  // showEvent makes up for it
   GreyWindowCorner::of(*this).refresh();
-  const scene::Scene& scene = mDocument.scene();
+  const scene::Scene& scene = mDocument.shown();
   setAccessibleName(tr("%1 section").arg(planeName(scene, mKind)));
   scene::Scene wanted = scene::sectionScene(scene);
   wanted.background.transparent = false;  // a window has something behind
@@ -148,7 +148,7 @@ void SectionView::drawImage() {
 
 /// The circles in which the section meets the instances of the model, in their types' colours.
 void SectionView::drawOutlines() {
-  const scene::Scene& scene = mDocument.scene();
+  const scene::Scene& scene = mDocument.shown();
   if (mModelShown == scene.model && mOutlinesPlane == mWantedPlane) return;
   mModelShown = scene.model;
   mOutlinesPlane = mWantedPlane;
@@ -197,7 +197,7 @@ void SectionView::paintEvent(QPaintEvent*) {
                      tr("%1 more instances are not outlined").arg(QLocale().toString(qulonglong(mOutlinesMissing))));
   }
   mHints.hasFocus = hasFocus();
-  paintSectionOverlay(painter, mDocument.scene(), mKind, plane(), mHints);
+  paintSectionOverlay(painter, mDocument.shown(), mKind, plane(), mHints);
   ++mPaintCount;
 }
 
@@ -229,7 +229,7 @@ void SectionView::scroll(double steps) {
 }
 
 void SectionView::showMenu(QPoint globalPlace) {
-  const scene::Sections& sections = mDocument.scene().sections;
+  const scene::Sections& sections = mDocument.shown().sections;
   QMenu menu(this);
   menu.setToolTipsVisible(true);
   // What is shown.
@@ -245,7 +245,7 @@ void SectionView::showMenu(QPoint globalPlace) {
   addTick(tr("&Crosshair"), tr("Lines where the other sections cross"), &scene::Sections::showCrosshair);
   addTick(tr("C&uts"), tr("Cuts as lines; what they remove is dimmed"), &scene::Sections::showCuts);
   // Structures, where there are any: a slider in the menu.
-  if (mDocument.scene().labels.data) {
+  if (mDocument.shown().labels.data) {
     auto* row = new NumberRow(0, 100, 0, " %", &menu);
     row->setValue(sections.labelOpacity * 100.0);
     row->setToolTip(tr("Opacity of the structures over the grey values"));
@@ -269,7 +269,7 @@ void SectionView::showMenu(QPoint globalPlace) {
     connect(action, &QAction::triggered, this, std::move(run));
   };
   addCommand(tr("&Fit\tF"), tr("All of the data in this view"), [this] { fit(); });
-  bool isPatient = hasPatientLetters(mDocument.scene());
+  bool isPatient = hasPatientLetters(mDocument.shown());
   addCommand(isPatient ? tr("&Patient's axes\tR") : tr("A&xes\tR"),
              isPatient ? tr("Axial, coronal and sagittal again, crosshair in the middle")
                        : tr("Along the axes again, crosshair in the middle"),

@@ -46,7 +46,7 @@ class SectionView : public QWidget, public ToolView {
   QWidget& widget() override { return *this; }
   session::ViewSpace space() const override { return session::ViewSpace(plane()); }
   std::optional<render::Pick> pickAt(QPointF place) override;
-  bool showsHandles() const override { return mDocument.scene().sections.showCuts; }
+  bool showsHandles() const override { return mDocument.shown().sections.showCuts; }
   Qt::CursorShape restCursor() const override { return Qt::CrossCursor; }
 
  signals:

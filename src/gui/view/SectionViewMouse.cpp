@@ -35,8 +35,8 @@ SectionView::Drag SectionView::dragFor(const QMouseEvent& event) const {
   if (event.button() == Qt::MiddleButton || (event.button() == Qt::LeftButton && shift)) return Drag::Pan;
   if (event.button() == Qt::RightButton) return Drag::Window;
   if (event.button() != Qt::LeftButton) return Drag::None;
-  bool isTurn = mHints.showKnobs && mDocument.scene().sections.showCrosshair &&
-                session::isOnKnob(session::crosshairLines(mDocument.scene(), mKind, plane()), toVec(event.position()),
+  bool isTurn = mHints.showKnobs && mDocument.shown().sections.showCrosshair &&
+                session::isOnKnob(session::crosshairLines(mDocument.shown(), mKind, plane()), toVec(event.position()),
                                   kReachPixels);
   return isTurn ? Drag::Turn : Drag::Crosshair;
 }
@@ -50,7 +50,7 @@ void SectionView::mousePressEvent(QMouseEvent* event) {
   emit touched();
   mDrag = dragFor(*event);
   mDragStart = mDragLast = toVec(event->position());
-  mDragScene = mDocument.scene();
+  mDragScene = mDocument.shown();
   mDragPlane = plane();
   mHasMoved = false;
   if (!mSincePress.isValid() || mSincePress.hasExpired(QApplication::doubleClickInterval()))
@@ -135,15 +135,15 @@ void SectionView::mouseDoubleClickEvent(QMouseEvent* event) {
 /// A click selects the structure that it meets.
 void SectionView::pickStructure(QPointF place) {
   glm::dvec3 world = scene::worldFromSectionPixel(plane(), toVec(place));
-  if (mDocument.scene().labels.data) mSelection.setStructure(render::probe(mDocument.scene(), world).structure);
+  if (mDocument.shown().labels.data) mSelection.setStructure(render::probe(mDocument.shown(), world).structure);
 }
 
 /// Says what is under the pointer, and lights the knobs.
 void SectionView::hover(QPointF place) {
   std::optional<Qt::CursorShape> grip;
   if (mDrag == Drag::None) grip = mToolbox.hover(*this, place);
-  bool onKnob = mDrag == Drag::Turn || (mDrag == Drag::None && !grip && mDocument.scene().sections.showCrosshair &&
-                                        session::isOnKnob(session::crosshairLines(mDocument.scene(), mKind, plane()),
+  bool onKnob = mDrag == Drag::Turn || (mDrag == Drag::None && !grip && mDocument.shown().sections.showCrosshair &&
+                                        session::isOnKnob(session::crosshairLines(mDocument.shown(), mKind, plane()),
                                                           toVec(place), kReachPixels));
   if (onKnob != mHints.hotKnob) {
     mHints.hotKnob = onKnob;
@@ -156,7 +156,7 @@ void SectionView::hover(QPointF place) {
 std::optional<render::Pick> SectionView::pickAt(QPointF place) {
   render::Pick pick;
   pick.world = scene::worldFromSectionPixel(plane(), toVec(place));
-  render::Probe probe = render::probe(mDocument.scene(), pick.world);
+  render::Probe probe = render::probe(mDocument.shown(), pick.world);
   pick.hit = probe.inside;
   pick.structure = probe.structure;
   if (!probe.values.empty()) pick.value = probe.values.front();

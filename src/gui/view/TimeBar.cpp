@@ -43,7 +43,7 @@ TimeBar::TimeBar(session::Document& document, QWidget* parent)
 }
 
 int TimeBar::timeSteps() const {
-  const auto& volume = mDocument.scene().volume.data;
+  const auto& volume = mDocument.shown().volume.data;
   return volume ? volume->timeSteps : 0;
 }
 
@@ -62,7 +62,7 @@ void TimeBar::setPlaying(bool playing) {
 void TimeBar::step(int steps) {
   int count = timeSteps();
   if (count < 2) return;
-  int next = ((mDocument.scene().volume.timeStep + steps) % count + count) % count;
+  int next = ((mDocument.shown().volume.timeStep + steps) % count + count) % count;
   auto change = [next](scene::Scene& scene) { scene.volume.timeStep = next; };
   // What plays goes on by itself: there is nothing to undo.
   isPlaying() ? mDocument.complete(change) : mDocument.view(change);
@@ -74,9 +74,9 @@ void TimeBar::refresh() {
   if (count < 2) return setPlaying(false);
   const QSignalBlocker quiet(mSlider);
   mSlider->setRange(0, count - 1);
-  int timeStep = mDocument.scene().volume.timeStep;
+  int timeStep = mDocument.shown().volume.timeStep;
   mSlider->setValue(timeStep);
-  double seconds = mDocument.scene().volume.data->timeStepSeconds;
+  double seconds = mDocument.shown().volume.data->timeStepSeconds;
   QString text = tr("%1 of %2").arg(timeStep + 1).arg(count);
   if (seconds > 0) text += tr("    %1 s").arg(timeStep * seconds, 0, 'f', seconds < 0.1 ? 3 : 2);
   mText->setText(text);

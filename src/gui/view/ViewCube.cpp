@@ -42,7 +42,7 @@ FaceAxes axesOf(glm::ivec3 face) {
 }  // namespace
 
 ViewCube::ViewCube(session::Document& document, QWidget& view)
-    : QWidget(&view), mDocument(document), mView(view), mFlight(document, nullptr), mCamera(document.scene().camera) {
+    : QWidget(&view), mDocument(document), mView(view), mFlight(document, nullptr), mCamera(document.shown().camera) {
   setObjectName("viewCube");
   setAccessibleName(tr("From where one looks"));
   setAttribute(Qt::WA_NoSystemBackground);
@@ -72,8 +72,8 @@ bool ViewCube::eventFilter(QObject* watched, QEvent* event) {
 
 void ViewCube::refresh() {
   QString front = nameOf({0, -1, 0});
-  if (mCamera == mDocument.scene().camera && front == mFront) return;
-  mCamera = mDocument.scene().camera;
+  if (mCamera == mDocument.shown().camera && front == mFront) return;
+  mCamera = mDocument.shown().camera;
   mFront = front;
   update();
 }
@@ -121,12 +121,12 @@ std::optional<glm::ivec3> ViewCube::partAt(QPointF place) const {
 QString ViewCube::nameOf(glm::ivec3 side) const {
   QStringList names;
   for (int axis : {1, 0, 2})
-    if (side[axis] != 0) names << (hasWords() ? sideName : sideSign)(mDocument.scene(), axis, side[axis] > 0);
+    if (side[axis] != 0) names << (hasWords() ? sideName : sideSign)(mDocument.shown(), axis, side[axis] > 0);
   return names.join(", ");
 }
 
 /// A scan whose file does not say how it lay has axes alone.
-bool ViewCube::hasWords() const { return hasPatientLetters(mDocument.scene()) || mDocument.scene().model.data; }
+bool ViewCube::hasWords() const { return hasPatientLetters(mDocument.shown()) || mDocument.shown().model.data; }
 
 // Painting.
 
@@ -211,14 +211,14 @@ void ViewCube::mouseMoveEvent(QMouseEvent* event) {
   if (!mIsDragged) return;
   QPointF way = (event->position() - mLast) * kTurn;
   mLast = event->position();
-  scene::Camera camera = scene::orbit(mDocument.scene().camera, {way.x(), way.y()});
+  scene::Camera camera = scene::orbit(mDocument.shown().camera, {way.x(), way.y()});
   mDocument.view([camera](scene::Scene& scene) { scene.camera = camera; });
 }
 
 void ViewCube::mouseReleaseEvent(QMouseEvent* event) {
   auto side = std::exchange(mPressed, std::nullopt);
   if (!side) return event->ignore();
-  if (!mIsDragged) mFlight.start(scene::seenFrom(mDocument.scene().camera, toDouble(*side)));
+  if (!mIsDragged) mFlight.start(scene::seenFrom(mDocument.shown().camera, toDouble(*side)));
   setHover(partAt(event->position()));
 }
 

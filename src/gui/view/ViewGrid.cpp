@@ -61,7 +61,7 @@ Layout ViewGrid::layoutFor(const scene::Scene& scene) {
 SectionView& ViewGrid::currentSection() {
   for (auto* view : mSections)
     if (view->isVisible() && view->hasFocus()) return *view;
-  return section(mDocument.scene().sections.beside);
+  return section(mDocument.shown().sections.beside);
 }
 
 QWidget& ViewGrid::keyboardView() {
@@ -81,7 +81,7 @@ void ViewGrid::setLayout(Layout layout) {
 }
 
 void ViewGrid::maximise(std::optional<SectionKind> kind) {
-  const auto& sections = mDocument.scene().sections;
+  const auto& sections = mDocument.shown().sections;
   bool fills = kind ? sections.layout == Layout::Section : sections.layout == Layout::Volume;
   if (!fills && sections.layout != Layout::Section && sections.layout != Layout::Volume) mBefore = sections.layout;
   Layout layout = fills ? mBefore : kind ? Layout::Section : Layout::Volume;
@@ -105,7 +105,7 @@ bool ViewGrid::isCurrent() const {
 }
 
 void ViewGrid::refresh() {
-  const auto& sections = mDocument.scene().sections;
+  const auto& sections = mDocument.shown().sections;
   if (mPlaced != sections.layout || mBeside != sections.beside) place(sections);
   mViewport->sceneChanged();
   for (auto* view : mSections) view->refresh();
@@ -153,7 +153,7 @@ void ViewGrid::place(const scene::Sections& sections) {
   update();
 }
 
-void ViewGrid::resizeEvent(QResizeEvent*) { place(mDocument.scene().sections); }
+void ViewGrid::resizeEvent(QResizeEvent*) { place(mDocument.shown().sections); }
 
 void ViewGrid::paintEvent(QPaintEvent*) { QPainter(this).fillRect(rect(), palette().color(QPalette::Mid)); }
 
@@ -184,7 +184,7 @@ void ViewGrid::mouseMoveEvent(QMouseEvent* event) {
   if (mDragX) (mPlaced == Layout::VolumeAndSection ? mBesideSplit : mFourSplit.x) = share.x;
   if (mDragY) mFourSplit.y = share.y;
   mViewport->pause(kPauseMs);
-  place(mDocument.scene().sections);
+  place(mDocument.shown().sections);
 }
 
 void ViewGrid::mouseReleaseEvent(QMouseEvent*) { mDragX = mDragY = false; }
@@ -192,7 +192,7 @@ void ViewGrid::mouseReleaseEvent(QMouseEvent*) { mDragX = mDragY = false; }
 void ViewGrid::mouseDoubleClickEvent(QMouseEvent*) {
   mFourSplit = glm::dvec2(0.5);
   mBesideSplit = 0.6;
-  place(mDocument.scene().sections);
+  place(mDocument.shown().sections);
 }
 
 }  // namespace velum::gui

@@ -170,7 +170,7 @@ bool Viewport::marksOverlaps() const { return mToolbox.active() && mToolbox.acti
 
 /// The scene as it is drawn. The sheets themselves tell where they rest.
 scene::Scene Viewport::drawnScene() const {
-  scene::Scene scene = scene::pictureScene(mDocument.scene());
+  scene::Scene scene = scene::pictureScene(mDocument.shown());
   for (auto& cut : scene.cuts)
     if (cut.membrane) cut.membrane->shape = {};
   return scene;
@@ -181,7 +181,7 @@ void Viewport::startAnew() {
   mRestTimer.stop();
   mToolbox.repaint(*this);
   if (mRenderer) {
-    mVeil->await(mDocument.scene());
+    mVeil->await(mDocument.shown());
     if (mToldStage == Stage::Idle && isVisible()) {
       mToldStage = Stage::Coarse;
       mSinceTold.start();
@@ -233,7 +233,7 @@ void Viewport::section() {
 /// Works on the picture for a while. @return false when there is nothing to do until something happens
 bool Viewport::drawSome() {
   if (mHasPicture && holdsPicture(mToolbox)) return false;
-  bool otherData = mFrame.scene.volume.data != mDocument.scene().volume.data;
+  bool otherData = mFrame.scene.volume.data != mDocument.shown().volume.data;
   // A coarse picture on its way is finished first: a steady drag would otherwise never show one.
   if (mPending && (mStage != Stage::Coarse || otherData)) begin(Stage::Coarse);
   if (mStage == Stage::Idle || mRestTimer.isActive()) return false;
@@ -254,7 +254,7 @@ void Viewport::show() {
   mRenderer->present(mShown->handle(), {mShown->width(), mShown->height()});
   mSinceShown.restart();
   mVeil->lift(mFrame.scene);
-  if (mPending) mVeil->await(mDocument.scene());
+  if (mPending) mVeil->await(mDocument.shown());
   update();
 }
 
@@ -280,7 +280,7 @@ bool Viewport::hearCounts() {
   if (auto bits = mRenderer->bits()) {
     bool isOfFrame = bits->pictureSize == mFrame.pictureSize;
     mAwaitsCounts = !isOfFrame;
-    if (mDocument.scene().model.data == mFrame.scene.model.data)
+    if (mDocument.shown().model.data == mFrame.scene.model.data)
       emit counted(*bits, isOfFrame && !mPending && mStage != Stage::Coarse);
   }
   return mAwaitsCounts;
@@ -302,7 +302,7 @@ scene::Camera Viewport::frame(const scene::Scene& scene, scene::StandardView vie
 }
 
 void Viewport::lookFrom(scene::StandardView view) {
-  mDocument.view([camera = frame(mDocument.scene(), view)](scene::Scene& scene) { scene.camera = camera; });
+  mDocument.view([camera = frame(mDocument.shown(), view)](scene::Scene& scene) { scene.camera = camera; });
 }
 
 void Viewport::toggleProjection() {

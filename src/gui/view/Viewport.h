@@ -53,7 +53,7 @@ class Viewport : public QOpenGLWidget, public ToolView {
   void resetMembrane(int cut);
 
   QWidget& widget() override { return *this; }
-  session::ViewSpace space() const override { return {mDocument.scene().camera, logicalSize()}; }
+  session::ViewSpace space() const override { return {mDocument.shown().camera, logicalSize()}; }
   std::optional<render::Pick> pickAt(QPointF place) override;
   /// The type of the model that each pixel of the picture shows, row by row from the top; -1: none.
   struct TypePixels {

@@ -40,7 +40,7 @@ void Viewport::mousePressEvent(QMouseEvent* event) {
 
 void Viewport::dragCamera(glm::dvec2 from, glm::dvec2 to) {
   glm::dvec2 delta = (to - from) / logicalSize().y;
-  scene::Camera camera = mDocument.scene().camera;
+  scene::Camera camera = mDocument.shown().camera;
   if (mDrag == Drag::Orbit) camera = scene::orbit(camera, delta);
   if (mDrag == Drag::Pan) camera = scene::pan(camera, delta);
   if (mDrag == Drag::Zoom) camera = scene::zoom(camera, std::exp(2.0 * delta.y));
@@ -95,7 +95,7 @@ void Viewport::wheelEvent(QWheelEvent* event) {
   double notches = event->angleDelta().y() / 120.0;
   if (notches == 0.0) return;
   if (!Preferences::habits().wheelForwardComesNearer) notches = -notches;
-  scene::Camera camera = scene::zoom(mDocument.scene().camera, std::pow(0.9, notches));
+  scene::Camera camera = scene::zoom(mDocument.shown().camera, std::pow(0.9, notches));
   mDocument.view([camera](scene::Scene& scene) { scene.camera = camera; });
   event->accept();
 }

@@ -53,7 +53,7 @@ void ExportCommands::askSavePicture() {
   const Viewport& viewport = mParts.views.viewport();
   double ratio = viewport.devicePixelRatioF();
   SavePictureDialog dialog({int(viewport.width() * ratio), int(viewport.height() * ratio)}, usualPictureSize(),
-                           mParts.session.scene(), &mParts.window);
+                           mParts.session.shown(), &mParts.window);
   dialog.recall();
   if (dialog.exec() != QDialog::Accepted) return;
   dialog.remember();
@@ -97,7 +97,7 @@ void ExportCommands::saveAnimationTo(const QString& path, const session::Picture
 
 /// Id of the selected membrane, else of the first one that is enabled; 0: none.
 int ExportCommands::membraneToExport() const {
-  const scene::Scene& scene = mParts.session.scene();
+  const scene::Scene& scene = mParts.session.shown();
   if (const scene::Cut* selected = selectedMembrane(mParts.document(), mParts.selection)) return selected->id;
   for (const auto& cut : scene.cuts)
     if (scene::isMembrane(cut) && cut.enabled) return cut.id;
@@ -108,7 +108,7 @@ int ExportCommands::membraneToExport() const {
 /// shows them, other sheets where they will come to rest, as the same scene always gives the same sheets.
 std::function<scene::Scene(Progress&)> ExportCommands::sceneAtRest() const {
   const session::MembraneMover& player = mParts.session.membranes();
-  scene::Scene scene = mParts.session.scene();
+  scene::Scene scene = mParts.session.shown();
   bool isShown = player.isSettled() || !player.isPlaying();
   if (isShown || !session::hasMembranes(scene))
     return [shown = player.withShapes(std::move(scene))](Progress&) { return shown; };
@@ -165,13 +165,13 @@ QString ExportCommands::askPath(const QString& title, const char* suffix, const 
 }
 
 void ExportCommands::askExportModel() {
-  if (!mParts.session.scene().model.data) return mParts.messages.showNote(tr("No model is open."));
+  if (!mParts.session.shown().model.data) return mParts.messages.showNote(tr("No model is open."));
   QString path = askPath(tr("Export model"), "-model.cif", saveFilters(io::FileKind::Model));
   if (!path.isEmpty()) exportModelTo(path);
 }
 
 void ExportCommands::askExportBars() {
-  if (!mParts.session.scene().model.data) return mParts.messages.showNote(tr("No model is open."));
+  if (!mParts.session.shown().model.data) return mParts.messages.showNote(tr("No model is open."));
   QString path = askPath(tr("Export bars"), "-bars.svg", tr("SVG (*.svg);;Table (*.csv)"));
   if (!path.isEmpty()) exportBarsTo(path);
 }
@@ -183,7 +183,7 @@ void ExportCommands::askExportSheet() {
 }
 
 void ExportCommands::askExportClipped() {
-  if (!mParts.session.scene().volume.data) return mParts.messages.showNote(tr("There is no volume to clip."));
+  if (!mParts.session.shown().volume.data) return mParts.messages.showNote(tr("There is no volume to clip."));
   QString path = askPath(tr("Export clipped volume"), "-clipped.nrrd", saveFilters(io::FileKind::Volume));
   if (!path.isEmpty()) exportClippedTo(path);
 }
@@ -191,19 +191,19 @@ void ExportCommands::askExportClipped() {
 // Structures.
 
 void ExportCommands::exportStructuresTo(const QString& path, const session::StructureExport& what) {
-  if (!mParts.session.scene().labels.data) return mParts.messages.showNote(tr("There are no structures to export."));
+  if (!mParts.session.shown().labels.data) return mParts.messages.showNote(tr("There are no structures to export."));
   auto losses = std::make_shared<std::vector<std::string>>();
   mParts.jobs.start(
       tr("Writing %1").arg(QFileInfo(path).fileName()),
-      [losses, what, scene = mParts.session.scene(), path = path.toStdString()](Progress& progress) {
+      [losses, what, scene = mParts.session.shown(), path = path.toStdString()](Progress& progress) {
         *losses = session::exportStructures(scene, path, what, progress);
       },
       [this, losses, path] { mParts.messages.showNote(tr("Saved %1").arg(path), *losses); });
 }
 
 void ExportCommands::askExportStructures(const std::vector<int>& selected) {
-  if (!mParts.session.scene().labels.data) return mParts.messages.showNote(tr("There are no structures to export."));
-  ExportStructuresDialog dialog(mParts.session.scene(), selected, &mParts.window);
+  if (!mParts.session.shown().labels.data) return mParts.messages.showNote(tr("There are no structures to export."));
+  ExportStructuresDialog dialog(mParts.session.shown(), selected, &mParts.window);
   if (dialog.exec() != QDialog::Accepted) return;
   QString filters = saveFilters(io::FileKind::Surface) + ";;" + saveFilters(io::FileKind::Labels);
   QString path = askPath(tr("Export structures"), "-structures.stl", filters);

@@ -45,7 +45,7 @@ QString nameOf(const QString& path) { return QFileInfo(path).fileName(); }
 
 /// Shows an error where labels do not lie where the scan lies. @return false where they do
 bool sayMisplaced(const WindowParts& parts, const QString& name) {
-  std::string misplaced = session::misplacedLabels(parts.session.scene());
+  std::string misplaced = session::misplacedLabels(parts.session.shown());
   if (!misplaced.empty()) parts.messages.showError(QString("%1: %2").arg(name, toText(misplaced)));
   return !misplaced.empty();
 }
@@ -71,8 +71,8 @@ void FileLoads::start(const QString& what, Read read, bool add, const QString& p
       what, [loaded, read = std::move(read)](Progress& progress) { *loaded = read(progress); },
       [this, loaded, add, path] {
         if (!add) return finish(loaded, path);
-        auto notes = notesOf(*loaded, mParts.session.scene());
-        bool hasOtherLabels = !(loaded->scene.labels.data == mParts.session.scene().labels.data);
+        auto notes = notesOf(*loaded, mParts.session.shown());
+        bool hasOtherLabels = !(loaded->scene.labels.data == mParts.session.shown().labels.data);
         mParts.session.file().add(*loaded);
         if (hasOtherLabels) mParts.messages.hide();  // what it said may have been of those before
         if (hasOtherLabels && sayMisplaced(mParts, nameOf(path))) return;
@@ -154,7 +154,7 @@ void FileLoads::readPaths(const QStringList& paths, bool add) {
   bool beside = add && mParts.session.file().isOpen();
   Read read = [names, policy = policy()](Progress& progress) { return session::readPaths(names, progress, policy); };
   if (beside)
-    read = [names, scene = mParts.session.scene(), policy = policy()](Progress& progress) {
+    read = [names, scene = mParts.session.shown(), policy = policy()](Progress& progress) {
       return session::readBeside(scene, names, progress, policy);
     };
   start(what, read, beside, first);
@@ -183,7 +183,7 @@ void FileLoads::openSample(const QString& name) {
 void FileLoads::openLabels(const QString& path) {
   start(
       tr("Opening %1").arg(nameOf(path)),
-      [scene = mParts.session.scene(), file = QFileInfo(path).absoluteFilePath().toStdString()](Progress& progress) {
+      [scene = mParts.session.shown(), file = QFileInfo(path).absoluteFilePath().toStdString()](Progress& progress) {
         return session::readLabels(scene, session::sourcesOf({file}).front(), progress);
       },
       true, path);
@@ -256,7 +256,7 @@ void FileLoads::show(session::Loaded& loaded, const QString& path) {
 /// Shows all notes about the data; as an error where slices are missing, as what is seen there was not measured.
 void FileLoads::sayNotes(const QString& name, const std::vector<std::string>& notes) {
   if (sayMisplaced(mParts, name)) return;
-  const auto& volume = mParts.session.scene().volume.data;
+  const auto& volume = mParts.session.shown().volume.data;
   int missing = 0;
   if (volume)
     for (glm::ivec2 gap : volume->gaps) missing += gap[1];

@@ -65,7 +65,7 @@ void addPresets(const WindowParts& parts, Findables& found) {
 }
 
 void addStructures(const WindowParts& parts, Findables& found) {
-  for (const auto& structure : parts.session.scene().labels.structures) {
+  for (const auto& structure : parts.session.shown().labels.structures) {
     QString name = structure.name.empty() ? QString::number(structure.id) : QString::fromStdString(structure.name);
     found.push_back({Room::tr("Structure") + " > " + name,
                      {},
@@ -80,10 +80,10 @@ void addStructures(const WindowParts& parts, Findables& found) {
 }
 
 void addTypes(const WindowParts& parts, Findables& found) {
-  const auto& model = parts.session.scene().model.data;
+  const auto& model = parts.session.shown().model.data;
   for (int i = 0; model && i < int(model->types.size()); ++i) {
     // By both names, as people may know the one or the other.
-    QString name = typeText(parts.session.scene().model, std::uint32_t(i)),
+    QString name = typeText(parts.session.shown().model, std::uint32_t(i)),
             inFile = readableText(model->types[std::size_t(i)].name);
     if (name != QString(inFile).replace('_', ' ')) name += QString(" (%1)").arg(inFile);
     found.push_back({Room::tr("Type") + " > " + name,

@@ -137,7 +137,7 @@ void MainWindow::refresh() {
 }
 
 void MainWindow::takePreferences() {
-  if (const auto& volume = mSession.scene().volume.data; volume && volume->finer)
+  if (const auto& volume = mSession.shown().volume.data; volume && volume->finer)
     volume->finer->bricks->setMostBytes(std::size_t(brickBudget()));
   refresh();
   for (QWidget* widget : findChildren<QWidget*>()) widget->update();

@@ -66,7 +66,7 @@ PyramidCommands::PyramidCommands(const WindowParts& parts, FileLoads& loads) : R
   mMake = parts.actions.addForScene(
       parts.menu(MenuId::Edit), "edit.makePyramid", tr("Make a p&yramid beside it..."),
       tr("Write the open file with coarser levels beside it, as OME-Zarr: what opens at once, whatever its size"),
-      [this] { look(mParts.session.scene().volume.source, Why::Asked); });
+      [this] { look(mParts.session.shown().volume.source, Why::Asked); });
   mStrip = new ProgressStrip(parts.floating.host());
   mStrip->findChild<QPushButton*>("cancel")->setToolTip(
       tr("Stop writing; what is on the disk stays, and the next writer goes on"));
@@ -74,17 +74,17 @@ PyramidCommands::PyramidCommands(const WindowParts& parts, FileLoads& loads) : R
   connect(mStrip, &ProgressStrip::cancelled, this, [this] {
     if (mJob) mJob->cancel();
   });
-  connect(&loads, &FileLoads::volumeOpened, this, [this] { look(mParts.session.scene().volume.source, Why::Opened); });
+  connect(&loads, &FileLoads::volumeOpened, this, [this] { look(mParts.session.shown().volume.source, Why::Opened); });
   connect(&loads, &FileLoads::tooLarge, this, [this](const scene::Source& source) { look(source, Why::TooLarge); });
 }
 
 void PyramidCommands::refresh(const session::Session& session) {
-  const scene::VolumeLayer& layer = session.scene().volume;
+  const scene::VolumeLayer& layer = session.shown().volume;
   mMake->setEnabled(layer.data && !layer.source.path.empty() && !layer.data->finer && !isWriting());
 }
 
 bool PyramidCommands::isOpen(const scene::Source& source) const {
-  const scene::VolumeLayer& layer = mParts.session.scene().volume;
+  const scene::VolumeLayer& layer = mParts.session.shown().volume;
   return layer.data && layer.source.path == source.path && layer.source.raw == source.raw;
 }
 
@@ -186,7 +186,7 @@ void PyramidCommands::use(const scene::Source& source, const QString& pyramid) {
     return;
   }
   QString name = QFileInfo(pyramid).fileName();
-  const scene::Scene& scene = mParts.session.scene();
+  const scene::Scene& scene = mParts.session.shown();
   if (isOpen(source) && scene.labels.growths.empty()) {
     emit sourceWanted(tr("Use the pyramid"), session::withPyramid(scene.volume.source, pyramid.toStdString()));
     return mParts.messages.showNote(

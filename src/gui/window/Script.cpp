@@ -152,7 +152,7 @@ bool Script::runAction(const QString& command, const QString& rest) {
 /// Runs a command that scripts without a window have, too. Here long commands are jobs.
 void Script::runCommand(const QString& line) {
   session::Call call = session::parseCall(line.toStdString());
-  bool isLong = !call.command().act && session::isLong(mWindow.document().scene(), call);
+  bool isLong = !call.command().act && session::isLong(mWindow.document().shown(), call);
   if (isLong) {
     mWindow.jobs().run(call);
     return waitFor([this] { return !mWindow.isBusy(); }, kMostMs, line);
@@ -195,7 +195,7 @@ bool Script::runFile(const QString& command, const QString& rest) {
   } else if (command == "picture") {
     auto picture = argumentsOf(session::MakePicture{});
     QString path = wholePath(QString::fromStdString(picture.path));
-    mWindow.exports().savePictureTo(path, session::optionsOf(picture), mWindow.document().scene());
+    mWindow.exports().savePictureTo(path, session::optionsOf(picture), mWindow.document().shown());
     waitForJob(path);
   } else if (command == "screenshot") {
     saveImage(mWindow.grab().toImage(), wholePath(rest).toStdString());

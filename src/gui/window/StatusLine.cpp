@@ -78,7 +78,7 @@ void StatusLine::showProgress(double fraction, const QString& stage) {
 
 /// How much of what is seen is at which level, and what is on its way.
 void StatusLine::showStreaming(const render::Streaming& streaming) {
-  const auto& volume = mParts.session.scene().volume.data;
+  const auto& volume = mParts.session.shown().volume.data;
   if (!volume || !volume->finer) return mStreaming->clear();
   QStringList levels, lines;
   for (std::size_t i = 0; i < streaming.shares.size(); ++i) {
@@ -112,7 +112,7 @@ void StatusLine::showStreaming(const render::Streaming& streaming) {
 }
 
 void StatusLine::refresh(const session::Session& session) {
-  const scene::Scene& scene = session.scene();
+  const scene::Scene& scene = session.shown();
   showStreaming(mParts.views.viewport().stats().streaming);
   mPick->setToolTip(hasPatientLetters(scene)
                         ? tr("Under the pointer: value, position in patient coordinates (L, P, S), structure")
@@ -153,7 +153,7 @@ void StatusLine::refresh(const session::Session& session) {
 }
 
 void StatusLine::showPick(const render::Pick& pick) {
-  const auto& scene = mParts.session.scene();
+  const auto& scene = mParts.session.shown();
   QString text;
   QStringList values;
   for (double value : render::probe(scene, pick.world).values) values << shortNumber(value);

@@ -34,7 +34,7 @@ constexpr DirectionRow kDirections[] = {{"view.anterior", "&Anterior", "Fr&ont",
 void resetCamera(session::Document& document, const QWidget& view) {
   double aspect = double(std::max(1, view.width())) / std::max(1, view.height());
   document.view(
-      [camera = scene::firstCamera(document.scene(), aspect)](scene::Scene& scene) { scene.camera = camera; });
+      [camera = scene::firstCamera(document.shown(), aspect)](scene::Scene& scene) { scene.camera = camera; });
 }
 
 }  // namespace
@@ -65,7 +65,7 @@ ViewCommands::ViewCommands(const WindowParts& parts)
   menu->addSeparator();
   addSections(menu);
   addGreyWindows(menu->addMenu(tr("Grey &window")));
-  nameSides(parts.session.scene());
+  nameSides(parts.session.shown());
 }
 
 void ViewCommands::addDirections(QMenu* menu) {
@@ -155,7 +155,7 @@ void ViewCommands::addCube(QMenu* menu) {
 }
 
 void ViewCommands::refresh(const session::Session& session) {
-  const scene::Scene& scene = session.scene();
+  const scene::Scene& scene = session.shown();
   mLayouts->actions()[int(scene.sections.layout)]->setChecked(true);
   mCube->refresh();
   nameSides(scene);

@@ -53,7 +53,7 @@ VolumeCommands::VolumeCommands(const WindowParts& parts, FileLoads& loads) : Roo
 }
 
 void VolumeCommands::refresh(const session::Session& session) {
-  const scene::VolumeLayer& layer = session.scene().volume;
+  const scene::VolumeLayer& layer = session.shown().volume;
   bool hasFile = layer.data && !layer.source.path.empty();
   mVoxelSize->setEnabled(hasFile);
   mLayout->setEnabled(hasFile && layer.source.raw.dims.x > 0);
@@ -63,7 +63,7 @@ void VolumeCommands::refresh(const session::Session& session) {
 }
 
 void VolumeCommands::reread(const QString& step, const scene::Source& source) {
-  scene::Scene wanted = mParts.session.scene();
+  scene::Scene wanted = mParts.session.shown();
   wanted.volume.source = source;
   session::Call call = session::SetField{"volume.source", scene::getField(wanted, "volume.source")};
   auto make = [call, name = step.toStdString()](const scene::Scene& scene, Progress& progress) {
@@ -73,7 +73,7 @@ void VolumeCommands::reread(const QString& step, const scene::Source& source) {
   };
   auto commit = [this, call](const session::Edit& edit) {
     session::commit(mParts.document(), edit, call);
-    std::string misplaced = session::misplacedLabels(mParts.session.scene());
+    std::string misplaced = session::misplacedLabels(mParts.session.shown());
     if (!misplaced.empty()) mParts.messages.showError(QString::fromStdString(misplaced));
   };
   mParts.jobs.edit(step, {.make = make, .commit = commit});
@@ -81,22 +81,22 @@ void VolumeCommands::reread(const QString& step, const scene::Source& source) {
 
 void VolumeCommands::hideTable(bool hidden) {
   mParts.jobs.run(session::HideTable{hidden});
-  mTable->setChecked(mParts.session.scene().volume.bodyOnly);  // until it is done
+  mTable->setChecked(mParts.session.shown().volume.bodyOnly);  // until it is done
 }
 
 void VolumeCommands::askVoxelSize(const QString& why) {
-  const scene::VolumeLayer& layer = mParts.session.scene().volume;
-  double millimetres = millimetresPer(mParts.session.scene().unit);
+  const scene::VolumeLayer& layer = mParts.session.shown().volume;
+  double millimetres = millimetresPer(mParts.session.shown().unit);
   auto* dialog = new VoxelSizeDialog(why, &mParts.window);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   VoxelSizeForm& form = dialog->form();
-  bool isMap = mParts.session.scene().unit == LengthUnit::Angstrom;
+  bool isMap = mParts.session.shown().unit == LengthUnit::Angstrom;
   if (layer.data->isSpacingKnown)
     form.setValue(finestSpacing(*layer.data) * millimetres);
   else
     form.setGuess(isMap ? glm::dvec3(millimetres) : VoxelSizeForm::firstGuess(isOfMicroscope(layer.source.path)));
   connect(dialog, &QDialog::accepted, this, [this, dialog, millimetres] {
-    scene::Source source = mParts.session.scene().volume.source;
+    scene::Source source = mParts.session.shown().volume.source;
     source.spacing = dialog->form().value() / millimetres;
     reread(tr("Set voxel size"), source);
   });
@@ -104,7 +104,7 @@ void VolumeCommands::askVoxelSize(const QString& why) {
 }
 
 void VolumeCommands::askLayout() {
-  auto* dialog = new RawDialog(mParts.session.scene().volume.source, &mParts.window);
+  auto* dialog = new RawDialog(mParts.session.shown().volume.source, &mParts.window);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &QDialog::accepted, this,
           [this, dialog] { reread(tr("Change samples of the file"), dialog->source()); });
@@ -112,7 +112,7 @@ void VolumeCommands::askLayout() {
 }
 
 void VolumeCommands::askLevel() {
-  const scene::Source& source = mParts.session.scene().volume.source;
+  const scene::Source& source = mParts.session.shown().volume.source;
   QStringList levels{tr("Streamed, as fine as the screen shows it")};
   try {
     for (const std::string& line : session::levelLines(source))
@@ -129,15 +129,15 @@ void VolumeCommands::askLevel() {
   dialog->setComboBoxItems(levels);
   dialog->setTextValue(levels.value(source.level + 1));
   connect(dialog, &QInputDialog::textValueSelected, this, [this, levels](const QString& text) {
-    scene::Source wanted = mParts.session.scene().volume.source;
+    scene::Source wanted = mParts.session.shown().volume.source;
     wanted.level = int(levels.indexOf(text)) - 1;
-    if (wanted.level != mParts.session.scene().volume.source.level) reread(tr("Choose level of detail"), wanted);
+    if (wanted.level != mParts.session.shown().volume.source.level) reread(tr("Choose level of detail"), wanted);
   });
   dialog->open();
 }
 
 void VolumeCommands::askWhatIsUnknown() {
-  const auto& volume = mParts.session.scene().volume.data;
+  const auto& volume = mParts.session.shown().volume.data;
   if (volume && !volume->isSpacingKnown)
     askVoxelSize(tr("%1 does not say how large its voxels are. Lengths and proportions are right once you say it.")
                      .arg(QString::fromStdString(volume->name)));

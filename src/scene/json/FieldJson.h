@@ -56,6 +56,8 @@ Json write(const auto& value) {
     return out;
   } else if constexpr (Maybe<T>) {
     return value ? write(*value) : Json(nullptr);
+  } else if constexpr (Anything<T>) {
+    return Json::parse(value.json, nullptr, false);
   } else if constexpr (Fielded<T>) {
     return writeStruct(value);
   } else if constexpr (Number<T>) {
@@ -149,6 +151,8 @@ void read(auto& target, const Json& json, const std::string& path, const FieldIn
       read(items.back(), json[i], fmt::format("{}.{}", path, i), info);
     }
     target = std::move(items);
+  } else if constexpr (Anything<T>) {
+    target.json = json.dump();
   } else if constexpr (Maybe<T>) {
     if (json.is_null()) return target.reset();
     read(target.emplace(), json, path, info);

@@ -18,6 +18,8 @@ std::string typeName() {
     return "number";
   else if constexpr (std::is_same_v<T, std::string>)
     return "text";
+  else if constexpr (Anything<T>)
+    return "any value";
   else if constexpr (GlmVector<T>)
     return fmt::format("{} numbers", GlmTraits<T>::kSize);
   else if constexpr (List<T>)

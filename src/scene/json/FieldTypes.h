@@ -41,6 +41,8 @@ struct MaybeTraits<std::optional<T>> : std::true_type {
 };
 template <class T>
 concept Maybe = MaybeTraits<T>::value;
+template <class T>
+concept Anything = std::is_same_v<T, AnyValue>;
 struct AnyVisitor {
   void operator()(auto&&...) const {}
 };

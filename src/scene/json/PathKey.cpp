@@ -48,12 +48,23 @@ std::vector<std::size_t> where(const std::vector<NamedItem>& items, Is&& is) {
 }  // namespace
 
 PathKey takeKey(std::string_view path, const std::string& list) {
-  // Names may hold brackets and dots: the key ends at a bracket after which the path ends or goes on.
-  for (std::size_t end = path.find(']'); end != path.npos; end = path.find(']', end + 1)) {
-    std::string_view rest = path.substr(end + 1);
-    if (rest.empty()) return {path.substr(1, end - 1), rest};
-    if (rest.starts_with('.') && rest.size() > 1) return {path.substr(1, end - 1), rest.substr(1)};
+  // Names may hold brackets and dots, and a path of its own: the key ends at the bracket that answers the first one
+  // where the path ends or goes on behind that, else at the first bracket where it does.
+  auto endsAt = [&](std::size_t end) {
+    return end + 1 == path.size() || (end + 2 < path.size() && path[end + 1] == '.');
+  };
+  auto keyTo = [&](std::size_t end) -> PathKey {
+    return {path.substr(1, end - 1), end + 1 < path.size() ? path.substr(end + 2) : std::string_view()};
+  };
+  int depth = 0;
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    depth += path[i] == '[' ? 1 : path[i] == ']' ? -1 : 0;
+    if (depth > 0) continue;
+    if (endsAt(i)) return keyTo(i);
+    break;
   }
+  for (std::size_t end = path.find(']'); end != path.npos; end = path.find(']', end + 1))
+    if (endsAt(end)) return keyTo(end);
   throw ArgumentError(fmt::format("{}{}: expected {}[NAME] or {}[NAME].FIELD", list, path, list, list));
 }
 

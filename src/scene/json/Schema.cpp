@@ -29,6 +29,8 @@ Json schemaOf(const T& defaults, const FieldInfo& info) {
     addRange(out);
   } else if constexpr (std::is_same_v<T, std::string>) {
     out["type"] = "string";
+  } else if constexpr (Anything<T>) {
+    // of whatever type the field has
   } else if constexpr (Enumeration<T>) {
     out["enum"] = Json::array();
     for (auto name : EnumNames<T>::kNames) out["enum"].push_back(std::string(name));

@@ -90,7 +90,7 @@ void commit(Document& document, const Edit& edit, const Call& call, bool merge) 
 
 void edit(Document& document, const Call& call, bool merge, const std::string& step) {
   Progress progress;
-  Edit made = editOf(document.scene(), call, progress);
+  Edit made = editOf(document.shown(), call, progress);
   if (!step.empty()) made.step = step;
   commit(document, made, call, merge);
 }
@@ -113,7 +113,7 @@ void commitCuts(Document& document, const Edit& edit, const Call& call) {
 
 std::vector<std::string> run(Session& session, const Call& call, Progress& progress, bool merge) {
   if (call.command().act) return call.command().act(session, call.arguments(), progress);
-  Edit edit = editOf(session.scene(), call, progress);
+  Edit edit = editOf(session.shown(), call, progress);
   commit(session.document(), edit, call, merge);
   return edit.told;
 }

@@ -44,8 +44,8 @@ Lines addFile(Session& session, const AddFile& arguments, Progress& progress) {
   labels.path = path;
   labels.series = arguments.series;
   if (!arguments.series.empty()) path += "/" + arguments.series;
-  Loaded loaded = arguments.asLabels ? readLabels(session.scene(), labels, progress)
-                                     : readBeside(session.scene(), {path}, progress);
+  Loaded loaded = arguments.asLabels ? readLabels(session.shown(), labels, progress)
+                                     : readBeside(session.shown(), {path}, progress);
   session.file().add(loaded);
   return loaded.notes;
 }

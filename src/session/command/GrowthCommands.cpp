@@ -43,7 +43,7 @@ void pullAt(Scene& scene, const PullAt& a) {
 
 std::vector<std::string> grow(Session& session, const GrowStructure& a, Progress&) {
   try {
-    scene::Growth step = stepOf(session.scene(), a);
+    scene::Growth step = stepOf(session.shown(), a);
     if (!a.guard) session.growth().trust(step.structure);
     if (!a.range.empty()) session.growth().takeTypedRange(step.structure);
     session.document().edit(
@@ -57,10 +57,10 @@ std::vector<std::string> grow(Session& session, const GrowStructure& a, Progress
 
 /// A user who lets a structure grow on has seen where it leaks.
 std::vector<std::string> growFurther(Session& session, const GrowOn& a, Progress&) {
-  int id = grownOf(session.scene(), a.structure);
+  int id = grownOf(session.shown(), a.structure);
   session.growth().trust(id);
   session.document().edit(
-      structureLabel(session.scene(), "Grow on:", {id}), [id](Scene& scene) { growOn(scene, id); }, false,
+      structureLabel(session.shown(), "Grow on:", {id}), [id](Scene& scene) { growOn(scene, id); }, false,
       Call(a).line());
   return {};
 }

@@ -2,24 +2,79 @@
 
 #include <utility>
 
+#include "scene/Navigate.h"
 #include "scene/json/Paths.h"
+#include "scene/timeline/SceneAt.h"
+#include "scene/timeline/Tracks.h"
 
 namespace velum::session {
 
 namespace {
 constexpr const char* kMoveView = "Move view";
+constexpr const char* kRecordView = "Key view";
+}  // namespace
+
+/// The scene that is shown, changed. @throw what the change throws
+scene::Scene Document::changedBy(const Change& change) const {
+  scene::Scene next = shown();
+  change(next);
+  scene::completeCuts(next);
+  return next;
+}
+
+/// What of a scene that is to be shown goes into the scene that is saved: all but what tracks say, which becomes keys
+/// where changes are recorded.
+scene::Scene Document::kept(const scene::Scene& next) const {
+  scene::Scene out = next;
+  if (!mShown) return out;
+  double orbit = glm::radians(scene::orbitAt(mScene, *mPlayhead));
+  auto unturned = [&](scene::Scene scene) {
+    if (orbit != 0.0) scene.camera = scene::turntable(scene.camera, -orbit);
+    return scene;
+  };
+  out.camera = next.camera == mShown->camera ? mScene.camera : unturned(next).camera;
+  if (next.timeline.orbitDeg == 0.0) out.timeline.orbitDeg = mScene.timeline.orbitDeg;
+  if (isRecording()) {
+    scene::Timeline recorded = scene::recorded(unturned(*mShown), unturned(next), *mPlayhead);
+    out.timeline.tracks = std::move(recorded.tracks);
+  }
+  scene::keepTracked(out, mScene);
+  return out;
+}
+
+/// Takes over a scene that was changed, and what is seen of it; where its film has changed, that is asked anew.
+void Document::take(scene::Scene next, scene::Scene seen) {
+  bool isFilmSame = next.timeline == mScene.timeline;
+  mScene = std::move(next);
+  if (!mPlayhead) return;
+  if (isFilmSame)
+    mShown = std::move(seen);
+  else
+    mShown = scene::sceneAt(mScene, *mPlayhead);
+}
+
+void Document::setPlayhead(std::optional<double> seconds) {
+  if (!seconds && !mPlayhead) return;
+  mPlayhead = seconds;
+  mShown.reset();
+  if (seconds) mShown = scene::sceneAt(mScene, *seconds);
+  mMerging = false;
+  notify();
 }
 
 void Document::edit(const std::string& label, const Change& change, bool merge, const std::string& command) {
-  scene::Scene next = mScene;
-  change(next);  // may throw: nothing has changed yet
-  scene::completeCuts(next);
-  if (next == mScene) return;
+  scene::Scene seen = changedBy(change);  // may throw: nothing has changed yet
+  if (seen == shown()) return;
+  scene::Scene next = kept(seen);
+  if (next == mScene) {  // of a field that a track sets
+    mShown = std::move(seen);
+    return notify();
+  }
   bool joins = merge && mMerging && canUndo() && mUndo.back().label == label;
   bool isBack = joins && mUndo.back().scene == next;
-  if (!joins) push({label, std::move(mScene), mEdit, false, {}});
-  mUndo.back().command = command;
-  mScene = std::move(next);
+  if (!joins) push({label, mScene, mEdit, false, {}});
+  mUndo.back().command = isRecording() ? std::string() : command;
+  take(std::move(next), std::move(seen));
   mRedo.clear();
   mMerging = merge && !isBack;
   mEdit = isBack ? mUndo.back().edit : ++mLastEdit;
@@ -28,25 +83,35 @@ void Document::edit(const std::string& label, const Change& change, bool merge, 
 }
 
 void Document::view(const Change& change) {
-  scene::Scene next = mScene;
-  change(next);
-  if (next == mScene) return;
+  if (isRecording()) return edit(kRecordView, change, true);
+  scene::Scene seen = changedBy(change);
+  if (seen == shown()) return;
+  scene::Scene next = kept(seen);
+  if (next == mScene) {
+    mShown = std::move(seen);
+    return notify();
+  }
   if (canUndo() && mUndo.back().isView) {
     if (mUndo.back().scene == next) mUndo.pop_back();  // back where it was
   } else {
-    push({kMoveView, std::move(mScene), mEdit, true, {}});
+    push({kMoveView, mScene, mEdit, true, {}});
   }
-  mScene = std::move(next);
+  take(std::move(next), std::move(seen));
   moveRedoView(change);
   mMerging = false;
   changed();
 }
 
 void Document::complete(const Change& change) {
-  scene::Scene next = mScene;
-  change(next);
-  scene::completeCuts(next);
-  if (next == mScene) return;
+  scene::Scene seen = changedBy(change);
+  if (seen == shown()) return;
+  scene::Scene next = mShown ? seen : std::move(seen);
+  if (mShown) {
+    scene::keepTracked(next, mScene);
+    scene::keepRests(next, mScene);
+    mShown = std::move(seen);
+  }
+  if (next == mScene) return notify();
   mScene = std::move(next);
   changed();
 }
@@ -54,7 +119,11 @@ void Document::complete(const Change& change) {
 /// Takes the view along to what can be redone, up to the next step that is a view itself.
 void Document::moveRedoView(const Change& change) {
   while (canRedo() && mRedo.back().isView) mRedo.pop_back();  // this one is in its place
-  for (auto step = mRedo.rbegin(); step != mRedo.rend() && !step->isView; ++step) change(step->scene);
+  for (auto step = mRedo.rbegin(); step != mRedo.rend() && !step->isView; ++step) {
+    scene::Scene before = step->scene;
+    change(step->scene);
+    if (mShown) scene::keepTracked(step->scene, before);
+  }
 }
 
 void Document::push(Step step) {
@@ -96,6 +165,7 @@ void Document::step(std::vector<Step>& from, std::vector<Step>& to) {
   from.pop_back();
   to.push_back({step.label, std::exchange(mScene, std::move(step.scene)), std::exchange(mEdit, step.edit), step.isView,
                 step.command});
+  if (mShown) mShown = scene::sceneAt(mScene, *mPlayhead);
   mMerging = false;
   changed();
 }
@@ -113,6 +183,8 @@ void Document::replace(scene::Scene scene, std::vector<std::string> opening) {
   mScene = std::move(scene);
   mForgotten = std::move(opening);
   scene::completeCuts(mScene);
+  mPlayhead.reset();
+  mShown.reset();
   mUndo.clear();
   mRedo.clear();
   mMerging = false;

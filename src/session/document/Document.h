@@ -2,6 +2,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,9 +19,22 @@ class Document {
   /// How many undo steps are kept; beyond that the oldest is forgotten.
   static constexpr std::size_t kMaxSteps = 200;
 
+  /// The scene: what is saved, undone and journaled.
   const scene::Scene& scene() const { return mScene; }
+  /// The scene as it is seen: at the playhead where there is one, else scene() itself. Changes are made to it.
+  const scene::Scene& shown() const { return mShown ? *mShown : mScene; }
 
-  /// Changes the scene as one undo step. A change that throws, or that leaves the scene equal, adds no step.
+  /// Where in its film the scene is seen, seconds; nothing: the scene itself is seen. Moving the playhead shows the
+  /// scene of another time (scene::sceneAt()) and changes nothing else: it is no step and no change of scene().
+  void setPlayhead(std::optional<double> seconds);
+  std::optional<double> playhead() const { return mPlayhead; }
+  /// Recording: whatever is changed at the playhead becomes a key there, see scene::recorded(). Otherwise a change of a
+  /// field that a track sets is seen until the playhead moves, and is then lost; all else goes into the scene.
+  void setRecording(bool recording) { mRecording = recording; }
+  bool isRecording() const { return mRecording && mPlayhead; }
+
+  /// Changes the scene that is shown as one undo step. A change that throws, or that leaves the scene equal, adds no
+  /// step.
   /// @param label  what was done, for the Edit menu: "Move cut"
   /// @param merge  joins the step before where that has the same label and merges, too (a drag, a slider), until
   /// endMerge() or another edit comes between; an edit that comes back to where the step began takes the step away
@@ -85,6 +99,9 @@ class Document {
     bool isView = false;
     std::string command;  ///< as of edit()
   };
+  scene::Scene changedBy(const Change& change) const;
+  scene::Scene kept(const scene::Scene& next) const;
+  void take(scene::Scene next, scene::Scene seen);
   static std::vector<std::string> labelsOf(const std::vector<Step>& steps);
   void push(Step step);
   /// The lines of a script that do a step. @param after  the scene to which the step led
@@ -98,6 +115,9 @@ class Document {
   }
 
   scene::Scene mScene;
+  std::optional<double> mPlayhead;
+  bool mRecording = false;
+  std::optional<scene::Scene> mShown;  ///< where there is a playhead
   std::vector<Step> mUndo, mRedo;
   std::vector<std::string> mForgotten;  ///< lines of the opening, and of steps that cannot be undone any more
   std::uint64_t mEdit = 0, mSavedEdit = 0, mLastEdit = 0, mChangeCount = 0;

@@ -10,6 +10,7 @@
 #include "scene/Presets.h"
 #include "scene/Units.h"
 #include "scene/json/Paths.h"
+#include "scene/timeline/SceneAt.h"
 #include "session/document/Open.h"
 
 namespace velum::session {
@@ -95,6 +96,7 @@ void rereadVolume(scene::Scene& scene, const scene::Source& source, Progress& pr
   if (!scene.labels.growths.empty() && (!isEven || !(source.raw == scene.volume.source.raw)))
     throw ArgumentError("structures were grown in this volume and would lie elsewhere; remove them first");
   scene::scaleLengths(scene, factor);
+  scene::scaleKeys(scene, factor);
   bool sharesGrid = scene.labels.data && scene.labels.data->dims() == before->dims &&
                     scene.labels.data->worldFromVoxel() == before->worldFromVoxel;
   scene::Source was = std::exchange(scene.volume.source, source);

@@ -13,7 +13,7 @@ constexpr const char* kMoveView = "Move view";
 void Document::edit(const std::string& label, const Change& change, bool merge, const std::string& command) {
   scene::Scene next = mScene;
   change(next);  // may throw: nothing has changed yet
-  scene::completeCuts(next);
+  scene::completeItems(next);
   if (next == mScene) return;
   bool joins = merge && mMerging && canUndo() && mUndo.back().label == label;
   bool isBack = joins && mUndo.back().scene == next;
@@ -45,7 +45,7 @@ void Document::view(const Change& change) {
 void Document::complete(const Change& change) {
   scene::Scene next = mScene;
   change(next);
-  scene::completeCuts(next);
+  scene::completeItems(next);
   if (next == mScene) return;
   mScene = std::move(next);
   changed();
@@ -112,7 +112,7 @@ std::vector<std::string> Document::labelsOf(const std::vector<Step>& steps) {
 void Document::replace(scene::Scene scene, std::vector<std::string> opening) {
   mScene = std::move(scene);
   mForgotten = std::move(opening);
-  scene::completeCuts(mScene);
+  scene::completeItems(mScene);
   mUndo.clear();
   mRedo.clear();
   mMerging = false;

@@ -14,6 +14,7 @@
 #include "io/images/ImageFile.h"
 #include "render/Renderer.h"
 #include "session/command/DocumentCommands.h"
+#include "session/command/LetteringCommands.h"
 #include "session/cut/NothingLeft.h"
 #include "session/document/Open.h"
 #include "session/picture/Film.h"
@@ -29,7 +30,8 @@ struct RenderOptions {
   std::string output, size = "1280x720", saveScene, section, animate;
   int samples = 0, frames = 0;
   double dpi = 0, timeout = 0;
-  bool layers = false, transparent = false, bruteForce = false, legend = false, scaleBar = false;
+  bool layers = false, transparent = false, bruteForce = false, legend = false, scaleBar = false, timeStamp = false;
+  std::vector<std::string> captions;
 };
 
 /// Refuses outputs that cannot be written, before anything is read.
@@ -130,6 +132,8 @@ int run(const RenderOptions& options) {
 
   if (options.legend) app::run(session, session::SetField{"lettering.legend", "true"});
   if (options.scaleBar) app::run(session, session::SetField{"lettering.scaleBar", "true"});
+  if (options.timeStamp) app::run(session, session::SetField{"lettering.timeStamp", "true"});
+  for (const std::string& text : options.captions) app::run(session, session::AddCaption{text});
 
   auto start = Clock::now();
   session::FilmOptions film = filmOf(options, session.scene(), size);
@@ -186,6 +190,10 @@ Run registerRender(CLI::App& verb) {
   verb.add_flag("--legend", options->legend,
                 "colours and names of a model's types and of structures over the picture (lettering.legend)");
   verb.add_flag("--scale-bar", options->scaleBar, "a bar that says how long things are (lettering.scaleBar)");
+  verb.add_flag("--time-stamp", options->timeStamp, "the time of the time step (lettering.timeStamp)");
+  verb.add_option("--caption", options->captions,
+                  "words over the picture, below; may be repeated (lettering.captions, whose fields say more)")
+      ->allow_extra_args(false);
   verb.add_flag("--brute-force", options->bruteForce,
                 "without skipping and early ends: the reference for every acceleration");
   verb.add_option("--save-scene", options->saveScene, "write the scene as JSON, too");

@@ -6,6 +6,7 @@
 
 #include "core/Fields.h"
 #include "scene/Focus.h"
+#include "scene/Ids.h"
 #include "scene/Membrane.h"
 #include "scene/Spare.h"
 
@@ -16,7 +17,6 @@ enum class CutFace { Shaded, Section };
 
 /// Most cuts in a scene; addCut() and files keep to this limit.
 constexpr std::size_t kMostCuts = 1024;
-constexpr int kMostCutId = 1'000'000'000;
 
 /// What a cut does with the instances of a model ([VE] 3).
 struct ModelCut {
@@ -71,7 +71,7 @@ struct Cut {
   bool operator==(const Cut&) const;
   static void fields(auto& o, auto& visit) {
     visit("id", o.id,
-          FieldInfo{"", {0, kMostCutId}, "Number by which the cut is known, unique in a scene; 0: a new one."});
+          FieldInfo{"", {0, kMostId}, "Number by which the cut is known, unique in a scene; 0: a new one."});
     visit("name", o.name, FieldInfo{"", {}, "Name for people."});
     visit("shape", o.shape, FieldInfo{"", {}, "Plane, box, sphere, cylinder, cone, membrane or everywhere."});
     visit("enabled", o.enabled, FieldInfo{"", {}, "Off: the cut removes nothing."});

@@ -6,7 +6,6 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
-#include <set>
 #include <unordered_set>
 #include <utility>
 
@@ -115,16 +114,7 @@ int cutPlace(const Scene& scene, int id) {
   return found == scene.cuts.end() ? -1 : int(found - scene.cuts.begin());
 }
 
-int nextCutId(const Scene& scene) {
-  std::set<int> taken;
-  for (const auto& cut : scene.cuts) taken.insert(cut.id);
-  int last = taken.empty() ? 0 : std::max(0, *taken.rbegin());
-  if (last < kMostCutId) return last + 1;
-  // Only a file can bring so large a number: take the first that is free.
-  int id = 1;
-  while (taken.contains(id)) ++id;
-  return id;
-}
+int nextCutId(const Scene& scene) { return nextId(scene.cuts); }
 
 int addCut(Scene& scene, Cut cut) {
   if (scene.cuts.size() >= kMostCuts)
@@ -134,20 +124,14 @@ int addCut(Scene& scene, Cut cut) {
   return scene.cuts.back().id;
 }
 
-void completeCuts(Scene& scene) {
-  std::set<int> taken;
-  std::vector<Cut*> nameless;
+void completeItems(Scene& scene) {
+  completeIds(scene.cuts);
+  completeIds(scene.lettering.captions);
   for (auto& cut : scene.cuts) {
-    if (cut.id <= 0 || !taken.insert(cut.id).second) nameless.push_back(&cut);
     if (!isMembrane(cut))
       cut.membrane.reset();
     else if (!cut.membrane)
       cut.membrane.emplace();
-  }
-  int next = taken.empty() || *taken.rbegin() > kMostCutId - int(nameless.size()) ? 1 : *taken.rbegin() + 1;
-  for (Cut* cut : nameless) {
-    while (!taken.insert(next).second) ++next;
-    cut->id = next;
   }
 }
 

@@ -136,7 +136,7 @@ struct Scene {
     visit("lighting", o.lighting, FieldInfo{"", {}, "Light and shadow."});
     visit("background", o.background, FieldInfo{"", {}, "What is behind everything."});
     visit("finish", o.finish, FieldInfo{"", {}, "Contours, lit spheres, hatching, paper."});
-    visit("lettering", o.lettering, FieldInfo{"", {}, "Legend and scale bar over the picture.", true});
+    visit("lettering", o.lettering, FieldInfo{"", {}, "What is written over the picture.", true});
     visit("timeline", o.timeline, FieldInfo{"", {}, "What changes in a film, and when.", true});
     visit("showBounds", o.showBounds, FieldInfo{"", {}, "Thin outlines of the volume's box and of the cuts."});
   }
@@ -180,9 +180,9 @@ int cutPlace(const Scene& scene, int id);
 int nextCutId(const Scene& scene);
 /// Appends a cut under a new id, whatever id it had. @return the new id
 int addCut(Scene& scene, Cut cut);
-/// For scenes that come from outside: gives a new id to each cut that has none or has the id of a cut before it, and
-/// makes sure that Cut::membrane is there for cuts of shape Membrane, and for no others.
-void completeCuts(Scene& scene);
+/// For scenes that come from outside: gives a new id to each cut and caption that has none or has the id of one before
+/// it, and makes sure that Cut::membrane is there for cuts of shape Membrane, and for no others.
+void completeItems(Scene& scene);
 
 /// The rigid transform from a cut's local frame, in which z is the cut's axis, to the world.
 glm::dmat4 worldFromCut(const Cut& cut);

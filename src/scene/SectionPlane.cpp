@@ -148,6 +148,7 @@ Scene sectionScene(Scene scene) {
   for (auto& structure : scene.labels.structures) structure.name.clear();
   scene.camera = {};
   scene.lighting = {};
+  scene.lettering = {};
   scene.rayCast = {};
   scene.surfaces.clear();
   scene.volume.transfer = {};

@@ -130,7 +130,7 @@ class LabelUploadGL : public RenderTest {
     ball.size = glm::dvec3(40);
     ball.spares = {{1}, {196}, {99, 4.0}};
     scene.cuts = {plane, ball};
-    scene::completeCuts(scene);
+    scene::completeItems(scene);
     return scene;
   }
 };

@@ -65,7 +65,7 @@ TEST_F(MembranesGL, SeveralAndOtherCutsTogether) {
   scene.cuts = {membraneOf(wavySheet(kParticles, kFrame)),
                 membraneOf(foldedSheet({30, 30}, {30, 30, 20}), {1, 0.3, 0.2}, {30, 30, 20})};
   scene.cuts[1].centre = {12, 0, 0};
-  scene::completeCuts(scene);
+  scene::completeItems(scene);
   expectAgrees(scene, "two membranes");
   scene::Cut box;
   box.shape = scene::CutShape::Box;

@@ -22,7 +22,7 @@ Scene fullScene() {
   Cut sheet;
   sheet.shape = CutShape::Membrane;
   addCut(scene, sheet);
-  completeCuts(scene);
+  completeItems(scene);
   return scene;
 }
 
@@ -78,7 +78,7 @@ TEST(FieldChanges, OfEachFieldLeadToTheOtherScene) {
     int left = n;
     changeNthField(after, left, "", path);
     if (path.empty()) break;
-    completeCuts(after);
+    completeItems(after);
     auto changes = fieldChanges(before, after);
     if (path.find("membrane.shape") != std::string::npos) {
       EXPECT_TRUE(changes.empty()) << path << ": where a sheet rests is nobody's wish";

@@ -132,6 +132,7 @@ scene::Scene exampleScene(scene::CutShape shape) {
   step.distance = 5;
   step.seeds = {{3, -50, 20}};
   scene.labels.growths = {step};
+  scene.lettering.captions = {{.text = "Words"}};
   scene::Cut cut;
   cut.shape = shape;
   cut.name = "Plane 1";
@@ -139,7 +140,7 @@ scene::Scene exampleScene(scene::CutShape shape) {
   cut.centre = {20, -30, 45};
   cut.size = {40, 60, 20};
   scene::addCut(scene, cut);
-  scene::completeCuts(scene);
+  scene::completeItems(scene);
   setSpared(scene.cuts[0], 1, false);
   setExtrusion(scene.cuts[0], 1, 6.0);
   setExtrusion(scene.cuts[0], 13, 30.0);
@@ -147,7 +148,7 @@ scene::Scene exampleScene(scene::CutShape shape) {
   cut.shape = scene::CutShape::Box;
   cut.name = "Box";
   if (!isAlone) scene.cuts.insert(scene.cuts.begin(), cut);
-  scene::completeCuts(scene);
+  scene::completeItems(scene);
   return scene;
 }
 

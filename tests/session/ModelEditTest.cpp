@@ -282,7 +282,7 @@ TEST(ModelEdit, WhatIsLeftAsAboveHasNoRowOfItsOwnAndTypesAreProtectedByTheirPath
   scene::Cut sheet;
   sheet.shape = scene::CutShape::Membrane;
   scene::addCut(start, sheet);
-  scene::completeCuts(start);
+  scene::completeItems(start);
   document.replace(start);
   edit(document, LeaveTypes{{path(start, 2)}, 0.5, ""});
   EXPECT_NE(findTypeSpare(document.scene().cuts[0], path(start, 2)), nullptr);

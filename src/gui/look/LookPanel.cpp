@@ -32,7 +32,8 @@ LookPanel::LookPanel(session::Document& document, QWidget* parent)
       mChannels(new ChannelList(document, this)),
       mPresets(new PresetGrid(document, this)),
       mEditor(new TransferEditor(document, this)),
-      mForm(document, this) {
+      mForm(document, this),
+      mCaptions(new CaptionForm(document, kLabelWidth, this)) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(14);
@@ -47,6 +48,7 @@ LookPanel::LookPanel(session::Document& document, QWidget* parent)
   layout->addWidget(makeBackground());
   layout->addWidget(makeLine(this));
   layout->addWidget(makeLettering());
+  layout->addWidget(mCaptions);
 }
 
 QWidget* LookPanel::makeLook() {
@@ -157,6 +159,19 @@ QWidget* LookPanel::makeLettering() {
              .step = tr("Move scale bar"),
              .choices = corners,
              .isEnabled = [lettering] { return lettering().scaleBar; }});
+  auto hasTime = [this] { return mDocument.shown().volume.data && mDocument.shown().volume.data->timeSteps > 1; };
+  mForm.add("lettering.timeStamp", tr("Time stamp"),
+            {.object = "timeStamp",
+             .tip = tr("The time of the time step over the picture, also in files"),
+             .step = tr("Time stamp"),
+             .isEnabled = hasTime});
+  mForm.add("lettering.timeStampCorner", tr("Stands"),
+            {.object = "timeStampCorner",
+             .tip = tr("The corner in which the time stands"),
+             .name = tr("Corner of the time stamp"),
+             .step = tr("Move time stamp"),
+             .choices = corners,
+             .isEnabled = [lettering, hasTime] { return lettering().timeStamp && hasTime(); }});
   mForm.add("lettering.textSize", tr("Letters"),
             {.object = "textSize",
              .tip = tr("Their size in pixels of a picture of 1000 rows; they grow with the picture"),
@@ -178,6 +193,7 @@ void LookPanel::refresh() {
   mEditor->refresh();
   if (const auto& volume = mDocument.shown().volume.data) showIso(*volume);
   mForm.refresh();
+  mCaptions->refresh();
 }
 
 }  // namespace velum::gui

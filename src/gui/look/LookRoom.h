@@ -17,6 +17,8 @@ class LookRoom : public Room {
     mFinish->refresh();
   }
   LookCommands& commands() { return *mCommands; }
+  /// Adds a caption, and gives the keyboard to its words.
+  void addCaption();
 
  private:
   LookPanel* mPanel;

@@ -5,6 +5,7 @@
 #include <QComboBox>
 #include <QKeyEvent>
 #include <QLineEdit>
+#include <QPlainTextEdit>
 
 namespace velum::gui {
 
@@ -27,8 +28,10 @@ bool FieldUndo::eventFilter(QObject* watched, QEvent* event) {
   auto& key = static_cast<QKeyEvent&>(*event);
   bool isUndo = key.matches(QKeySequence::Undo), isRedo = key.matches(QKeySequence::Redo);
   if (!isUndo && !isRedo) return false;
+  auto isTyped = [&](const auto& text) { return isUndo ? text.isUndoAvailable() : text.isRedoAvailable(); };
   QLineEdit* edit = textOf(watched);
-  if (!edit || (isUndo ? edit->isUndoAvailable() : edit->isRedoAvailable())) return false;
+  auto* lines = qobject_cast<QPlainTextEdit*>(watched);
+  if ((!edit && !lines) || (edit ? isTyped(*edit) : isTyped(*lines->document()))) return false;
   event->ignore();
   return true;
 }

@@ -3,6 +3,8 @@
 #include <QHBoxLayout>
 #include <QSignalBlocker>
 
+#include "session/lettering/TimeStamp.h"
+
 namespace velum::gui {
 
 namespace {
@@ -78,7 +80,7 @@ void TimeBar::refresh() {
   mSlider->setValue(timeStep);
   double seconds = mDocument.shown().volume.data->timeStepSeconds;
   QString text = tr("%1 of %2").arg(timeStep + 1).arg(count);
-  if (seconds > 0) text += tr("    %1 s").arg(timeStep * seconds, 0, 'f', seconds < 0.1 ? 3 : 2);
+  if (seconds > 0) text += "    " + QString::fromStdString(session::timeText(timeStep, count, seconds));
   mText->setText(text);
 }
 

@@ -71,8 +71,9 @@ void MainWindow::buildRooms() {
     for (QWidget* widget : QApplication::topLevelWidgets())
       if (auto* window = qobject_cast<MainWindow*>(widget)) window->takePreferences();
   });
-  add(new ViewCommands(parts));
+  auto* view = add(new ViewCommands(parts));
   mLook = add(new LookRoom(parts));
+  connect(view, &ViewCommands::captionAsked, mLook, &LookRoom::addCaption);
   auto* volumes = add(new VolumeCommands(parts, *mLoads));
   mPyramids = add(new PyramidCommands(parts, *mLoads));
   connect(mPyramids, &PyramidCommands::sourceWanted, volumes, &VolumeCommands::reread);

@@ -60,6 +60,15 @@ ViewCommands::ViewCommands(const WindowParts& parts)
                       session::SetField{"lettering.scaleBar", mScaleBar->isChecked() ? "true" : "false"});
       });
   mScaleBar->setCheckable(true);
+  mTimeStamp = parts.actions.addForScene(
+      menu, "view.timeStamp", tr("Time stamp"), tr("The time of the time step, over the picture, also in files"),
+      [this] {
+        session::edit(mParts.document(),
+                      session::SetField{"lettering.timeStamp", mTimeStamp->isChecked() ? "true" : "false"});
+      });
+  mTimeStamp->setCheckable(true);
+  parts.actions.addForScene(menu, "view.addCaption", tr("Add caption"),
+                            tr("Write words over the picture, also in files"), [this] { emit captionAsked(); });
   menu->addSeparator();
   addLayouts(menu);
   menu->addSeparator();
@@ -168,6 +177,8 @@ void ViewCommands::refresh(const session::Session& session) {
   mTypeWindow->setEnabled(volume && !volume->isColor && scene.sections.layout != scene::Layout::Volume);
   mProjection->setChecked(scene.camera.projection == scene::Projection::Orthographic);
   mScaleBar->setChecked(scene.lettering.scaleBar);
+  mTimeStamp->setChecked(scene.lettering.timeStamp);
+  mTimeStamp->setEnabled(volume && volume->timeSteps > 1);
 }
 
 }  // namespace velum::gui

@@ -13,6 +13,9 @@ class ViewCommands : public Room {
   explicit ViewCommands(const WindowParts& parts);
   void refresh(const session::Session& session) override;
 
+ signals:
+  void captionAsked();
+
  private:
   void addDirections(QMenu* menu);
   void nameSides(const scene::Scene& scene);
@@ -21,7 +24,7 @@ class ViewCommands : public Room {
   void addCube(QMenu* menu);
   void addGreyWindows(QMenu* menu);
 
-  QAction *mProjection = nullptr, *mAxes = nullptr, *mScaleBar = nullptr;
+  QAction *mProjection = nullptr, *mAxes = nullptr, *mScaleBar = nullptr, *mTimeStamp = nullptr;
   QList<QAction*> mDirections;  ///< in the order of their table
   QActionGroup* mLayouts;
   QList<QAction*> mWindows;  ///< In the order of scene::greyWindows().

@@ -53,7 +53,7 @@ Scene fromJson(std::string_view text) {
   detail::bringUpToDate(json, version->get<int>());
   Scene scene;
   detail::readStruct(scene, json, "");
-  completeCuts(scene);
+  completeItems(scene);
   return scene;
 }
 

@@ -122,6 +122,8 @@ void addChanges(const auto& before, const auto& after, const std::string& path, 
 
 }  // namespace
 
+std::string valueOfText(const std::string& text) { return detail::valueText(Json(text)); }
+
 std::string getField(const Scene& scene, std::string_view path) {
   return detail::valueText(path.empty() ? detail::write(scene) : lookUpMember(scene, path, ""));
 }
@@ -142,7 +144,7 @@ void setField(Scene& scene, std::string_view path, std::string_view value) {
       throw ArgumentError(fmt::format("cuts.{}.membrane: the cut is a {}; say cuts.{}.shape=membrane first", i,
                                       enumName(cut.shape), i));
   }
-  completeCuts(next);
+  completeItems(next);
   scene = std::move(next);
 }
 

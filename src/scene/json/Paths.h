@@ -14,6 +14,9 @@ namespace velum::scene {
 /// @throw ArgumentError naming the part of the path, or the value, that does not fit
 void setField(Scene& scene, std::string_view path, std::string_view value);
 
+/// A text as a value that setField() takes for this text, whatever it holds.
+std::string valueOfText(const std::string& text);
+
 /// The value of a field, or of a part with all of its fields, as text that setField() takes. "cuts.*.enabled" gives a
 /// list.
 /// @param path  empty: the whole scene @throw ArgumentError naming the part of the path that does not fit

@@ -115,7 +115,7 @@ Scene sceneAt(const Scene& scene, double time) {
   if (orbit != 0.0) out.camera = turntable(out.camera, orbit);
   out.timeline = scene.timeline;
   out.timeline.orbitDeg = 0.0;
-  completeCuts(out);
+  completeItems(out);
   for (Cut& cut : out.cuts)
     if (restsByFilm(out.timeline, cut)) cut.membrane->shape = {};
   return out;

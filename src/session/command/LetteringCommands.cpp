@@ -59,6 +59,18 @@ std::vector<Command> letteringCommands() {
             for (int id : structureIds(scene, a.structures)) entries.push_back(structureName(scene, id));
             listInLegend(scene, entries, a.listed);
           }),
+      editRow<AddCaption>(
+          "Adds a caption over the picture. Its fields are set by set lettering.captions[#1].opacity 0.5.",
+          "caption.add place=top size=2 The aorta, opened", "Add caption",
+          [](Scene& scene, const AddCaption& a) {
+            scene::addCaption(scene.lettering.captions, {.text = a.text, .place = a.place, .size = a.size});
+          }),
+      editRow<RemoveCaption>("Removes a caption.", "caption.remove 1", "Remove caption",
+                             [](Scene& scene, const RemoveCaption& a) {
+                               auto& all = scene.lettering.captions;
+                               std::size_t place = scene::detail::findByKey(all, a.caption, "lettering.captions");
+                               all.erase(all.begin() + std::ptrdiff_t(place));
+                             }),
   };
 }
 

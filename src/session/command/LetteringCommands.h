@@ -1,4 +1,5 @@
 #pragma once
+#include "scene/Caption.h"
 #include "session/command/ModelCommands.h"
 #include "session/command/StructureCommands.h"
 
@@ -33,6 +34,26 @@ struct ListStructuresInLegend {
     visit("structures", o.structures, kStructuresInfo);
     visit("listed", o.listed, FieldInfo{"", {}, "Off: they are taken out of the legend's list."});
   }
+};
+
+struct AddCaption {
+  static constexpr std::string_view kName = "caption.add";
+  static constexpr std::size_t kTakesRest = 1;
+  std::string text;
+  scene::CaptionPlace place = scene::Caption().place;
+  double size = scene::Caption().size;
+  static void fields(auto& o, auto& visit) {
+    visit("text", o.text, FieldInfo{"", {}, "The words."});
+    visit("place", o.place,
+          FieldInfo{"", {}, "Where the caption stands; captions at one place stand below each other."});
+    visit("size", o.size, FieldInfo{"", {0.2, 20}, "Size of its letters, in that of other lettering."});
+  }
+};
+
+struct RemoveCaption {
+  static constexpr std::string_view kName = "caption.remove";
+  std::string caption;
+  static void fields(auto& o, auto& visit) { visit("caption", o.caption, FieldInfo{"", {}, "Its id: 2 or #2."}); }
 };
 
 }  // namespace velum::session

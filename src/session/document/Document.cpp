@@ -18,7 +18,7 @@ constexpr const char* kRecordView = "Key view";
 scene::Scene Document::changedBy(const Change& change) const {
   scene::Scene next = shown();
   change(next);
-  scene::completeCuts(next);
+  scene::completeItems(next);
   return next;
 }
 
@@ -182,7 +182,7 @@ std::vector<std::string> Document::labelsOf(const std::vector<Step>& steps) {
 void Document::replace(scene::Scene scene, std::vector<std::string> opening) {
   mScene = std::move(scene);
   mForgotten = std::move(opening);
-  scene::completeCuts(mScene);
+  scene::completeItems(mScene);
   mPlayhead.reset();
   mShown.reset();
   mUndo.clear();

@@ -9,7 +9,7 @@
 #include "session/lettering/Legend.h"
 #include "session/lettering/Mark.h"
 
-/// What is written over pictures (scene::Lettering): legend and scale bar.
+/// What is written over pictures (scene::Lettering): legend, scale bar, time and captions.
 namespace velum::session {
 
 /// A bar that says how long things are: at the camera's target, in an orthographic picture everywhere.

@@ -3,11 +3,13 @@
 #include <freetype/freetype.h>
 #include <freetype/ftoutln.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <vector>
+#include <unordered_map>
 
 #include "core/Assert.h"
+#include "core/Text.h"
 
 namespace velum {
 // Made by velum_embed_file().
@@ -20,6 +22,7 @@ namespace velum::session {
 struct Letters::Font {
   FT_Library library = nullptr;
   FT_Face face = nullptr;
+  std::unordered_map<std::uint32_t, double> advances;  ///< of letters that were asked for, ems
   Font() {
     bool isRead = FT_Init_FreeType(&library) == 0 &&
                   FT_New_Memory_Face(library, kLetterFont, FT_Long(kLetterFontSize), 0, &face) == 0;
@@ -28,6 +31,13 @@ struct Letters::Font {
   ~Font() {
     FT_Done_Face(face);
     FT_Done_FreeType(library);
+  }
+  /// The way from the start of a letter to that of the next, in ems.
+  double advanceOf(std::uint32_t letter) {
+    auto [found, isNew] = advances.try_emplace(letter, 0.0);
+    if (isNew && FT_Load_Char(face, letter, FT_LOAD_NO_SCALE) == 0)
+      found->second = double(face->glyph->metrics.horiAdvance) / face->units_per_EM;
+    return found->second;
   }
   Font(const Font&) = delete;
   Font& operator=(const Font&) = delete;
@@ -56,10 +66,11 @@ std::vector<std::uint32_t> lettersOf(std::string_view text) {
   return letters;
 }
 
-/// The way from the start of a letter to that of the next, in ems.
-double advanceOf(FT_Face face, std::uint32_t letter) {
-  if (FT_Load_Char(face, letter, FT_LOAD_NO_SCALE) != 0) return 0.0;
-  return double(face->glyph->metrics.horiAdvance) / face->units_per_EM;
+/// Where the letter behind a place of a text begins.
+std::size_t nextLetter(std::string_view text, std::size_t at) {
+  do ++at;
+  while (at < text.size() && (static_cast<unsigned char>(text[at]) & 0xc0u) == 0x80u);
+  return at;
 }
 
 }  // namespace
@@ -72,7 +83,7 @@ Letters::~Letters() = default;
 
 double Letters::width(std::string_view text) const {
   double ems = 0.0;
-  for (std::uint32_t letter : lettersOf(text)) ems += advanceOf(mFont->face, letter);
+  for (std::uint32_t letter : lettersOf(text)) ems += mFont->advanceOf(letter);
   return ems * mEm;
 }
 
@@ -92,6 +103,57 @@ std::string Letters::fitted(const std::string& text, double most) const {
   }
 }
 
+/// Words in lines, each as full as it gets.
+std::vector<std::string> Letters::filled(const std::vector<std::string>& words, double most) const {
+  std::vector<std::string> lines(1);
+  double used = 0.0, blank = width(" ");
+  for (std::string word : words) {
+    bool isFirst = lines.back().empty();
+    double longer = used + (isFirst ? 0.0 : blank) + width(word);
+    if (longer <= most) {
+      lines.back() += (isFirst ? "" : " ") + word;
+      used = longer;
+      continue;
+    }
+    if (!isFirst) lines.emplace_back();
+    while (width(word) > most) {
+      std::size_t end = nextLetter(word, 0);  // a line has one letter, however wide
+      for (std::size_t next = end; next < word.size() && width(std::string_view(word).substr(0, next)) <= most;
+           next = nextLetter(word, next))
+        end = next;
+      if (end == word.size()) break;
+      lines.back() = word.substr(0, end);
+      lines.emplace_back();
+      word.erase(0, end);
+    }
+    used = width(word);
+    lines.back() = std::move(word);
+  }
+  return lines;
+}
+
+std::vector<std::string> Letters::lines(std::string_view text, double most) const {
+  std::vector<std::string> all;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    std::size_t end = std::min(text.find('\n', begin), text.size());
+    std::vector<std::string> words = wordsOf(text.substr(begin, end - begin)), lines = filled(words, most);
+    double low = 0.0, high = most;
+    for (const std::string& word : words) low = std::max(low, std::min(width(word), most));
+    // The least width that gives as many lines, to a hundredth of the widest.
+    while (lines.size() > 1 && high - low > 0.01 * most) {
+      double middle = 0.5 * (low + high);
+      auto narrower = filled(words, middle);
+      if (narrower.size() > lines.size())
+        low = middle;
+      else
+        high = middle, lines = std::move(narrower);
+    }
+    all.insert(all.end(), lines.begin(), lines.end());
+    begin = end + 1;
+  }
+  return all;
+}
+
 void Letters::draw(std::string_view text, glm::dvec2 start, Mark& mark) const {
   FT_Face face = mFont->face;
   FT_Bitmap bitmap{};
@@ -104,7 +166,7 @@ void Letters::draw(std::string_view text, glm::dvec2 start, Mark& mark) const {
   start -= glm::dvec2(mark.corner);
   double x = start.x;
   for (std::uint32_t letter : lettersOf(text)) {
-    double advance = advanceOf(face, letter) * mEm;
+    double advance = mFont->advanceOf(letter) * mEm;
     if (FT_Load_Char(face, letter, FT_LOAD_NO_HINTING | FT_LOAD_NO_BITMAP) == 0) {
       FT_Outline_Translate(&face->glyph->outline, FT_Pos(std::lround(x * 64.0)),
                            FT_Pos(std::lround((mark.size.y - start.y) * 64.0)));

@@ -115,7 +115,7 @@ membrane::KeptWholeLimit limitOf(const membrane::Potential& potential, const sce
 
 std::vector<MembraneReport> settleMembranes(scene::Scene& scene, MembraneQuestions questions, Progress& progress) {
   if (!hasMembranes(scene)) return {};
-  scene::completeCuts(scene);  // a mover knows them by their ids
+  scene::completeItems(scene);  // a mover knows them by their ids
   MembraneMover mover(MembraneMover::Purpose::Rest);
   mover.setMeasures(questions.kept || questions.limit);
   mover.follow(scene);

@@ -1,0 +1,233 @@
+#include "session/lettering/LetteringLayout.h"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <iterator>
+
+#include "core/Text.h"
+#include "scene/Scene.h"
+
+namespace velum::session {
+
+namespace {
+
+// Lengths, in ems.
+constexpr double kMargin = 1.3, kLine = 1.5, kSwatch = 0.82, kSwatchGap = 0.5, kCapHeight = 0.72, kCorner = 0.16;
+constexpr double kBarThickness = 0.22, kBarGap = 0.42, kGlow = 0.75, kBlockGap = 0.6;
+constexpr double kWidestName = 0.36;                        // of the picture's width
+constexpr double kOutline = 0.05, kOutlineShare = 0.4;      // line around a colour that is near the ground's
+constexpr double kLeastEm = 5.0;                            // pixels
+constexpr double kCaptionLine = 1.3, kReach = 0.35;         // how far letters reach below and above capitals, at most
+constexpr double kWidestMiddle = 0.86, kWidestSide = 0.46;  // of the picture's width
+constexpr double kShrink = 0.87;
+constexpr std::size_t kMostBytes = 1000;  // of a caption
+
+const glm::vec3 kDarkInk(0.08f, 0.09f, 0.11f), kLightInk(0.96f, 0.97f, 0.98f);
+
+using scene::CaptionPlace;
+
+CaptionPlace placeOf(scene::Corner corner) {
+  constexpr CaptionPlace kPlaces[] = {CaptionPlace::TopLeft, CaptionPlace::TopRight, CaptionPlace::BottomLeft,
+                                      CaptionPlace::BottomRight};
+  return kPlaces[int(corner)];
+}
+/// Column and row of a place, 0..2: left, middle, right; top, middle, bottom.
+glm::ivec2 cellOf(CaptionPlace place) { return {int(place) % 3, int(place) / 3}; }
+
+/// The colour before which things stand at a place of the picture.
+glm::vec3 groundOf(const scene::Scene& scene, CaptionPlace place) {
+  if (scene.finish.paper != scene::Paper::None) return scene.finish.paperColor;
+  return glm::mix(scene.background.top, scene.background.bottom, 0.5f * float(cellOf(place).y));
+}
+
+bool isLight(glm::vec3 color) {
+  // As light as the eye takes it: middle grey is 0.18 of white's light.
+  glm::vec3 light = glm::pow(glm::clamp(color, 0.0f, 1.0f), glm::vec3(2.2f));
+  return glm::dot(light, glm::vec3(0.2126f, 0.7152f, 0.0722f)) > 0.18f;
+}
+glm::vec3 inkOn(glm::vec3 ground) { return isLight(ground) ? kDarkInk : kLightInk; }
+
+/// A text that letters can be drawn of: no longer than anybody reads, and without what is no letter.
+std::string drawable(std::string_view text) {
+  std::size_t end = std::min(text.size(), kMostBytes);
+  while (end < text.size() && (static_cast<unsigned char>(text[end]) & 0xc0u) == 0x80u) ++end;
+  std::string out(text.substr(0, end));
+  if (end < text.size()) out += "\u2026";
+  for (char& c : out)
+    if (static_cast<unsigned char>(c) < ' ' && c != '\n') c = ' ';
+  return std::string(trimmed(out));
+}
+
+/// The marks of a part, with room for its glow.
+Block blockAt(glm::dvec2 corner, glm::dvec2 room, double em) {
+  glm::dvec2 glow(kGlow * em);
+  glm::ivec2 low(glm::floor(corner - glow)), high(glm::ceil(corner + room + glow));
+  return {low, high - low};
+}
+
+}  // namespace
+
+/// A caption as it is laid out at one size.
+struct LetteringLayout::LaidCaption {
+  const scene::Caption* caption;
+  Letters letters;
+  std::vector<std::string> lines;
+  bool breaksWords = false;
+  glm::dvec2 size{0.0};  ///< from the tops of the first line's capitals to the last base line, pixels
+
+  /// @param widest  pixels
+  LaidCaption(const scene::Caption& of, double em, double widest)
+      : caption(&of), letters(em), lines(letters.lines(drawable(of.text), widest)) {
+    std::size_t words = 0;
+    for (const std::string& line : lines) {
+      size.x = std::max(size.x, letters.width(line));
+      words += wordsOf(line).size();
+    }
+    breaksWords = words > wordsOf(drawable(of.text)).size();
+    size.y = (kCapHeight + kCaptionLine * double(lines.size() - 1)) * em;
+  }
+};
+
+LetteringLayout::LetteringLayout(const scene::Scene& scene, glm::ivec2 size, std::optional<glm::vec3> ground)
+    : mScene(scene), mSize(size), mGround(ground), mLetters(emOf(1.0)), mPlaces(mSize) {}
+
+double LetteringLayout::emOf(double size) const {
+  return std::max(kLeastEm, size * mScene.lettering.textSize * mSize.y / 1000.0);
+}
+
+glm::vec3 LetteringLayout::ground(CaptionPlace place) const { return mGround ? *mGround : groundOf(mScene, place); }
+
+std::optional<glm::dvec2> LetteringLayout::place(CaptionPlace place, glm::dvec2 room, double em) {
+  double margin = std::max(kMargin * mLetters.em(), kReach * em);
+  glm::dvec2 wanted = margin + 0.5 * glm::dvec2(cellOf(place)) * (mSize - 2.0 * margin - room);
+  return mPlaces.take(room, wanted, margin, kBlockGap * em);
+}
+
+void LetteringLayout::finish(const Block& block, CaptionPlace place) {
+  std::vector<Mark> marks = block.onGlow(ground(place), mLetters.em());
+  mMarks.insert(mMarks.end(), marks.begin(), marks.end());
+}
+
+void LetteringLayout::addLegend(const std::vector<LegendEntry>& entries) {
+  double em = mLetters.em();
+  std::vector<std::string> names;
+  for (const LegendEntry& entry : entries) names.push_back(mLetters.fitted(entry.name, kWidestName * mSize.x));
+  // As many rows as there is room for.
+  for (std::size_t rows = entries.size(); rows > 0; --rows, names.pop_back()) {
+    double room = 0.0;
+    for (const std::string& name : names) room = std::max(room, mLetters.width(name));
+    glm::dvec2 size((kSwatch + kSwatchGap) * em + room, kLine * em * double(rows));
+    if (auto at = place(placeOf(mScene.lettering.legendCorner), size, em))
+      return addLegendRows(entries, names, *at, size);
+  }
+}
+
+void LetteringLayout::addLegendRows(const std::vector<LegendEntry>& entries, const std::vector<std::string>& names,
+                                    glm::dvec2 at, glm::dvec2 size) {
+  double em = mLetters.em(), line = kLine * em, swatch = kSwatch * em, before = swatch + kSwatchGap * em;
+  CaptionPlace place = placeOf(mScene.lettering.legendCorner);
+  Block block = blockAt(at, size, em);
+  glm::vec3 ink = inkOn(ground(place));
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const std::vector<glm::vec3>& colors = entries[i].colors;
+    glm::dvec2 low(at.x, at.y + line * double(i) + 0.5 * (line - swatch)), high = low + swatch;
+    Mark& edge = block.add(ink, low - 1.0 - kOutline * em, high + 1.0 + kOutline * em);
+    addRectangle(edge, low - kOutline * em, high + kOutline * em, (kCorner + kOutline) * em, -1e9, 1e9);
+    for (std::uint8_t& covers : edge.covers) covers = std::uint8_t(std::lround(kOutlineShare * covers));
+    for (std::size_t c = 0; c < colors.size(); ++c) {
+      double band = swatch / double(colors.size());
+      double from = low.x + band * double(c), to = from + band;
+      Mark& mark = block.add(colors[c], {from, low.y}, {to, high.y});
+      addRectangle(mark, low, high, kCorner * em, from, to);
+    }
+  }
+  Mark& text = block.add(ink);
+  for (std::size_t i = 0; i < names.size(); ++i)
+    mLetters.draw(names[i], {at.x + before, at.y + line * double(i) + 0.5 * (line + kCapHeight * em)}, text);
+  finish(block, place);
+}
+
+void LetteringLayout::addScaleBar(const ScaleBar& bar) {
+  double em = mLetters.em(), text = mLetters.width(bar.text);
+  glm::dvec2 size(std::max(bar.pixels, text), (kCapHeight + kBarGap + kBarThickness) * em);
+  CaptionPlace corner = placeOf(mScene.lettering.scaleBarCorner);
+  auto at = place(corner, size, em);
+  if (!at) return;
+  Block block = blockAt(*at, size, em);
+  Mark& mark = block.add(inkOn(ground(corner)));
+  double middle = cellOf(corner).x == 0 ? at->x + 0.5 * bar.pixels : at->x + size.x - 0.5 * bar.pixels;
+  glm::dvec2 low(middle - 0.5 * bar.pixels, at->y + (kCapHeight + kBarGap) * em),
+      high(low.x + bar.pixels, at->y + size.y);
+  addRectangle(mark, low, high, 0.0, low.x, high.x);
+  mLetters.draw(bar.text, {std::clamp(middle - 0.5 * text, at->x, at->x + size.x - text), at->y + kCapHeight * em},
+                mark);
+  finish(block, corner);
+}
+
+/// The unit stays where it is, whatever the time.
+void LetteringLayout::addTimeStamp(const TimeStamp& stamp) {
+  double em = mLetters.em();
+  glm::dvec2 size(mLetters.width(stamp.widest), kCapHeight * em);
+  CaptionPlace corner = placeOf(mScene.lettering.timeStampCorner);
+  auto at = place(corner, size, em);
+  if (!at) return;
+  Block block = blockAt(*at, size, em);
+  mLetters.draw(stamp.text, *at + size - glm::dvec2(mLetters.width(stamp.text), 0.0), block.add(inkOn(ground(corner))));
+  finish(block, corner);
+}
+
+void LetteringLayout::addCaptions() {
+  for (std::size_t i = 0; i < std::size(EnumNames<CaptionPlace>::kNames); ++i) {
+    std::vector<const scene::Caption*> captions;
+    for (const scene::Caption& caption : mScene.lettering.captions)
+      if (caption.place == CaptionPlace(i) && caption.opacity > 0.0 && !drawable(caption.text).empty())
+        captions.push_back(&caption);
+    if (!captions.empty()) addCaptionsAt(CaptionPlace(i), captions);
+  }
+}
+
+/// Those of one place go together, smaller where there is no room or large letters would break words, and are left out
+/// where letters would be too small.
+void LetteringLayout::addCaptionsAt(CaptionPlace at, const std::vector<const scene::Caption*>& captions) {
+  double widest = mSize.x * (cellOf(at).x == 1 ? kWidestMiddle : kWidestSide), largest = 2.0 * kLeastEm;
+  for (double shrink = 1.0; largest > kLeastEm; shrink *= kShrink) {
+    std::deque<LaidCaption> all;
+    largest = 0.0;
+    bool breaksWords = false;
+    for (const scene::Caption* caption : captions) {
+      const LaidCaption& laid = all.emplace_back(*caption, emOf(shrink * caption->size), widest);
+      largest = std::max(largest, laid.letters.em());
+      breaksWords |= laid.breaksWords;
+    }
+    if (breaksWords && largest > mLetters.em()) continue;
+    glm::dvec2 size(0.0, kBlockGap * largest * double(all.size() - 1));
+    for (const LaidCaption& laid : all) size = {std::max(size.x, laid.size.x), size.y + laid.size.y};
+    auto corner = place(at, size, largest);
+    if (!corner) continue;
+    double share = 0.5 * cellOf(at).x, y = corner->y;
+    for (const LaidCaption& laid : all) {
+      addCaption(laid, {corner->x + share * (size.x - laid.size.x), y});
+      y += laid.size.y + kBlockGap * largest;
+    }
+    return;
+  }
+}
+
+void LetteringLayout::addCaption(const LaidCaption& laid, glm::dvec2 at) {
+  const scene::Caption& caption = *laid.caption;
+  double em = laid.letters.em(), share = 0.5 * cellOf(caption.place).x;
+  Block block = blockAt(at, laid.size, em);
+  glm::vec3 glow = ground(caption.place), ink = caption.color.value_or(inkOn(glow));
+  if (isLight(ink) == isLight(glow)) glow = inkOn(ink);  // letters of a colour near the ground's
+  Mark& mark = block.add(ink);
+  for (std::size_t i = 0; i < laid.lines.size(); ++i) {
+    double indent = share * (laid.size.x - laid.letters.width(laid.lines[i]));
+    laid.letters.draw(laid.lines[i], at + glm::dvec2(indent, (kCapHeight + kCaptionLine * double(i)) * em), mark);
+  }
+  std::vector<Mark> marks = block.onGlow(glow, em);
+  if (caption.opacity < 1.0) fade(marks, caption.opacity);
+  mMarks.insert(mMarks.end(), marks.begin(), marks.end());
+}
+
+}  // namespace velum::session

@@ -17,7 +17,8 @@
 #include "session/command/LetteringCommands.h"
 #include "session/cut/NothingLeft.h"
 #include "session/document/Open.h"
-#include "session/picture/Film.h"
+#include "session/film/Film.h"
+#include "session/film/ReadyFilms.h"
 
 namespace velum::app {
 
@@ -48,18 +49,18 @@ void expectOutputs(const RenderOptions& options) {
   expectOutput(options.saveScene);
 }
 
-/// What moves in an animation; nothing for a single picture.
-std::optional<session::Motion> motionOf(const RenderOptions& options, const scene::Scene& scene) {
+/// The film that is asked for; nothing for a single picture.
+std::optional<session::ReadyFilm> filmKind(const RenderOptions& options, const scene::Scene& scene) {
   if (options.frames == 0 && !options.animate.empty())
     throw ArgumentError("--animate: say how many pictures, with --frames");
   if (options.frames == 0) return std::nullopt;
-  auto motion = options.animate.empty() ? session::usualMotion(scene) : enumValue<session::Motion>(options.animate);
+  auto motion = options.animate.empty() ? session::usualFilm(scene) : enumValue<session::ReadyFilm>(options.animate);
   if (!motion)
     throw ArgumentError(fmt::format("--animate {}: not one of {}", options.animate,
-                                    fmt::join(EnumNames<session::Motion>::kNames, ", ")));
-  if (std::string why = session::whyStill(scene, *motion); !why.empty())
+                                    fmt::join(EnumNames<session::ReadyFilm>::kNames, ", ")));
+  if (std::string why = session::whyNoFilm(scene, *motion); !why.empty())
     throw ArgumentError(fmt::format("--animate {}: {}", enumName(*motion), why));
-  if (*motion == session::Motion::Turn && !options.section.empty())
+  if (*motion == session::ReadyFilm::Turn && !options.section.empty())
     throw ArgumentError(
         "--frames with --section goes through time steps, or with --animate pull or cut through the cuts");
   return motion;
@@ -71,11 +72,9 @@ scene::SectionKind sectionKind(const std::string& name) {
       fmt::format("--section {}: not one of {}", name, fmt::join(EnumNames<scene::SectionKind>::kNames, ", ")));
 }
 
-session::FilmOptions filmOf(const RenderOptions& options, const scene::Scene& scene, glm::ivec2 size) {
-  session::FilmOptions film{{size, options.samples, options.transparent, options.layers, options.dpi},
-                            motionOf(options, scene),
-                            std::max(options.frames, 1),
-                            {}};
+session::FilmOptions filmOf(const RenderOptions& options, glm::ivec2 size) {
+  session::FilmOptions film{
+      {size, options.samples, options.transparent, options.layers, options.dpi}, options.frames > 0, {}};
   if (!options.section.empty()) film.section = sectionKind(options.section);
   return film;
 }
@@ -136,10 +135,14 @@ int run(const RenderOptions& options) {
   for (const std::string& text : options.captions) app::run(session, session::AddCaption{text});
 
   auto start = Clock::now();
-  session::FilmOptions film = filmOf(options, session.scene(), size);
+  session::FilmOptions film = filmOf(options, size);
+  if (auto kind = filmKind(options, session.scene()))
+    session.document().edit("Make film", [&](scene::Scene& scene) {
+      scene = session::withReadyFilm(std::move(scene), *kind, options.frames);
+    });
   auto files = session.film(film, options.output, progress);
   double ms = msSince(start);
-  bool isEmpty = !isSection && !film.motion && session::cutsTakeAll(session.settled(progress), progress);
+  bool isEmpty = !isSection && !film.isFilm && session::cutsTakeAll(session.settled(progress), progress);
   if (isEmpty) log::warning(session::kNothingLeft);
   progress.report(1.0, "");
   if (!options.saveScene.empty())
@@ -149,7 +152,7 @@ int run(const RenderOptions& options) {
     log::say("note: " + note);
   if (!options.common.json) return 0;
   Json json = reportOf(options, session, size, ms);
-  if (film.motion)
+  if (film.isFilm)
     for (const auto& file : files) json["outputs"].push_back(file.string());
   if (settled && !isSection)
     for (const auto& target : settled->targets) json["targets"].push_back(targetJson(target));

@@ -9,10 +9,11 @@
 
 #include "core/Assert.h"
 #include "core/Clock.h"
+#include "core/Error.h"
 #include "core/Memory.h"
 #include "session/Rest.h"
 #include "session/document/Folders.h"
-#include "session/picture/Film.h"
+#include "session/film/Film.h"
 
 namespace velum::session {
 
@@ -178,20 +179,21 @@ Image Session::picture(const PictureOptions& options, Progress& progress) {
 
 std::vector<std::filesystem::path> Session::film(const FilmOptions& options, const std::filesystem::path& path,
                                                  Progress& progress) {
-  auto paths = filmPaths(options, path);
+  Film film(scene());
+  if (options.isFilm && path == "-") throw ArgumentError("a film is several files; name one, e.g. turn.png");
+  std::vector<std::filesystem::path> paths{path};
+  if (options.isFilm) paths = framePaths(path, film.count());
   if (path != "-") expectPictureFile(paths.front());
-  scene::Scene whole = settled(progress);
+  scene::Scene whole = options.isFilm ? scene::Scene() : settled(progress);
   if (!options.section) renderer();
-  Film film(scene(), options);
-  bool hasMotion = options.motion.has_value();
-  if (hasMotion && hasMembranes(scene())) bindContext();
+  if (options.isFilm && hasMembranes(scene())) bindContext();
   // Of several frames it is told which is drawn, not how far each is.
   Progress quiet([&](double, const std::string&) { progress.throwIfCancelled(); });
-  Progress& heard = hasMotion ? quiet : progress;
+  Progress& heard = options.isFilm ? quiet : progress;
   for (int i = 0; i < int(paths.size()); ++i) {
-    if (hasMotion)
+    if (options.isFilm)
       progress.report(double(i) / double(paths.size()), fmt::format("Frame {} of {}", i + 1, paths.size()));
-    Film::Frame frame = hasMotion ? film.at(i, heard) : Film::Frame{scene(), whole};
+    Film::Frame frame = options.isFilm ? film.at(i, 0.0, heard) : Film::Frame{shown(), whole};
     Image image = options.section ? drawSectionPicture(frame.drawn, *options.section, options.picture)
                                   : drawPicture(*mRenderer, frame.drawn, options.picture, mContext->limits(), heard);
     savePicture(image, frame.scene, options.picture, paths[std::size_t(i)]);

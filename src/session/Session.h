@@ -98,9 +98,9 @@ class Session {
   scene::Scene settled(Progress& progress);
   /// A picture of the scene with everything at rest, drawn as by drawPicture(). @throw Cancelled, gpu::GpuError
   Image picture(const PictureOptions& options, Progress& progress);
-  /// Draws and writes one picture or several, each with its scene in it and everything at rest. @param path  "-":
-  /// standard output, for a single picture only  @return the files written  @throw Cancelled, gpu::GpuError, InputError
-  /// when the disk refuses, ArgumentError where whyStill() says why there is no animation
+  /// Draws and writes one picture, or the film of the scene's timeline, each picture with its scene in it and
+  /// everything at rest. @param path  "-": standard output, for a single picture only  @return the files written @throw
+  /// Cancelled, gpu::GpuError, InputError when the disk refuses, ArgumentError
   std::vector<std::filesystem::path> film(const FilmOptions& options, const std::filesystem::path& path,
                                           Progress& progress);
   /// What became of the enabled membranes, at rest. @throw Cancelled, gpu::GpuError

@@ -88,7 +88,7 @@ TEST_F(PictureDialog, TheCopiedCommandMakesTheSamePicture) {
 TEST_F(PictureDialog, OffersTheAnimationsThatTheSceneCanHave) {
   SavePictureDialog still({160, 120}, {160, 120}, mScene, nullptr);
   EXPECT_EQ(child<QComboBox>(still, "pictureMotion")->count(), 2) << "one picture, or once round";
-  EXPECT_FALSE(still.motion());
+  EXPECT_FALSE(still.film());
   EXPECT_FALSE(still.command().contains("--frames"));
   scene::Cut cut;
   cut.axis = {0, -1, 0};
@@ -102,7 +102,7 @@ TEST_F(PictureDialog, OffersTheAnimationsThatTheSceneCanHave) {
   motion->setCurrentIndex(2);
   EXPECT_TRUE(frames->isEnabled());
   frames->setValue(3);
-  EXPECT_EQ(dialog.motion(), session::Motion::Pull);
+  EXPECT_EQ(dialog.film(), session::ReadyFilm::Pull);
   EXPECT_TRUE(dialog.command().endsWith(" --frames 3 --animate pull")) << dialog.command().toStdString();
   // What the command makes, the window makes.
   QStringList words = QProcess::splitCommand(dialog.command());
@@ -111,7 +111,7 @@ TEST_F(PictureDialog, OffersTheAnimationsThatTheSceneCanHave) {
   runBatch(words);
   Progress progress;
   session::Session(dialog.pictureScene())
-      .film({dialog.options(), session::Motion::Pull, 3}, mFolder.path() / "window.png", progress);
+      .film({dialog.options(), session::ReadyFilm::Pull, 3}, mFolder.path() / "window.png", progress);
   auto pixels = [&](const char* name) {
     return QImage(QString::fromStdString((mFolder.path() / name).string())).convertToFormat(QImage::Format_RGBA8888);
   };
@@ -139,7 +139,7 @@ TEST_F(PictureDialog, RemembersWhatWasChosenForThePictureBefore) {
     child<QCheckBox>(dialog, "pictureLayers")->setChecked(true);
     child<QComboBox>(dialog, "pictureMotion")->setCurrentIndex(2);
     child<QSpinBox>(dialog, "pictureFrames")->setValue(17);
-    EXPECT_EQ(dialog.motion(), session::Motion::Pull);
+    EXPECT_EQ(dialog.film(), session::ReadyFilm::Pull);
     dialog.remember();
   }
   SavePictureDialog again({800, 400}, {1200, 600}, mScene, nullptr);
@@ -149,13 +149,13 @@ TEST_F(PictureDialog, RemembersWhatWasChosenForThePictureBefore) {
   EXPECT_EQ(again.options().size, glm::ivec2(1200, 600));
   EXPECT_EQ(again.options().dpi, 254);
   EXPECT_TRUE(again.options().layers);
-  EXPECT_EQ(again.motion(), session::Motion::Pull);
+  EXPECT_EQ(again.film(), session::ReadyFilm::Pull);
   EXPECT_EQ(again.frames(), 17);
   // A scene that cannot move so gets one picture.
   mScene.cuts.clear();
   SavePictureDialog still({800, 400}, {1200, 600}, mScene, nullptr);
   still.recall();
-  EXPECT_FALSE(still.motion());
+  EXPECT_FALSE(still.film());
   SavePictureDialog({800, 400}, {1920, 1080}, mScene, nullptr).remember();
 }
 

@@ -17,7 +17,8 @@
 #include "session/command/ViewCommands.h"
 #include "session/extrusion/GrowStructure.h"
 #include "session/membrane/HangMembrane.h"
-#include "session/picture/Film.h"
+#include "session/film/Film.h"
+#include "session/film/ReadyFilms.h"
 
 namespace velum::gui {
 namespace {
@@ -155,11 +156,11 @@ TEST_F(SameBytes, OfTheFramesOfAnAnimation) {
     run(session, session::SetField{"cuts.0.spares", R"([{"structure": 1, "distance": 12}])"});
     run(session, session::HangMembrane{});
   });
-  session::FilmOptions film{options(), session::Motion::Pull, 2, {}};
+  session::FilmOptions film{options(), true, {}};
   mWindow->openPaths({file("scene.json")});
   ASSERT_TRUE(waitForJob());
   ASSERT_TRUE(QTest::qWaitFor([&] { return mWindow->session().isSettled(); }, kPatience));
-  auto files = session::Session(scene()).film(film, text("film.png"), mProgress);
+  auto files = session::Session(session::withReadyFilm(scene(), session::ReadyFilm::Pull, 2)).film(film, text("film.png"), mProgress);
   ASSERT_EQ(files.size(), 2u);
   std::vector<QByteArray> byWindow;
   for (const auto& path : files) byWindow.push_back(bytesOf(QString::fromStdString(path.string())));

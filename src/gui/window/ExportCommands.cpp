@@ -63,8 +63,8 @@ void ExportCommands::askSavePicture() {
                   (dialog.options().layers ? ".exr" : ".png");
   QString path = askSavePath(&mParts.window, tr("Save picture"), start, saveFilters(io::FileKind::Picture));
   if (path.isEmpty()) return;
-  if (auto motion = dialog.motion())
-    saveAnimationTo(path, dialog.options(), dialog.pictureScene(), *motion, dialog.frames());
+  if (auto film = dialog.film())
+    saveAnimationTo(path, dialog.options(), dialog.pictureScene(), *film, dialog.frames());
   else
     savePictureTo(path, dialog.options(), dialog.pictureScene());
 }
@@ -80,11 +80,11 @@ void ExportCommands::savePictureTo(const QString& path, const session::PictureOp
 }
 
 void ExportCommands::saveAnimationTo(const QString& path, const session::PictureOptions& options,
-                                     const scene::Scene& scene, session::Motion motion, int frames) {
+                                     const scene::Scene& scene, session::ReadyFilm film, int frames) {
   mParts.jobs.start(
       tr("Drawing %n frames", nullptr, frames),
-      [scene, options, motion, frames, path = path.toStdString()](Progress& progress) {
-        session::Session(scene).film({options, motion, frames}, path, progress);
+      [scene, options, film, frames, path = path.toStdString()](Progress& progress) {
+        session::Session(session::withReadyFilm(scene, film, frames)).film({options, true}, path, progress);
       },
       [this, path, frames] {
         auto first = session::framePaths(path.toStdString(), 1).front();

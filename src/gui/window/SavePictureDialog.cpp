@@ -103,7 +103,7 @@ void SavePictureDialog::recall() {
   mUnit->setCurrentIndex(std::clamp(known.value(kUnitKey, 0).toInt(), 0, mUnit->count() - 1));
   mLayers->setChecked(known.value(kLayersKey, mLayers->isChecked()).toBool());
   mFrames->setValue(known.value(kFramesKey, mFrames->value()).toInt());
-  auto motion = enumValue<session::Motion>(known.value(kMotionKey).toString().toStdString());
+  auto motion = enumValue<session::ReadyFilm>(known.value(kMotionKey).toString().toStdString());
   mMotion->setCurrentIndex(std::max(0, mMotion->findData(motion ? int(*motion) : -1)));
 }
 
@@ -115,7 +115,7 @@ void SavePictureDialog::remember() const {
   known.setValue(kUnitKey, mUnit->currentIndex());
   known.setValue(kLayersKey, mLayers->isChecked());
   known.setValue(kFramesKey, mFrames->value());
-  known.setValue(kMotionKey, motion() ? QString::fromStdString(std::string(enumName(*motion()))) : QString());
+  known.setValue(kMotionKey, film() ? QString::fromStdString(std::string(enumName(*film()))) : QString());
 }
 
 QWidget* SavePictureDialog::makeSize(glm::ivec2 viewSize) {
@@ -268,12 +268,13 @@ QWidget* SavePictureDialog::makeMotion() {
          "volume through its time steps, structures come out of the cuts one after the other, or the instances of a "
          "model go one by one, and what the cuts leave comes back"));
   mMotion->addItem(tr("One picture"), -1);
-  const std::pair<session::Motion, QString> kinds[] = {{session::Motion::Turn, tr("Once round")},
-                                                       {session::Motion::Time, tr("Through the time steps")},
-                                                       {session::Motion::Pull, tr("Pull out, one after the other")},
-                                                       {session::Motion::Cut, tr("Cut open, one by one")}};
+  const std::pair<session::ReadyFilm, QString> kinds[] = {
+      {session::ReadyFilm::Turn, tr("Once round")},
+      {session::ReadyFilm::Time, tr("Through the time steps")},
+      {session::ReadyFilm::Pull, tr("Pull out, one after the other")},
+      {session::ReadyFilm::Cut, tr("Cut open, one by one")}};
   for (const auto& [motion, name] : kinds)
-    if (session::whyStill(mScene, motion).empty()) mMotion->addItem(name, int(motion));
+    if (session::whyNoFilm(mScene, motion).empty()) mMotion->addItem(name, int(motion));
   mFrames = new QSpinBox(box);
   mFrames->setObjectName("pictureFrames");
   mFrames->setAccessibleName(tr("Frames"));
@@ -284,13 +285,13 @@ QWidget* SavePictureDialog::makeMotion() {
   row->addWidget(new QLabel(tr("Animation"), box), 0, 0);
   row->addWidget(mMotion, 0, 1);
   row->addWidget(mFrames, 0, 2);
-  connect(mMotion, &QComboBox::currentIndexChanged, this, [this] { mFrames->setEnabled(motion().has_value()); });
+  connect(mMotion, &QComboBox::currentIndexChanged, this, [this] { mFrames->setEnabled(film().has_value()); });
   return box;
 }
 
-std::optional<session::Motion> SavePictureDialog::motion() const {
+std::optional<session::ReadyFilm> SavePictureDialog::film() const {
   int chosen = mMotion->currentData().toInt();
-  return chosen < 0 ? std::nullopt : std::optional(session::Motion(chosen));
+  return chosen < 0 ? std::nullopt : std::optional(session::ReadyFilm(chosen));
 }
 
 void SavePictureDialog::setPixels(glm::ivec2 size) {
@@ -391,10 +392,9 @@ QString SavePictureDialog::command() const {
   std::filesystem::path file = place / ("scene-" + hash.toStdString() + ".json");
   session::saveScene(scene, file);
   QString command = QString::fromStdString(session::pictureCommand(file, options(), "picture.png"));
-  if (motion())
-    command += QString(" --frames %1 --animate %2")
-                   .arg(frames())
-                   .arg(QString::fromStdString(std::string(enumName(*motion()))));
+  if (film())
+    command +=
+        QString(" --frames %1 --animate %2").arg(frames()).arg(QString::fromStdString(std::string(enumName(*film()))));
   return command;
 }
 

@@ -10,7 +10,8 @@
 
 #include "gui/kit/NumberField.h"
 #include "gui/service/Job.h"
-#include "session/picture/Film.h"
+#include "session/film/Film.h"
+#include "session/film/ReadyFilms.h"
 
 namespace velum::gui {
 
@@ -34,7 +35,7 @@ class SavePictureDialog : public QDialog {
   /// The scene with the background that is chosen.
   scene::Scene pictureScene() const;
   /// What moves in an animation; nothing for a single picture.
-  std::optional<session::Motion> motion() const;
+  std::optional<session::ReadyFilm> film() const;
   int frames() const { return mFrames->value(); }
   /// The command line that makes this picture; the scene goes into a file of its own in velum's folder under
   /// XDG_DATA_HOME, named after its contents, so that the command keeps giving this picture.

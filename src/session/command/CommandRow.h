@@ -199,5 +199,6 @@ std::vector<Command> extrusionCommands();
 std::vector<Command> growthCommands();
 std::vector<Command> membraneCommands();
 std::vector<Command> viewCommands();
+std::vector<Command> filmCommands();
 
 }  // namespace velum::session::detail

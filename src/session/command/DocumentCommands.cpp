@@ -5,7 +5,7 @@
 #include "session/Session.h"
 #include "session/command/CommandRow.h"
 #include "session/document/SetFields.h"
-#include "session/picture/Film.h"
+#include "session/film/Film.h"
 
 namespace velum::session {
 

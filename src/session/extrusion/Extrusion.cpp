@@ -52,22 +52,6 @@ void resetExtrusions(scene::Scene& scene) {
   for (auto& cut : scene.cuts) std::erase_if(cut.spares, [](const auto& spare) { return isEnd(spare.distance); });
 }
 
-scene::Scene pulledOut(scene::Scene scene, double at) {
-  std::map<std::pair<int, int>, double> ends;
-  for (const auto& one : extrusionsOf(scene))
-    ends[{one.cut, one.structure}] = pulledEnd(scene, *scene::findCut(scene, one.cut), one.structure);
-  double turn = at * double(extrusionsOf(scene).size());  // of the next one, from 0 to 1
-  for (auto& cut : scene.cuts)
-    for (auto& spare : cut.spares) {
-      if (!isExtrusion(spare)) continue;
-      double t = std::clamp(turn, 0.0, 1.0);
-      // What lies beyond the structure's end would be a time in which nothing moves.
-      if (t < 1.0) spare.distance = std::min(spare.distance, ends[{cut.id, spare.structure}]) * t * t * (3.0 - 2.0 * t);
-      turn -= 1.0;
-    }
-  return scene;
-}
-
 bool canPullFrom(const scene::Cut& cut) { return cut.enabled && !scene::isInlay(cut); }
 
 bool isFlat(const scene::Cut& cut) { return cut.shape == scene::CutShape::Plane || scene::isMembrane(cut); }

@@ -26,11 +26,6 @@ void setExtrusion(scene::Cut& cut, int structure, double distance);
 /// Puts back all structures that stand out of any cut. Structures that a cut leaves whole stay whole.
 void resetExtrusions(scene::Scene& scene);
 
-/// A moment of an animation in which all structures come out of their cuts one after the other, in the order of
-/// extrusionsOf(), each slowly at first and towards its end. Nothing else changes.
-/// @param at  0..1: at 0 no structure stands out, at 1 all do, and the scene is as it was
-scene::Scene pulledOut(scene::Scene scene, double at);
-
 /// Whether structures can be pulled out of a cut: the cut is on, and no inlay.
 bool canPullFrom(const scene::Cut& cut);
 

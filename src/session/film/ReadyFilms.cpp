@@ -92,7 +92,8 @@ std::string takenOut(Scene& scene, Cut& cut) {
     return pathOf(cut, "centre");
   }
   if (cut.invert)
-    cut.size += 4.0 * (glm::length(bounds.max - bounds.min) + glm::distance(cut.centre, 0.5 * (bounds.min + bounds.max)));
+    cut.size +=
+        4.0 * (glm::length(bounds.max - bounds.min) + glm::distance(cut.centre, 0.5 * (bounds.min + bounds.max)));
   else
     cut.size = glm::dvec3(0.0);
   return pathOf(cut, "size");
@@ -153,29 +154,50 @@ ReadyFilm usualFilm(const Scene& scene) { return timeStepsOf(scene) > 1 ? ReadyF
 
 std::string whyNoFilm(const Scene& scene, ReadyFilm film) {
   switch (film) {
-    case ReadyFilm::Turn: return {};
-    case ReadyFilm::Time: return timeStepsOf(scene) > 1 ? "" : "the volume has no time steps";
-    case ReadyFilm::Pull: return extrusionsOf(scene).empty() ? "no structure is pulled out of a cut" : "";
-    case ReadyFilm::Membrane: return hasCutOn(scene, true) ? "" : "no membrane is on";
-    case ReadyFilm::Fly: return scene.labels.data && !scene.labels.structures.empty() ? "" : "there are no structures";
+    case ReadyFilm::Turn:
+      return {};
+    case ReadyFilm::Time:
+      return timeStepsOf(scene) > 1 ? "" : "the volume has no time steps";
+    case ReadyFilm::Pull:
+      return extrusionsOf(scene).empty() ? "no structure is pulled out of a cut" : "";
+    case ReadyFilm::Membrane:
+      return hasCutOn(scene, true) ? "" : "no membrane is on";
+    case ReadyFilm::Fly:
+      return scene.labels.data && !scene.labels.structures.empty() ? "" : "there are no structures";
     case ReadyFilm::Equalize:
       if (!hasInstances(scene)) return "there is no model of molecules";
       [[fallthrough]];
-    default: return hasCutOn(scene, false) ? "" : "no cut is on";
+    default:
+      return hasCutOn(scene, false) ? "" : "no cut is on";
   }
+}
+
+Scene withReadyFilm(Scene scene, ReadyFilm film, int frames) {
+  scene.timeline.tracks.clear();
+  scene.timeline.rangeStart = scene.timeline.rangeEnd = 0.0;
+  addReadyFilm(scene, film, {0.0, frames / scene.timeline.framesPerSecond});
+  return scene;
 }
 
 void addReadyFilm(Scene& scene, ReadyFilm film, FilmSpan span) {
   expect(scene, film);
   switch (film) {
-    case ReadyFilm::Turn: return addTurn(scene, span, 1.0, false);
-    case ReadyFilm::Cut: return addCutting(scene, span, 0, false);
-    case ReadyFilm::Membrane: return addSinking(scene, span, 0, false);
-    case ReadyFilm::Pull: return addPulling(scene, span, 0.0, 0.0);
-    case ReadyFilm::Equalize: return addEqualizing(scene, span, 0.0);
-    case ReadyFilm::Fly: return addFlight(scene, span, scene.labels.structures.front().id, 0.7);
-    case ReadyFilm::Time: return addTimeSteps(scene, span, 1.0);
-    case ReadyFilm::Compare: return addComparison(scene, span, 0.35);
+    case ReadyFilm::Turn:
+      return addTurn(scene, span, 1.0, false);
+    case ReadyFilm::Cut:
+      return addCutting(scene, span, 0, false);
+    case ReadyFilm::Membrane:
+      return addSinking(scene, span, 0, false);
+    case ReadyFilm::Pull:
+      return addPulling(scene, span, 0.0, 0.0);
+    case ReadyFilm::Equalize:
+      return addEqualizing(scene, span, 0.0);
+    case ReadyFilm::Fly:
+      return addFlight(scene, span, scene.labels.structures.front().id, 0.7);
+    case ReadyFilm::Time:
+      return addTimeSteps(scene, span, 1.0);
+    case ReadyFilm::Compare:
+      return addComparison(scene, span, 0.35);
   }
 }
 

@@ -5,9 +5,9 @@
 #include "core/Fields.h"
 #include "scene/SceneFwd.h"
 
-/// Ready-made films: each writes ordinary keys into the scene's timeline, in the place of keys that the same fields have
-/// at those times, and makes the timeline long enough. The last picture of a film that ends with the scene as it is
-/// shows the scene as it is.
+/// Ready-made films: each writes ordinary keys into the scene's timeline, in the place of keys that the same fields
+/// have at those times, and makes the timeline long enough. The last picture of a film that ends with the scene as it
+/// is shows the scene as it is.
 namespace velum::session {
 
 /// Turn: the eye goes round the data. Cut: the cuts come in from where the data ends. Membrane: membranes sink in.
@@ -25,6 +25,10 @@ struct FilmSpan {
 ReadyFilm usualFilm(const scene::Scene& scene);
 /// Why a scene has no such film, for people; empty where it has one. @param structure  for Fly; empty: any
 std::string whyNoFilm(const scene::Scene& scene, ReadyFilm film);
+
+/// A scene with a ready-made film of so many pictures in the place of the film that it has.
+/// @throw ArgumentError where whyNoFilm() says why there is none
+scene::Scene withReadyFilm(scene::Scene scene, ReadyFilm film, int frames);
 
 /// Adds a film as it is by default. @throw ArgumentError where whyNoFilm() says why there is none
 void addReadyFilm(scene::Scene& scene, ReadyFilm film, FilmSpan span);
@@ -53,5 +57,6 @@ void addComparison(scene::Scene& scene, FilmSpan span, double hold);
 
 template <>
 struct velum::EnumNames<velum::session::ReadyFilm> {
-  static constexpr std::string_view kNames[] = {"turn", "cut", "membrane", "pull", "equalize", "fly", "time", "compare"};
+  static constexpr std::string_view kNames[] = {"turn",     "cut", "membrane", "pull",
+                                                "equalize", "fly", "time",     "compare"};
 };

@@ -1,5 +1,5 @@
-// The way through no clipping, plain clipping and what types are left of it.
-#include "session/picture/CutPath.h"
+// Ready-made films: what their keys make of a scene.
+#include "session/film/ReadyFilms.h"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,9 @@
 #include "makeModel.h"
 #include "makeVolume.h"
 #include "render/kept/KeptInstances.h"
+#include "scene/timeline/SceneAt.h"
 #include "session/extrusion/Extrusion.h"
-#include "session/picture/Film.h"
+#include "session/film/Film.h"
 
 namespace velum::session {
 
@@ -50,26 +51,37 @@ bool isWithin(const Kept& a, const Kept& b) {
   return true;
 }
 
+/// A moment of a ready-made film. @param at  0: its first picture, 1: its last
+scene::Scene momentOf(const scene::Scene& scene, ReadyFilm film, double at) {
+  scene::Scene made = scene;
+  made.timeline.framesPerSecond = 1000.0;
+  addReadyFilm(made, film, {0.0, 1.0});
+  scene::Scene out = scene::sceneAt(made, at * 0.999);
+  out.timeline = scene.timeline;
+  return out;
+}
+
+scene::Scene equalizedAt(const scene::Scene& scene, double at) { return momentOf(scene, ReadyFilm::Equalize, at); }
+
 }  // namespace
 
-TEST(CutPath, GoesFromNoCutsOverPlainCutsToTheScene) {
-  scene::Scene scene = cutScene(), bare = scene;
-  bare.cuts.clear();
-  EXPECT_EQ(cutPathAt(scene, 0.0), bare);
-  EXPECT_EQ(cutPathAt(scene, 1.0), scene);
+TEST(Equalizing, GoesFromTheWholeOverPlainCutsToTheScene) {
+  scene::Scene scene = cutScene();
+  EXPECT_EQ(countOf(render::keptInstances(equalizedAt(scene, 0.0))), scene.model.data->instances.size());
+  EXPECT_EQ(render::keptInstances(equalizedAt(scene, 1.0)), render::keptInstances(scene));
   Kept plain = render::keptInstances(plainlyCut(scene));
-  EXPECT_EQ(render::keptInstances(cutPathAt(scene, 0.5)), plain);
-  EXPECT_EQ(countOf(render::keptInstances(cutPathAt(scene, 1e-12))), plain.size());
-  EXPECT_EQ(render::keptInstances(cutPathAt(scene, 1.0 - 1e-12)), render::keptInstances(scene));
+  EXPECT_EQ(render::keptInstances(equalizedAt(scene, 0.5)), plain);
+  EXPECT_EQ(countOf(render::keptInstances(equalizedAt(scene, 1e-12))), plain.size());
+  EXPECT_EQ(render::keptInstances(equalizedAt(scene, 1.0 - 1e-12)), render::keptInstances(scene));
   EXPECT_LT(countOf(plain), plain.size() / 2);
 }
 
-TEST(CutPath, EachInstanceGoesOnceAndComesBackOnce) {
+TEST(Equalizing, EachInstanceGoesOnceAndComesBackOnce) {
   scene::Scene scene = cutScene();
-  Kept before = render::keptInstances(cutPathAt(scene, 0.0));
+  Kept before = render::keptInstances(equalizedAt(scene, 0.0));
   std::size_t all = before.size(), plain = countOf(render::keptInstances(plainlyCut(scene)));
   for (int i = 1; i <= 20; ++i) {
-    Kept now = render::keptInstances(cutPathAt(scene, i / 20.0));
+    Kept now = render::keptInstances(equalizedAt(scene, i / 20.0));
     EXPECT_TRUE(i <= 10 ? isWithin(now, before) : isWithin(before, now)) << i;
     // As many in each moment: the share falls evenly.
     double expected = double(all) - double(all - plain) * i / 10.0;
@@ -81,20 +93,20 @@ TEST(CutPath, EachInstanceGoesOnceAndComesBackOnce) {
   EXPECT_GT(countOf(before), plain + 50);
 }
 
-TEST(CutPath, RangesOfMassTakeNothingBeforeItsTurn) {
+TEST(Equalizing, RangesOfMassTakeNothingBeforeItsTurn) {
   scene::Scene scene = cutScene();
   scene.cuts[0].model.leastMass = 1e12;  // no type is spared
-  EXPECT_EQ(countOf(render::keptInstances(cutPathAt(scene, 1e-12))), scene.model.data->instances.size());
-  EXPECT_EQ(render::keptInstances(cutPathAt(scene, 0.8)), render::keptInstances(plainlyCut(scene)));
+  EXPECT_EQ(countOf(render::keptInstances(equalizedAt(scene, 1e-12))), scene.model.data->instances.size());
+  EXPECT_EQ(render::keptInstances(equalizedAt(scene, 0.8)), render::keptInstances(plainlyCut(scene)));
 }
 
-TEST(CutPath, ACutEverywhereClearsTheViewBeforeItThinsOut) {
+TEST(Equalizing, ACutEverywhereClearsTheViewBeforeItThinsOut) {
   scene::Scene scene = cutScene();
   scene.cuts[0].shape = scene::CutShape::Everywhere;
   const Model& model = *scene.model.data;
   scene.cuts[0].model.focus.emplace().types = {{pathOf(model, model.types[1])}};
   scene.camera = scene::frameCamera(scene, scene::StandardView::Anterior, 1.0);
-  auto statesAt = [&](double at) { return render::instanceStates(cutPathAt(scene, at)); };
+  auto statesAt = [&](double at) { return render::instanceStates(equalizedAt(scene, at)); };
   auto count = [](const std::vector<render::InstanceState>& states, render::InstanceState state) {
     return std::count(states.begin(), states.end(), state);
   };
@@ -113,7 +125,7 @@ TEST(CutPath, ACutEverywhereClearsTheViewBeforeItThinsOut) {
   EXPECT_EQ(count(statesAt(0.5), render::InstanceState::Removed), 0);
 }
 
-TEST(CutPath, WithoutAModelCutsComeInAndThenStructuresComeOut) {
+TEST(CutsComeIn, FromWhereTheyTakeNothing) {
   scene::Scene scene = boxScene({400, 300});
   for (scene::CutShape shape : {scene::CutShape::Plane, scene::CutShape::Membrane, scene::CutShape::Box,
                                 scene::CutShape::Sphere, scene::CutShape::Cylinder, scene::CutShape::Cone})
@@ -124,56 +136,80 @@ TEST(CutPath, WithoutAModelCutsComeInAndThenStructuresComeOut) {
       cut.spares = {{3, 20.0}, {4, scene::Spare::kEndless}};
       scene.cuts.clear();
       scene::addCut(scene, cut);
+      ReadyFilm film = shape == scene::CutShape::Membrane ? ReadyFilm::Membrane : ReadyFilm::Cut;
       auto takes = [&](double at, glm::dvec3 place) {
-        scene::Scene now = cutPathAt(scene, at);
-        return !now.cuts.empty() && depthInCut(now.cuts[0], place) > 1e-6;
+        return depthInCut(momentOf(scene, film, at).cuts[0], place) > 1e-6;
       };
       int atFirst = 0, before = 0, inTheEnd = 0, underSheet = 0;
       // As deep as a sheet may dip.
       double reach = scene::isMembrane(cut) ? 0.5 * cut.size.z : 0.0;
-      scene::Cut atStart = cutPathAt(scene, 1e-7).cuts[0];
+      scene::Cut atStart = momentOf(scene, film, 0.0).cuts[0];
       for (int i = 0; i < 9 * 9 * 9; ++i) {
         glm::dvec3 place = glm::dvec3(95, 195, 295) * glm::dvec3(i % 9, i / 9 % 9, i / 81) / 8.0;
-        atFirst += takes(1e-7, place);
+        atFirst += takes(0.0, place);
         underSheet += reach > 0.0 && depthInCut(atStart, place) > 1e-6 - reach;
-        inTheEnd += takes(0.5, place);
-        for (double at : {0.1, 0.3, 0.45}) {
+        inTheEnd += takes(1.0, place);
+        for (double at : {0.2, 0.6, 0.9}) {
           before += takes(at, place);
-          EXPECT_LE(takes(at, place), takes(at + 0.05, place)) << "nothing that is gone comes back";
+          EXPECT_LE(takes(at, place), takes(at + 0.1, place)) << "nothing that is gone comes back";
         }
-        EXPECT_EQ(takes(0.5, place), takes(1.0, place));
       }
       EXPECT_EQ(atFirst, 0) << enumName(shape) << invert;
       EXPECT_EQ(underSheet, 0) << "a sheet takes nothing where it dips" << invert;
       EXPECT_GT(inTheEnd, 0) << enumName(shape) << invert;
       EXPECT_LT(before, 3 * inTheEnd) << enumName(shape) << invert;
-      EXPECT_EQ(extrusionOf(cutPathAt(scene, 0.4).cuts[0], 3), 0.0);
-      EXPECT_EQ(extrusionOf(cutPathAt(scene, 0.75).cuts[0], 3), 10.0);
-      EXPECT_EQ(extrusionOf(cutPathAt(scene, 0.2).cuts[0], 4), scene::Spare::kEndless);
-      EXPECT_EQ(cutPathAt(scene, 1.0), scene);
+      EXPECT_EQ(momentOf(scene, film, 1.0), scene);
     }
 }
 
-TEST(CutPath, IsAnAnimationOfScenesThatAreCut) {
-  scene::Scene scene = cutScene();
-  EXPECT_EQ(whyStill(scene, Motion::Cut), "");
-  EXPECT_EQ(frameOf(scene, Motion::Cut, 8, 9), scene);
-  EXPECT_TRUE(frameOf(scene, Motion::Cut, 0, 9).cuts.empty());
-  EXPECT_EQ(frameOf(scene, Motion::Cut, 3, 9), cutPathAt(scene, 3 / 8.0));
-  scene.cuts[0].enabled = false;
-  EXPECT_NE(whyStill(scene, Motion::Cut), "");
-  scene.model.data = {};
-  EXPECT_NE(whyStill(scene, Motion::Cut), "");
-  scene.cuts[0].enabled = true;
-  EXPECT_EQ(whyStill(scene, Motion::Cut), "");
+TEST(CutsComeIn, AndGoOutAgainWhereThatIsAsked) {
+  scene::Scene scene = boxScene({400, 300});
+  scene::addCut(scene, tiltedCut(scene::CutShape::Plane));
+  scene::Scene film = scene;
+  addCutting(film, {1.0, 4.0}, scene.cuts[0].id, true);
+  EXPECT_EQ(film.timeline.duration, 5.0);
+  glm::dvec3 out = scene::sceneAt(film, 1.0).cuts[0].centre, mid = scene::sceneAt(film, 3.0).cuts[0].centre;
+  EXPECT_LT(glm::distance(mid, scene.cuts[0].centre), 1.0);
+  EXPECT_EQ(scene::sceneAt(film, 5.0).cuts[0].centre, out);
+  EXPECT_THROW(addCutting(film, {}, 77, false), ArgumentError);
 }
 
-TEST(Animation, FramesOfATurnAreEvenlyApartAlsoTheLastFromTheFirst) {
+TEST(ReadyFilms, ThereAreThoseThatASceneCanHave) {
+  scene::Scene scene = cutScene();
+  EXPECT_EQ(whyNoFilm(scene, ReadyFilm::Equalize), "");
+  EXPECT_EQ(whyNoFilm(scene, ReadyFilm::Cut), "");
+  scene.cuts[0].enabled = false;
+  EXPECT_NE(whyNoFilm(scene, ReadyFilm::Cut), "");
+  EXPECT_NE(whyNoFilm(scene, ReadyFilm::Equalize), "");
+  scene.cuts[0].enabled = true;
+  scene.model.data = {};
+  EXPECT_NE(whyNoFilm(scene, ReadyFilm::Equalize), "");
+  EXPECT_EQ(whyNoFilm(scene, ReadyFilm::Cut), "");
+  EXPECT_NE(whyNoFilm(scene, ReadyFilm::Membrane), "");
+  EXPECT_NE(whyNoFilm(scene, ReadyFilm::Fly), "");
+  EXPECT_THROW(addReadyFilm(scene, ReadyFilm::Pull, {}), ArgumentError);
+}
+
+TEST(ReadyFilms, KeysOfOneTakeThePlaceOfThoseOfAnother) {
+  scene::Scene scene = cutScene();
+  addTurn(scene, {0.0, 8.0}, 1.0, false);
+  addTurn(scene, {0.0, 8.0}, 2.0, true);
+  ASSERT_EQ(scene.timeline.tracks.size(), 1u);
+  EXPECT_EQ(scene.timeline.tracks[0].keys.size(), 2u);
+  addCutting(scene, {8.0, 4.0}, 0, false);
+  EXPECT_EQ(scene.timeline.tracks.size(), 2u);
+  EXPECT_EQ(scene.timeline.duration, 12.0);
+  EXPECT_TRUE(scene::tracksThatDoNotFit(scene).empty());
+}
+
+TEST(ReadyFilms, FramesOfATurnAreEvenlyApartAlsoTheLastFromTheFirst) {
   scene::Scene scene = cutScene();
   scene.camera = scene::frameCamera(scene, scene::StandardView::Oblique, 1.5);
   for (int frames : {2, 3, 7, 24}) {
     auto eye = [&](int frame) {
-      scene::Camera camera = frameOf(scene, Motion::Turn, frame % frames, frames).camera;
+      scene::Scene film = withReadyFilm(scene, ReadyFilm::Turn, frames);
+      EXPECT_EQ(scene::framesOf(film.timeline).count, frames);
+      scene::Camera camera = scene::sceneAt(film, scene::framesOf(film.timeline).timeOf(frame % frames)).camera;
       return camera.eye - camera.target;
     };
     double step = glm::length(eye(1) - eye(0));
@@ -187,7 +223,7 @@ TEST(Animation, FramesOfATurnAreEvenlyApartAlsoTheLastFromTheFirst) {
   }
 }
 
-TEST(Animation, FilesStandInTheirOrderBesideTheNameThatWasAskedFor) {
+TEST(ReadyFilms, FilesStandInTheirOrderBesideTheNameThatWasAskedFor) {
   std::vector<std::filesystem::path> paths = framePaths("folder/turn.it.png", 1200);
   ASSERT_EQ(paths.size(), 1200u);
   EXPECT_EQ(paths.front(), "folder/turn.it-0000.png");
@@ -195,21 +231,22 @@ TEST(Animation, FilesStandInTheirOrderBesideTheNameThatWasAskedFor) {
   EXPECT_EQ(std::adjacent_find(paths.begin(), paths.end()), paths.end());
 }
 
-TEST(Animation, GoesThroughAllTimeStepsAlike) {
+TEST(ReadyFilms, GoesThroughAllTimeStepsAlike) {
   scene::Scene scene;
   Volume volume = makeVolume({2, 2, 2}, SampleType::UInt8, [](glm::ivec3) { return 1; });
   volume.timeSteps = 5;
   volume.voxels.resize(5 * timeStepBytes(volume));
-  EXPECT_EQ(usualMotion(scene), Motion::Turn);
-  EXPECT_NE(whyStill(scene, Motion::Time), "");
+  EXPECT_EQ(usualFilm(scene), ReadyFilm::Turn);
+  EXPECT_NE(whyNoFilm(scene, ReadyFilm::Time), "");
   scene.volume.data = Shared<Volume>(std::move(volume));
-  EXPECT_EQ(usualMotion(scene), Motion::Time);
-  EXPECT_EQ(whyStill(scene, Motion::Time), "");
+  EXPECT_EQ(usualFilm(scene), ReadyFilm::Time);
+  EXPECT_EQ(whyNoFilm(scene, ReadyFilm::Time), "");
   for (int frames : {5, 10, 3, 12}) {
+    scene::Scene film = withReadyFilm(scene, ReadyFilm::Time, frames);
     std::vector<int> shown(5, 0);
     int before = 0;
     for (int frame = 0; frame < frames; ++frame) {
-      int step = frameOf(scene, Motion::Time, frame, frames).volume.timeStep;
+      int step = scene::sceneAt(film, scene::framesOf(film.timeline).timeOf(frame)).volume.timeStep;
       ASSERT_TRUE(step >= before && step < 5) << frame << " of " << frames;
       ++shown[std::size_t(step)];
       before = step;

@@ -31,7 +31,8 @@ TEST_F(CaptionWindow, OneActionAddsACaptionAndTypingSaysItsWords) {
   ASSERT_EQ(captions().size(), 1u);
   EXPECT_EQ(captions()[0].text, "The two spheres");
   EXPECT_EQ(list().item(0)->text(), "The two spheres");
-  EXPECT_TRUE(text().isVisible() && !text().visibleRegion().isEmpty()) << "the page has scrolled there";
+  EXPECT_TRUE(QTest::qWaitFor([&] { return text().visibleRegion().boundingRect() == text().rect(); }, kPatience))
+      << "the page has scrolled there";
   EXPECT_NE(viewport().grab().toImage(), without);
   EXPECT_EQ(viewport().shownCount(), pictures) << "the picture below is the same";
   takeShot(*mWindow, "caption");
@@ -46,7 +47,9 @@ TEST_F(CaptionWindow, OneActionAddsACaptionAndTypingSaysItsWords) {
 TEST_F(CaptionWindow, ControlsAreOfTheSelectedOne) {
   openPhantom();
   add("first");
-  add("second\nline");
+  add("second");
+  QTest::keyClick(&text(), Qt::Key_Return);
+  QTest::keyClicks(&text(), "line");
   ASSERT_EQ(captions().size(), 2u);
   EXPECT_EQ(captions()[1].text, "second\nline");
   list().setCurrentRow(0);

@@ -16,6 +16,7 @@
 #include "session/command/DocumentCommands.h"
 #include "session/command/LetteringCommands.h"
 #include "session/document/Document.h"
+#include "session/lettering/FreePlaces.h"
 #include "session/lettering/Lettering.h"
 #include "session/lettering/Letters.h"
 
@@ -180,6 +181,46 @@ TEST(Captions, LinesAreFewAndThenAsEvenAsWordsLetThemBe) {
     EXPECT_LE(widest, lines.size() == 1 ? most : least + 0.01 * most) << most;
   }
   EXPECT_EQ(letters.lines("a\n\nb", 100.0), (std::vector<std::string>{"a", "", "b"}));
+}
+
+TEST(Captions, LettersStandAsCloseAsTheFontSaysAndDigitsInColumns) {
+  Letters letters(40.0);
+  EXPECT_LT(letters.width("AV"), letters.width("A") + letters.width("V") - 1.0);
+  EXPECT_EQ(letters.width("HH"), 2 * letters.width("H"));
+  EXPECT_DOUBLE_EQ(letters.width("11.11"), letters.width("00.00"));
+  EXPECT_NEAR(letters.width("AV To"), letters.width("AV") + letters.width(" ") + letters.width("To"), 1e-9);
+}
+
+/// Against every place of a grid.
+TEST(Captions, ThePlaceThatIsFoundIsTheNearestFreeOne) {
+  std::mt19937 random(11);
+  auto pick = [&](int from, int to) { return from + int(random() % unsigned(to - from)); };
+  for (int trial = 0; trial < 200; ++trial) {
+    FreePlaces places(glm::dvec2(60, 40));
+    std::vector<std::pair<glm::ivec2, glm::ivec2>> taken;  // low corners, and sizes
+    for (int part = 0; part < 5; ++part) {
+      glm::ivec2 size(pick(4, 25), pick(3, 12)), wanted(pick(2, 40), pick(2, 30));
+      auto isFree = [&](glm::ivec2 at) {
+        return glm::all(glm::greaterThanEqual(at, glm::ivec2(2))) &&
+               glm::all(glm::lessThanEqual(at + size, glm::ivec2(58, 38))) &&
+               std::none_of(taken.begin(), taken.end(), [&](const auto& other) {
+                 return glm::all(glm::lessThan(at, other.first + other.second + 1)) &&
+                        glm::all(glm::greaterThan(at + size, other.first - 1));
+               });
+      };
+      auto way = [&](glm::dvec2 at) { return std::abs(at.y - wanted.y) + 4.0 * std::abs(at.x - wanted.x); };
+      double least = 1e9;
+      for (int y = 0; y < 40; ++y)
+        for (int x = 0; x < 60; ++x)
+          if (isFree({x, y})) least = std::min(least, way({x, y}));
+      auto at = places.take(size, wanted, 2.0, 1.0);
+      ASSERT_EQ(bool(at), least < 1e9) << trial;
+      if (!at) continue;
+      EXPECT_TRUE(isFree(*at)) << trial;
+      EXPECT_DOUBLE_EQ(way(*at), least) << trial;
+      taken.emplace_back(*at, size);
+    }
+  }
 }
 
 TEST(Captions, WhateverATextHoldsAndHoweverSmallThePictureNothingBreaks) {

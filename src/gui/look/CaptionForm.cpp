@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <QCoreApplication>
 #include <QKeyEvent>
 #include <QScrollArea>
 #include <QSignalBlocker>
-#include <QTimer>
 #include <QVBoxLayout>
 #include <algorithm>
 
@@ -150,11 +150,9 @@ void CaptionForm::add() {
   select(id);
   mText->selectAll();
   mText->setFocus(Qt::OtherFocusReason);
-  // Once the page has made room for what is shown now.
-  QTimer::singleShot(0, mText, [this] {
-    for (QWidget* above = parentWidget(); above; above = above->parentWidget())
-      if (auto* page = qobject_cast<QScrollArea*>(above)) page->ensureWidgetVisible(mFields);
-  });
+  QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);  // the page makes room for what is shown now
+  for (QWidget* above = parentWidget(); above; above = above->parentWidget())
+    if (auto* page = qobject_cast<QScrollArea*>(above)) page->ensureWidgetVisible(mFields);
 }
 
 void CaptionForm::remove() {

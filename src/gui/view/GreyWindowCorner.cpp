@@ -14,7 +14,7 @@ namespace velum::gui {
 
 namespace {
 
-constexpr const char* kStep = "Change window";
+constexpr const char* kWindowStep = "Change window";
 constexpr int kFieldWidth = 190, kCornerEdge = 4;
 constexpr QSize kAround(10, 6);  ///< pixels about the words, which can be clicked
 

@@ -60,7 +60,7 @@ std::vector<Command> letteringCommands() {
             listInLegend(scene, entries, a.listed);
           }),
       editRow<AddCaption>(
-          "Adds a caption over the picture. Its fields are set by set lettering.captions[#1].opacity 0.5.",
+          "Adds a caption over the picture, whose fields are set as any other: set lettering.captions[#1].opacity 0.5.",
           "caption.add place=top size=2 The aorta, opened", "Add caption",
           [](Scene& scene, const AddCaption& a) {
             scene::addCaption(scene.lettering.captions, {.text = a.text, .place = a.place, .size = a.size});

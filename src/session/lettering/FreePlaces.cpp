@@ -9,7 +9,7 @@ namespace velum::session {
 namespace {
 
 constexpr double kRounding = 1e-6;  // pixels
-constexpr double kSideways = 4.0;     // so much longer is the way to a place beside the wanted one
+constexpr double kSideways = 4.0;   // so much longer is the way to a place beside the wanted one
 
 }  // namespace
 
@@ -23,8 +23,9 @@ bool FreePlaces::isFree(glm::dvec2 at, glm::dvec2 size, double margin, double ga
 }
 
 std::optional<glm::dvec2> FreePlaces::take(glm::dvec2 size, glm::dvec2 wanted, double margin, double gap) {
-  // The nearest free place touches what keeps it from the wanted one.
-  std::vector<double> xs{wanted.x}, ys{wanted.y};
+  // The nearest free place touches what keeps it from the wanted one: another part, or the margin.
+  glm::dvec2 last = mPicture - margin - size;
+  std::vector<double> xs{wanted.x, margin, last.x}, ys{wanted.y, margin, last.y};
   for (const Taken& taken : mTaken) {
     glm::dvec2 away(std::max(gap, taken.gap)), before = taken.low - away - size, behind = taken.high + away;
     xs.insert(xs.end(), {before.x, behind.x});

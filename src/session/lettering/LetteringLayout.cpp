@@ -17,7 +17,7 @@ constexpr double kMargin = 1.3, kLine = 1.5, kSwatch = 0.82, kSwatchGap = 0.5, k
 constexpr double kBarThickness = 0.22, kBarGap = 0.42, kGlow = 0.75, kBlockGap = 0.6;
 constexpr double kWidestName = 0.36;                        // of the picture's width
 constexpr double kOutline = 0.05, kOutlineShare = 0.4;      // line around a colour that is near the ground's
-constexpr double kLeastEm = 5.0;                            // pixels
+constexpr double kLeastEm = 8.0, kSmallestEm = 5.0;         // pixels; of captions that find no other room
 constexpr double kCaptionLine = 1.3, kReach = 0.35;         // how far letters reach below and above capitals, at most
 constexpr double kWidestMiddle = 0.86, kWidestSide = 0.46;  // of the picture's width
 constexpr double kShrink = 0.87;
@@ -190,13 +190,13 @@ void LetteringLayout::addCaptions() {
 /// Those of one place go together, smaller where there is no room or large letters would break words, and are left out
 /// where letters would be too small.
 void LetteringLayout::addCaptionsAt(CaptionPlace at, const std::vector<const scene::Caption*>& captions) {
-  double widest = mSize.x * (cellOf(at).x == 1 ? kWidestMiddle : kWidestSide), largest = 2.0 * kLeastEm;
-  for (double shrink = 1.0; largest > kLeastEm; shrink *= kShrink) {
+  double widest = mSize.x * (cellOf(at).x == 1 ? kWidestMiddle : kWidestSide), largest = 2.0 * kSmallestEm;
+  for (double shrink = 1.0; largest > kSmallestEm; shrink *= kShrink) {
     std::deque<LaidCaption> all;
     largest = 0.0;
     bool breaksWords = false;
     for (const scene::Caption* caption : captions) {
-      const LaidCaption& laid = all.emplace_back(*caption, emOf(shrink * caption->size), widest);
+      const LaidCaption& laid = all.emplace_back(*caption, std::max(kSmallestEm, shrink * emOf(caption->size)), widest);
       largest = std::max(largest, laid.letters.em());
       breaksWords |= laid.breaksWords;
     }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <unordered_map>
+#include <utility>
 
 #include "core/Assert.h"
 #include "core/Text.h"
@@ -38,6 +39,16 @@ struct Letters::Font {
     if (isNew && FT_Load_Char(face, letter, FT_LOAD_NO_SCALE) == 0)
       found->second = double(face->glyph->metrics.horiAdvance) / face->units_per_EM;
     return found->second;
+  }
+  /// How much further apart two letters stand than others, in ems. Words stand alone, and digits in columns.
+  double kerningOf(std::uint32_t before, std::uint32_t letter) const {
+    auto isDigit = [](std::uint32_t of) { return of >= '0' && of <= '9'; };
+    FT_Vector kerning{};
+    if (before <= ' ' || letter <= ' ' || (isDigit(before) && isDigit(letter)) ||
+        FT_Get_Kerning(face, FT_Get_Char_Index(face, before), FT_Get_Char_Index(face, letter), FT_KERNING_UNSCALED,
+                       &kerning) != 0)
+      return 0.0;
+    return double(kerning.x) / face->units_per_EM;
   }
   Font(const Font&) = delete;
   Font& operator=(const Font&) = delete;
@@ -83,7 +94,9 @@ Letters::~Letters() = default;
 
 double Letters::width(std::string_view text) const {
   double ems = 0.0;
-  for (std::uint32_t letter : lettersOf(text)) ems += mFont->advanceOf(letter);
+  std::uint32_t before = 0;
+  for (std::uint32_t letter : lettersOf(text))
+    ems += mFont->kerningOf(std::exchange(before, letter), letter) + mFont->advanceOf(letter);
   return ems * mEm;
 }
 
@@ -165,8 +178,10 @@ void Letters::draw(std::string_view text, glm::dvec2 start, Mark& mark) const {
   bitmap.pixel_mode = FT_PIXEL_MODE_GRAY;
   start -= glm::dvec2(mark.corner);
   double x = start.x;
+  std::uint32_t before = 0;
   for (std::uint32_t letter : lettersOf(text)) {
     double advance = mFont->advanceOf(letter) * mEm;
+    x += mFont->kerningOf(std::exchange(before, letter), letter) * mEm;
     if (FT_Load_Char(face, letter, FT_LOAD_NO_HINTING | FT_LOAD_NO_BITMAP) == 0) {
       FT_Outline_Translate(&face->glyph->outline, FT_Pos(std::lround(x * 64.0)),
                            FT_Pos(std::lround((mark.size.y - start.y) * 64.0)));

@@ -23,14 +23,14 @@ ROOMS = {  # module: {room: rooms of the module it may include (its own is impli
     "scene": {"json": ".", ".": ""},
     "gpu": {"context": ".", ".": ""},
     # Plugins.h, in the module's own folder, names what is in plug-ins, of whichever room.
-    "io": {"read": ".", "stores": ". read", "volumes": ". read stores", "labels": ". read stores volumes", "meshes": ". read", "models": "read", "images": ". read", "looks": "read",
+    "io": {"read": ".", "stores": ". read", "volumes": ". read stores", "labels": ". read stores volumes", "video": "", "meshes": ". read", "models": "read", "images": ". read", "looks": "read",
            "phantoms": "models", "kinds": "images labels looks meshes models stores volumes"},
     "membrane": {"forces": "", "sheet": "forces"},
     # The module's own folder has both the frame, which all know, and the renderer, which knows all.
     "render": {"upload": ".", "kept": ". upload", "residency": ". upload", "passes": ". upload residency", "section": ". kept residency"},
     "session": {"bar": "", "lettering": "model section", "command": ". cut document extrusion growth look membrane model picture section structure", "document": "growth model", "model": ". bar cut", "growth": ".", "section": "", "structure": "", "cut": ".", "look": "document",
                 "extrusion": ". bar cut growth look structure", "membrane": ". cut look model structure",
-                "picture": ". document extrusion growth lettering membrane model"},
+                "film": ". document extrusion growth lettering membrane model picture", "picture": ". document extrusion growth lettering membrane model"},
     # A membrane is a cut: the panel of cuts holds its form.
     "gui": {"kit": "", "rows": "kit", "service": "kit rows", "tool": "kit", "view": "kit rows service tool",
             "look": "kit rows service tool view", "structure": "kit rows service tool view", "model": "kit rows service tool view",

@@ -27,7 +27,7 @@ struct RenderOptions {
   InputOptions input;
   TargetOptions targets;
   std::string output, size = "1280x720", saveScene, section, animate;
-  int samples = 0, frames = 0;
+  int samples = 0, frames = 0, bits = 8;
   double dpi = 0, timeout = 0;
   bool layers = false, transparent = false, bruteForce = false, legend = false, scaleBar = false;
 };
@@ -70,7 +70,7 @@ scene::SectionKind sectionKind(const std::string& name) {
 }
 
 session::FilmOptions filmOf(const RenderOptions& options, const scene::Scene& scene, glm::ivec2 size) {
-  session::FilmOptions film{{size, options.samples, options.transparent, options.layers, options.dpi},
+  session::FilmOptions film{{size, options.samples, options.transparent, options.layers, options.dpi, options.bits},
                             motionOf(options, scene),
                             std::max(options.frames, 1),
                             {}};
@@ -166,6 +166,7 @@ Run registerRender(CLI::App& verb) {
   verb.add_option("--dpi", options->dpi,
                   "pixels an inch in print: for sizes with a unit (else 300), and told in the file")
       ->check(CLI::Range(1.0, 10000.0));
+  verb.add_option("--bits", options->bits, "bits of a sample of a .png or .tif: 8, 16")->check(CLI::IsMember({8, 16}));
   addTargets(verb, options->targets);
   verb.add_option("--section", options->section, "a section view instead of the 3D picture: axial, coronal, sagittal");
   verb.add_option("--samples", options->samples, "pictures that are averaged, 1 to 256; default: as the scene says")

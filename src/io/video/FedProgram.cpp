@@ -10,6 +10,7 @@
 
 #include <cerrno>
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
 #include <sstream>
 #include <utility>
@@ -58,6 +59,10 @@ class SpawnPlan {
   posix_spawnattr_t mState;
 };
 
+InputError notInstalled(const std::string& name, const std::string& package) {
+  return InputError(fmt::format("{} is not installed: apt install {}", name, package));
+}
+
 /// @return the status with which a child ended; nothing good where there is no such child
 int waitFor(pid_t child) {
   int status = -1;
@@ -67,6 +72,14 @@ int waitFor(pid_t child) {
 }
 
 }  // namespace
+
+void expectProgram(const std::string& name, const std::string& package) {
+  const char* path = std::getenv("PATH");
+  std::istringstream folders(path ? path : "/bin:/usr/bin");
+  for (std::string folder; std::getline(folders, folder, ':');)
+    if (::access((folder + "/" + name).c_str(), X_OK) == 0) return;
+  throw notInstalled(name, package);
+}
 
 FedProgram::FedProgram(const std::vector<std::string>& words, const std::string& package) {
   int ends[2] = {-1, -1};
@@ -79,7 +92,7 @@ FedProgram::FedProgram(const std::vector<std::string>& words, const std::string&
   mChild = -1;
   closeInput();
   if (mSaid >= 0) ::close(mSaid);
-  if (reason == ENOENT) throw InputError(fmt::format("{0} is not installed: apt install {1}", words[0], package));
+  if (reason == ENOENT) throw notInstalled(words[0], package);
   throw InputError(fmt::format("{}: cannot be started ({})", words[0], std::strerror(reason)));
 }
 

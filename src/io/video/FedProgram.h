@@ -8,6 +8,11 @@
 
 namespace velum::io {
 
+/// Checks, before there is work for it, that a program can be found by PATH. @param package  Debian's package that has
+/// it
+/// @throw InputError that names the package
+void expectProgram(const std::string& name, const std::string& package);
+
 /// A program of others that reads its standard input from us. What it says on its standard error is kept; its standard
 /// output goes nowhere. The program is found by PATH, without a shell, and is in a process group of its own: what a
 /// terminal sends to us when a user presses Ctrl+C does not end it. One thread at a time.

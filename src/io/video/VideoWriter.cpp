@@ -17,6 +17,7 @@ namespace velum::io {
 namespace {
 
 using Arguments = std::vector<std::string>;
+constexpr const char* kProgram = "ffmpeg";
 
 struct VideoFormat {
   const char* extension;
@@ -87,7 +88,7 @@ glm::ivec2 paddedSize(const VideoFormat& format, glm::ivec2 size) { return forma
 
 Arguments argumentsFor(const VideoFormat& format, glm::ivec2 size, const VideoOptions& options,
                        const std::filesystem::path& file) {
-  Arguments words{"ffmpeg", "-nostdin", "-hide_banner", "-loglevel", "error"};
+  Arguments words{kProgram, "-nostdin", "-hide_banner", "-loglevel", "error"};
   words = withMore(words, {"-f", "rawvideo", "-pixel_format", options.transparent ? "rgba" : "rgb24", "-video_size",
                            fmt::format("{}x{}", size.x, size.y), "-framerate",
                            fmt::format("{:.6g}", options.framesPerSecond), "-i", "pipe:0"});
@@ -117,6 +118,7 @@ void expectVideo(const std::filesystem::path& path, const VideoOptions& options)
   if (std::string_view(format.extension) == ".gif" && options.framesPerSecond > kFastestGif)
     throw ArgumentError(fmt::format("{}: programs show no more than {:g} frames a second of a .gif, not {:g}",
                                     path.string(), kFastestGif, options.framesPerSecond));
+  expectProgram(kProgram, kProgram);  // Debian's package has its name
 }
 
 std::string videoNote(const std::filesystem::path& path, const VideoOptions& options) {
@@ -135,7 +137,7 @@ VideoWriter::VideoWriter(const std::filesystem::path& path, glm::ivec2 size, con
   if (options.transparent) mChannels.push_back("A");
   mFrame.resize(std::size_t(mPadded.x) * std::size_t(mPadded.y) * mChannels.size());
   mProgram =
-      std::make_unique<FedProgram>(argumentsFor(videoFormatFor(path), mPadded, options, mFile.temporary()), "ffmpeg");
+      std::make_unique<FedProgram>(argumentsFor(videoFormatFor(path), mPadded, options, mFile.temporary()), kProgram);
 }
 
 VideoWriter::~VideoWriter() = default;

@@ -22,7 +22,7 @@ struct VideoOptions {
 bool isVideo(const std::filesystem::path& path);
 
 /// Checks, before any frame is drawn, whether a video could be written so. @throw InputError for an extension that is
-/// unknown, ArgumentError for options that the format does not have
+/// unknown, and where ffmpeg is not installed, ArgumentError for options that the format does not have
 void expectVideo(const std::filesystem::path& path, const VideoOptions& options);
 
 /// What the format cannot do of what is asked for, in a sentence for people; empty: it can do all.

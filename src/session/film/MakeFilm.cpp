@@ -110,7 +110,6 @@ void expectFilmOutput(const FilmOutput& output) {
     if (!names.isFolder() || std::filesystem::exists(names.folder())) expectPictureFile(names.frame(0));
     return;
   }
-  io::expectVideo(output.path, videoOptionsOf(output));
   const char* name = output.picture.layers     ? "layers"
                      : output.picture.bits > 8 ? "16 bits"
                      : output.old.resume       ? "frames to go on from"
@@ -119,6 +118,7 @@ void expectFilmOutput(const FilmOutput& output) {
   if (name)
     throw ArgumentError(fmt::format("{}: a video has no {}; write the frames to a folder, then the film of them",
                                     output.path.string(), name));
+  io::expectVideo(output.path, videoOptionsOf(output));
   expectReplaceable(output.path);
 }
 

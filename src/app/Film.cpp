@@ -163,7 +163,7 @@ Run registerFilm(CLI::App& verb) {
       ->check(CLI::Range(0.0, 1.0))
       ->capture_default_str();
   verb.add_option("--quality", made.quality, "of a video, 0 to 100")->check(CLI::Range(0, 100))->capture_default_str();
-  verb.add_option("--bits", made.picture.bits, "bits of a sample of a .png or .tif: 8, 16")
+  verb.add_option("--bits", made.picture.bits, "levels of colour: 8 bits, or 16, also in .exr")
       ->check(CLI::IsMember({8, 16}));
   verb.add_flag("--transparent", made.picture.transparent, "no background, with alpha: not in .mp4");
   verb.add_flag("--layers", made.picture.layers, "also alpha, normal, depth and more of each frame, as in render");

@@ -166,7 +166,8 @@ Run registerRender(CLI::App& verb) {
   verb.add_option("--dpi", options->dpi,
                   "pixels an inch in print: for sizes with a unit (else 300), and told in the file")
       ->check(CLI::Range(1.0, 10000.0));
-  verb.add_option("--bits", options->bits, "bits of a sample of a .png or .tif: 8, 16")->check(CLI::IsMember({8, 16}));
+  verb.add_option("--bits", options->bits, "levels of colour: 8 bits, or 16, also in .exr")
+      ->check(CLI::IsMember({8, 16}));
   addTargets(verb, options->targets);
   verb.add_option("--section", options->section, "a section view instead of the 3D picture: axial, coronal, sagittal");
   verb.add_option("--samples", options->samples, "pictures that are averaged, 1 to 256; default: as the scene says")

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <ctime>
 #include <random>
 
 #include "FilmFrames.h"
@@ -270,18 +271,24 @@ TEST(MakeFilm, TimeAndMemoryAreTheSameForEachFrame) {
   TempFolder folder;
   FilmOutput output = outputTo(folder / "frames");
   FrameSource source = smallFilm(frames);
-  std::vector<double> blocks;
+  std::vector<double> blocks, cpu;
   std::size_t bytesEarly = 0, bytesLate = 0;
   auto start = Clock::now();
+  auto cpuMs = [] { return double(std::clock()) * 1e3 / CLOCKS_PER_SEC; };
+  double cpuStart = cpuMs();
   source.draw = [&, draw = source.draw](int frame, double share, Progress& progress) {
     if (frame == frames / 5) bytesEarly = allocatedBytes();
     if (frame == frames - 1) bytesLate = allocatedBytes();
-    if (frame > 0 && frame % (frames / 10) == 0) blocks.push_back(msSince(start)), start = Clock::now();
+    if (frame > 0 && frame % (frames / 10) == 0) {
+      blocks.push_back(msSince(start)), start = Clock::now();
+      cpu.push_back(cpuMs() - cpuStart), cpuStart = cpuMs();
+    }
     return draw(frame, share, progress);
   };
   Progress progress;
   EXPECT_EQ(makeFilm(source, output, kSmallFilm, progress).drawn, frames);
-  for (double ms : blocks) std::printf("%.4f ms a frame\n", ms / (frames / 10));
+  for (std::size_t i = 0; i < blocks.size(); ++i)
+    std::printf("%.4f ms a frame, %.4f of the processor\n", blocks[i] / (frames / 10), cpu[i] / (frames / 10));
   std::printf("bytes %zu then %zu\n", bytesEarly, bytesLate);
   if (bytesEarly > 0) {
     EXPECT_LT(double(bytesLate), double(bytesEarly) + 64e3);

@@ -5,7 +5,6 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <span>
-#include <sstream>
 
 #include "io/stores/Crc32c.h"
 
@@ -86,10 +85,12 @@ std::string manifestText(const FilmManifest& manifest) {
 }
 
 std::optional<FrameFile> frameFileAt(const std::filesystem::path& path) {
+  std::error_code error;
+  std::uint64_t size = std::filesystem::file_size(path, error);
   std::ifstream file(path, std::ios::binary);
-  std::ostringstream bytes;
-  if (!file || !(bytes << file.rdbuf())) return std::nullopt;
-  std::string all = bytes.str();
+  if (error || !file) return std::nullopt;
+  std::string all(size, '\0');
+  if (!file.read(all.data(), std::streamsize(size))) return std::nullopt;
   return FrameFile{path.filename().string(), all.size(), io::crc32c(std::as_bytes(std::span(all)))};
 }
 

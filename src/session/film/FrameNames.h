@@ -13,7 +13,7 @@ struct FilmPart {
   int number = 1, parts = 1;  ///< 1 <= number <= parts
   bool operator==(const FilmPart&) const = default;
   int firstOf(int frames) const { return int((number - 1ll) * frames / parts); }
-  int endOf(int frames) const { return int((long long)(number)*frames / parts); }
+  int endOf(int frames) const { return int(1ll * number * frames / parts); }
 };
 
 /// Reads "3/16". @throw ArgumentError

@@ -9,6 +9,7 @@
 
 #include "core/Clock.h"
 #include "core/Error.h"
+#include "io/images/ImageFile.h"
 #include "io/stores/Crc32c.h"
 #include "io/video/VideoWriter.h"
 #include "session/document/Open.h"
@@ -107,6 +108,13 @@ void expectFilmOutput(const FilmOutput& output) {
     throw ArgumentError(fmt::format("shutter {:g}: expected 0 to 1", output.shutter));
   if (!io::isVideo(output.path)) {
     FrameNames names(output.path);
+    try {
+      io::expectImageFormat(names.frame(0));
+    } catch (const InputError&) {
+      throw InputError(fmt::format(
+          "{}: films are written as .mp4, .webm or .gif, as pictures in .png, .tif or .exr, or into a folder",
+          output.path.string()));
+    }
     if (!names.isFolder() || std::filesystem::exists(names.folder())) expectPictureFile(names.frame(0));
     return;
   }

@@ -114,6 +114,7 @@ Image drawPicture(render::Renderer& renderer, const scene::Scene& scene, const P
   frame.brickBytes = memoryBudget().gpuBrickBytes;
   render::Layers layers;
   if (options.layers) layers = {true, true, true, true, true, bool(scene.model.data)};
+  layers.isFine = options.bits > 8;
   bool hasTypes = scene.lettering.legend && scene.model.data;
   layers.type = layers.type || hasTypes;
   int window = std::min(4096, limits.texture2d);
@@ -131,7 +132,7 @@ Image drawPicture(render::Renderer& renderer, const scene::Scene& scene, const P
   frame.scene.finish = {};
   for (std::size_t i = 0; i < std::size(kInlayLayers); ++i) {
     frame.parts = kInlayParts[i];
-    image = withChannels(image, render::renderPicture(renderer, frame, {}, window, progress),
+    image = withChannels(image, render::renderPicture(renderer, frame, {.isFine = layers.isFine}, window, progress),
                          colorChannels(kInlayLayers[i]));
   }
   return image;

@@ -22,7 +22,8 @@ struct PictureOptions {
   /// over behind is the picture. For a scene with a model also the type, and in the EXR mattes by name (Cryptomatte.h).
   bool layers = false;
   double dpi = 0;  ///< pixels an inch in print, which the file says; 0: the file says nothing
-  int bits = 8;    ///< of a sample of a .png or .tif, 8 or 16; the renderer's own samples have 8, means of them more
+  /// Of a sample of colour: 8, or 16, with which an .exr is as fine as the mean of the samples, too.
+  int bits = 8;
 };
 
 /// A size as people write it: "1280x720" (pixels), "12x8cm", "120x80mm", "5x3in" (at `dpi`; 0 counts as 300).

@@ -23,7 +23,7 @@ ROOMS = {  # module: {room: rooms of the module it may include (its own is impli
     "scene": {"json": ".", "timeline": ". json", ".": ""},
     "gpu": {"context": ".", ".": ""},
     # Plugins.h, in the module's own folder, names what is in plug-ins, of whichever room.
-    "io": {"read": ".", "stores": ". read", "volumes": ". read stores", "labels": ". read stores volumes", "meshes": ". read", "models": "read", "images": ". read", "looks": "read",
+    "io": {"read": ".", "stores": ". read", "volumes": ". read stores", "labels": ". read stores volumes", "video": "", "meshes": ". read", "models": "read", "images": ". read", "looks": "read",
            "phantoms": "models", "kinds": "images labels looks meshes models stores volumes"},
     "membrane": {"forces": "", "sheet": "forces"},
     # The module's own folder has both the frame, which all know, and the renderer, which knows all.

@@ -19,7 +19,7 @@ layout(location = 9) uniform int ghostSamples;
 #endif
 
 layout(binding = kColorImage, rgba32f) uniform readonly image2D colorImage;
-layout(binding = kPictureImage, rgba8) uniform writeonly image2D pictureImage;
+layout(binding = kPictureImage) uniform writeonly image2D pictureImage;  // in 8 bits, or in floats
 
 layout(location = 0) uniform ivec2 windowOrigin;  // the image's corner in the whole picture
 layout(location = 1) uniform int samples;         // that are complete
@@ -27,7 +27,7 @@ layout(location = 2) uniform int rowsDone;        // rows from the top that have
 layout(location = 3) uniform ivec2 strip;         // first row and one past the last of the strip of tiles that is being drawn
 layout(location = 4) uniform int columnsDone;     // of that strip, the columns that have one more
 layout(location = 5) uniform vec4 top;            // rgb; a: 0 leaves the background out
-layout(location = 6) uniform vec4 bottom;
+layout(location = 6) uniform vec4 bottom;     // rgb; a: 1 where the picture has 256 levels
 
 #ifdef FINISH
 /// What lines leave of the light, by channel: [ACS] 4.4 calls it the contour's intensity.
@@ -80,6 +80,7 @@ void main() {
   vec3 behind = mix(top.rgb, bottom.rgb, v);
   // Half a grey level of ordered noise hides the steps of a slow gradient.
   float dither = fract(52.9829189 * fract(dot(vec2(pixel + windowOrigin), vec2(0.06711056, 0.00583715)))) - 0.5;
+  dither *= bottom.a;
 #ifdef FINISH
 #ifdef PAPER
   vec3 backdrop = texelFetch(paperTexture, pixel, 0).rgb;

@@ -19,6 +19,7 @@
 #include "scene/SurfaceLook.h"
 #include "scene/json/Paths.h"
 #include "session/command/DocumentCommands.h"
+#include "session/command/LetteringCommands.h"
 #include "session/command/LookCommands.h"
 #include "session/command/ViewCommands.h"
 #include "session/document/Open.h"
@@ -266,6 +267,23 @@ void openInputs(session::Session& session, const InputOptions& input, double asp
   for (const std::string& note : session.grow(consoleProgress())) log::warning(note);
   if (std::string why = scene::whyOneColor(session.scene().model); !why.empty()) log::warning(why);
   if (!input.finish.empty()) sayWhereLinesLie(session.scene());
+}
+
+void addLettering(CLI::App& verb, LetteringOptions& lettering) {
+  verb.add_flag("--legend", lettering.legend,
+                "colours and names of a model's types and of structures over the picture (lettering.legend)");
+  verb.add_flag("--scale-bar", lettering.scaleBar, "a bar that says how long things are (lettering.scaleBar)");
+  verb.add_flag("--time-stamp", lettering.timeStamp, "the time of the time step (lettering.timeStamp)");
+  verb.add_option("--caption", lettering.captions,
+                  "words over the picture, below; may be repeated (lettering.captions, whose fields say more)")
+      ->allow_extra_args(false);
+}
+
+void writeOver(session::Session& session, const LetteringOptions& lettering) {
+  if (lettering.legend) app::run(session, session::SetField{"lettering.legend", "true"});
+  if (lettering.scaleBar) app::run(session, session::SetField{"lettering.scaleBar", "true"});
+  if (lettering.timeStamp) app::run(session, session::SetField{"lettering.timeStamp", "true"});
+  for (const std::string& text : lettering.captions) app::run(session, session::AddCaption{text});
 }
 
 }  // namespace velum::app

@@ -26,6 +26,16 @@ struct InputOptions {
 };
 
 void addInput(CLI::App& verb, InputOptions& input, bool withScene);
+
+/// The options of verbs that write over pictures.
+struct LetteringOptions {
+  std::vector<std::string> captions;
+  bool legend = false, scaleBar = false, timeStamp = false;
+};
+void addLettering(CLI::App& verb, LetteringOptions& lettering);
+/// Runs the commands that the options stand for.
+void writeOver(session::Session& session, const LetteringOptions& lettering);
+
 /// The first input's source, with the reading options applied.
 scene::Source firstSource(const InputOptions& input);
 /// Opens all inputs in a session and runs the commands that the options stand for: preset, transfer function, surface,

@@ -14,11 +14,10 @@
 #include "io/images/ImageFile.h"
 #include "render/Renderer.h"
 #include "session/command/DocumentCommands.h"
-#include "session/command/LetteringCommands.h"
+#include "session/command/FilmCommands.h"
 #include "session/cut/NothingLeft.h"
 #include "session/document/Open.h"
-#include "session/film/Film.h"
-#include "session/film/ReadyFilms.h"
+#include "session/picture/Picture.h"
 
 namespace velum::app {
 
@@ -28,11 +27,12 @@ struct RenderOptions {
   Common common;
   InputOptions input;
   TargetOptions targets;
-  std::string output, size = "1280x720", saveScene, section, animate;
-  int samples = 0, frames = 0;
+  LetteringOptions lettering;
+  std::string output, size = "1280x720", saveScene, section;
+  int samples = 0, bits = 8;
+  double at = -1.0;
   double dpi = 0, timeout = 0;
-  bool layers = false, transparent = false, bruteForce = false, legend = false, scaleBar = false, timeStamp = false;
-  std::vector<std::string> captions;
+  bool layers = false, transparent = false, bruteForce = false;
 };
 
 /// Refuses outputs that cannot be written, before anything is read.
@@ -41,42 +41,14 @@ void expectOutputs(const RenderOptions& options) {
   bool isFromStandardInput = std::find(inputs.begin(), inputs.end(), kStandardInput) != inputs.end();
   if (isFromStandardInput && !options.saveScene.empty())
     throw ArgumentError("--save-scene: data from standard input has no file that a scene could name; give its path");
-  bool isSeveral = options.frames > 0;
-  if (isSeveral && options.output == "-")
-    throw ArgumentError("--frames writes several files; name one with -o, e.g. turn.png");
-  expectOutput(isSeveral ? session::framePaths(options.output, 1).front().string() : options.output,
-               io::expectImageFormat);
+  expectOutput(options.output, io::expectImageFormat);
   expectOutput(options.saveScene);
-}
-
-/// The film that is asked for; nothing for a single picture.
-std::optional<session::ReadyFilm> filmKind(const RenderOptions& options, const scene::Scene& scene) {
-  if (options.frames == 0 && !options.animate.empty())
-    throw ArgumentError("--animate: say how many pictures, with --frames");
-  if (options.frames == 0) return std::nullopt;
-  auto motion = options.animate.empty() ? session::usualFilm(scene) : enumValue<session::ReadyFilm>(options.animate);
-  if (!motion)
-    throw ArgumentError(fmt::format("--animate {}: not one of {}", options.animate,
-                                    fmt::join(EnumNames<session::ReadyFilm>::kNames, ", ")));
-  if (std::string why = session::whyNoFilm(scene, *motion); !why.empty())
-    throw ArgumentError(fmt::format("--animate {}: {}", enumName(*motion), why));
-  if (*motion == session::ReadyFilm::Turn && !options.section.empty())
-    throw ArgumentError(
-        "--frames with --section goes through time steps, or with --animate pull or cut through the cuts");
-  return motion;
 }
 
 scene::SectionKind sectionKind(const std::string& name) {
   if (auto kind = enumValue<scene::SectionKind>(name)) return *kind;
   throw ArgumentError(
       fmt::format("--section {}: not one of {}", name, fmt::join(EnumNames<scene::SectionKind>::kNames, ", ")));
-}
-
-session::FilmOptions filmOf(const RenderOptions& options, glm::ivec2 size) {
-  session::FilmOptions film{
-      {size, options.samples, options.transparent, options.layers, options.dpi}, options.frames > 0, {}};
-  if (!options.section.empty()) film.section = sectionKind(options.section);
-  return film;
 }
 
 /// What there is to say of the pictures; they may have gone to stdout.
@@ -86,7 +58,7 @@ Json reportOf(const RenderOptions& options, session::Session& session, glm::ivec
     return {{"section", options.section},
             {"crosshair", {at.x, at.y, at.z}},
             {"size", {size.x, size.y}},
-            {"frameMs", ms / std::max(options.frames, 1)},
+            {"frameMs", ms},
             {"output", options.output}};
   }
   const render::Stats& stats = session.renderer().stats();
@@ -129,31 +101,26 @@ int run(const RenderOptions& options) {
     for (const char* field : {"rayCast.skipEmpty", "rayCast.stopOpaque"})
       app::run(session, session::SetField{field, "false"});
 
-  if (options.legend) app::run(session, session::SetField{"lettering.legend", "true"});
-  if (options.scaleBar) app::run(session, session::SetField{"lettering.scaleBar", "true"});
-  if (options.timeStamp) app::run(session, session::SetField{"lettering.timeStamp", "true"});
-  for (const std::string& text : options.captions) app::run(session, session::AddCaption{text});
+  writeOver(session, options.lettering);
+  if (options.at >= 0.0) app::run(session, session::MovePlayhead{options.at});
 
   auto start = Clock::now();
-  session::FilmOptions film = filmOf(options, size);
-  if (auto kind = filmKind(options, session.scene()))
-    session.document().edit("Make film", [&](scene::Scene& scene) {
-      scene = session::withReadyFilm(std::move(scene), *kind, options.frames);
-    });
-  auto files = session.film(film, options.output, progress);
+  session::PictureOptions picture{size,           options.samples, options.transparent,
+                                  options.layers, options.dpi,     options.bits};
+  std::optional<scene::SectionKind> section;
+  if (isSection) section = sectionKind(options.section);
+  session.savePicture(picture, section, options.output, progress);
   double ms = msSince(start);
-  bool isEmpty = !isSection && !film.isFilm && session::cutsTakeAll(session.settled(progress), progress);
+  bool isEmpty = !isSection && session::cutsTakeAll(session.settled(progress), progress);
   if (isEmpty) log::warning(session::kNothingLeft);
   progress.report(1.0, "");
   if (!options.saveScene.empty())
-    session::saveScene(session::sceneForPicture(session.scene(), film.picture), options.saveScene);
+    session::saveScene(session::sceneForPicture(session.shown(), picture), options.saveScene);
 
   if (std::string note = isSection ? "" : session.renderer().stats().reduction; !note.empty())
     log::say("note: " + note);
   if (!options.common.json) return 0;
   Json json = reportOf(options, session, size, ms);
-  if (film.isFilm)
-    for (const auto& file : files) json["outputs"].push_back(file.string());
   if (settled && !isSection)
     for (const auto& target : settled->targets) json["targets"].push_back(targetJson(target));
   printJson(json, options.output == "-" ? stderr : stdout);
@@ -173,30 +140,21 @@ Run registerRender(CLI::App& verb) {
   verb.add_option("--dpi", options->dpi,
                   "pixels an inch in print: for sizes with a unit (else 300), and told in the file")
       ->check(CLI::Range(1.0, 10000.0));
+  verb.add_option("--bits", options->bits, "levels of colour: 8 bits, or 16, also in .exr")
+      ->check(CLI::IsMember({8, 16}));
   addTargets(verb, options->targets);
   verb.add_option("--section", options->section, "a section view instead of the 3D picture: axial, coronal, sagittal");
   verb.add_option("--samples", options->samples, "pictures that are averaged, 1 to 256; default: as the scene says")
       ->check(CLI::Range(1, 256));
-  verb.add_option("--frames", options->frames, "an animation of so many pictures: NAME-0000 ...")
-      ->check(CLI::Range(1, 9999));
-  verb.add_option(
-      "--animate", options->animate,
-      "what moves in it: turn (once round), time (through the time steps; the default where there are "
-      "some), pull (structures come out of the cuts one after the other), cut (the instances of a model go one by "
-      "one, or cuts come in, then what they leave comes back)");
+  verb.add_option("--at", options->at, "a moment of the scene's film, in seconds")
+      ->check(CLI::Range(0.0, scene::kLongestFilm));
   verb.add_flag(
       "--layers", options->layers,
       "also alpha, normal, depth, structure id, position, of models type and (EXR) Cryptomatte, and of illustrative "
       "sections front, inlay and behind: "
       "in the EXR, or as PNGs beside");
   verb.add_flag("--transparent", options->transparent, "no background, with alpha");
-  verb.add_flag("--legend", options->legend,
-                "colours and names of a model's types and of structures over the picture (lettering.legend)");
-  verb.add_flag("--scale-bar", options->scaleBar, "a bar that says how long things are (lettering.scaleBar)");
-  verb.add_flag("--time-stamp", options->timeStamp, "the time of the time step (lettering.timeStamp)");
-  verb.add_option("--caption", options->captions,
-                  "words over the picture, below; may be repeated (lettering.captions, whose fields say more)")
-      ->allow_extra_args(false);
+  addLettering(verb, options->lettering);
   verb.add_flag("--brute-force", options->bruteForce,
                 "without skipping and early ends: the reference for every acceleration");
   verb.add_option("--save-scene", options->saveScene, "write the scene as JSON, too");

@@ -11,6 +11,7 @@ namespace velum::app {
 using Run = std::function<int()>;
 Run registerInfo(CLI::App& verb);
 Run registerRender(CLI::App& verb);
+Run registerFilm(CLI::App& verb);
 Run registerMembrane(CLI::App& verb);
 Run registerGrow(CLI::App& verb);
 Run registerCount(CLI::App& verb);

@@ -50,10 +50,10 @@ int main(int argc, char** argv) {
   static constexpr Row kVerbs[] = {
       {"info", "say what a file is", app::registerInfo},
       {"render", "make a picture", app::registerRender},
+      {"film", "make a film: a video, or pictures that several machines draw", app::registerFilm},
       {"membrane", "settle the membranes of a scene and report", app::registerMembrane},
       {"grow", "grow a structure out of a volume, and report", app::registerGrow},
-      {"count", "say how many instances of a model, or pixels of structures, show, are hidden, are cut away",
-       app::registerCount},
+      {"count", "say how much of a model or of structures shows, is hidden, is cut away", app::registerCount},
       {"bench", "turn the camera and time frames", app::registerBench},
       {"compare", "picture against picture", app::registerCompare},
       {"sample", "make a phantom with ground truth", app::registerSample},

@@ -25,4 +25,17 @@ Image channelsOf(const Image& image, const std::vector<std::string>& names) {
   return out;
 }
 
+std::vector<ColorChannels> colorsOf(const Image& image) {
+  std::vector<ColorChannels> colors;
+  for (const std::string& red : image.channels) {
+    std::string layer = red.substr(0, red.size() - 1);
+    if (red != layer + "R" || !(layer.empty() || layer.back() == '.')) continue;
+    std::ptrdiff_t green = channelIndex(image, layer + "G"), blue = channelIndex(image, layer + "B");
+    if (green < 0 || blue < 0) continue;
+    colors.push_back({{std::size_t(channelIndex(image, red)), std::size_t(green), std::size_t(blue)},
+                      channelIndex(image, layer + "A")});
+  }
+  return colors;
+}
+
 }  // namespace velum

@@ -42,6 +42,10 @@ class ReplaceFile {
   /// @param offset  in bytes from the begin  @return false when the disk refuses; commit() will throw
   bool writeAt(std::uint64_t offset, std::span<const std::byte> bytes);
 
+  /// Where the new file grows, for programs that write to a path themselves: what is there may be written over, but not
+  /// replaced by another file.
+  const std::filesystem::path& temporary() const { return mTemporary; }
+
   /// Checks early whether commit() would refuse. @throw InputError when the disk has refused a write
   void throwIfRefused() const;
 

@@ -87,7 +87,7 @@ struct Renderer::Impl {
   bool waitsForBricks() const { return data.residency && !data.frame.isPreview; }
   void bind() const;
   void noteStats();
-  bool look();
+  bool look(bool fine);
 };
 
 /// The frame, first half: what is not on the GPU yet, piece by piece; then everything else can be known.
@@ -221,13 +221,13 @@ void Renderer::Impl::noteStats() {
   if (queue.isEmpty()) stats.passesMs = queue.timesMs();
 }
 
-/// The frame, as far as it is. @return false when there was none yet
-bool Renderer::Impl::look() {
+/// The frame, as far as it is. @param fine  see Layers  @return false when there was none yet
+bool Renderer::Impl::look(bool fine) {
   if (!gbuffer) return false;
   inputs.bind();
   const PictureProgress& done = rayCast.progress();
   if (isDrawn && (done.rowsDone > 0 || done.columnsDone > 0)) finish.catchUp(data);
-  resolve.draw(data, gbuffer, finish, ghosts, done);
+  resolve.draw(data, gbuffer, finish, ghosts, done, fine);
   return true;
 }
 
@@ -275,11 +275,11 @@ void Renderer::render(const Frame& frame, Progress& progress) {
 }
 
 void Renderer::present(unsigned framebuffer, glm::ivec2 size) {
-  if (mImpl->look()) mImpl->resolve.present(framebuffer, size);
+  if (mImpl->look(false)) mImpl->resolve.present(framebuffer, size);
 }
 
 Image Renderer::read(const Layers& layers) {
-  if (!mImpl->look()) return {};
+  if (!mImpl->look(layers.isFine)) return {};
   Image image = mImpl->resolve.read();
   mImpl->gbuffer.appendLayers(mImpl->data, layers, image);
   if (layers.ghosts) mImpl->ghosts.appendLayer(image);

@@ -44,7 +44,7 @@ struct Pick {
   double value = 0;                 ///< Data value there (nearest voxel).
 };
 
-/// Which layers to read back.
+/// Which layers to read back, and how finely.
 struct Layers {
   bool position = false;
   bool normal = false;
@@ -53,6 +53,7 @@ struct Layers {
   bool instance = false;
   bool type = false;
   bool ghosts = false;
+  bool isFine = false;  ///< R, G, B, A as the mean of the samples is; else in 256 levels
 };
 
 /// Draws scenes. A frame is a queue of small pieces of work (uploads, tables, light, tiles, sample by sample), so that

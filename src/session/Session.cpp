@@ -14,6 +14,8 @@
 #include "session/Rest.h"
 #include "session/document/Folders.h"
 #include "session/film/Film.h"
+#include "session/film/MakeFilm.h"
+#include "session/picture/Picture.h"
 
 namespace velum::session {
 
@@ -177,28 +179,30 @@ Image Session::picture(const PictureOptions& options, Progress& progress) {
   return drawPicture(draws, drawn, options, mContext->limits(), progress);
 }
 
-std::vector<std::filesystem::path> Session::film(const FilmOptions& options, const std::filesystem::path& path,
-                                                 Progress& progress) {
+void Session::savePicture(const PictureOptions& options, std::optional<scene::SectionKind> section,
+                          const std::filesystem::path& path, Progress& progress) {
+  if (path != "-") expectPictureFile(path);
+  scene::Scene whole = settled(progress);
+  Image image = section ? drawSectionPicture(whole, *section, options)
+                        : drawPicture(renderer(), whole, options, mContext->limits(), progress);
+  session::savePicture(image, shown(), options, path);
+}
+
+FilmReport Session::film(FilmOutput output, Progress& progress) {
+  output.framesPerSecond = scene().timeline.framesPerSecond;
+  expectFilmOutput(output);
   Film film(scene());
-  if (options.isFilm && path == "-") throw ArgumentError("a film is several files; name one, e.g. turn.png");
-  std::vector<std::filesystem::path> paths{path};
-  if (options.isFilm) paths = framePaths(path, film.count());
-  if (path != "-") expectPictureFile(paths.front());
-  scene::Scene whole = options.isFilm ? scene::Scene() : settled(progress);
-  if (!options.section) renderer();
-  if (options.isFilm && hasMembranes(scene())) bindContext();
-  // Of several frames it is told which is drawn, not how far each is.
-  Progress quiet([&](double, const std::string&) { progress.throwIfCancelled(); });
-  Progress& heard = options.isFilm ? quiet : progress;
-  for (int i = 0; i < int(paths.size()); ++i) {
-    if (options.isFilm)
-      progress.report(double(i) / double(paths.size()), fmt::format("Frame {} of {}", i + 1, paths.size()));
-    Film::Frame frame = options.isFilm ? film.at(i, 0.0, heard) : Film::Frame{shown(), whole};
-    Image image = options.section ? drawSectionPicture(frame.drawn, *options.section, options.picture)
-                                  : drawPicture(*mRenderer, frame.drawn, options.picture, mContext->limits(), heard);
-    savePicture(image, frame.scene, options.picture, paths[std::size_t(i)]);
-  }
-  return paths;
+  std::string driver = "no graphics";
+  bool needsContext = !output.section || hasMembranes(scene());
+  if (needsContext) driver = renderer().stats().renderer;
+  auto draw = [&](int frame, double share, Progress& heard) {
+    if (needsContext) bindContext();
+    Film::Frame at = film.at(frame, share, heard);
+    Image image = output.section ? drawSectionPicture(at.drawn, *output.section, output.picture)
+                                 : drawPicture(*mRenderer, at.drawn, output.picture, mContext->limits(), heard);
+    return FilmFrame{std::move(image), std::move(at.scene)};
+  };
+  return makeFilm({film.count(), draw}, output, filmIdentity(scene(), output, driver), progress);
 }
 
 std::vector<MembraneReport> Session::membraneReports(MembraneQuestions questions, Progress& progress) {

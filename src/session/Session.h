@@ -20,7 +20,8 @@
 
 namespace velum::session {
 
-struct FilmOptions;
+struct FilmOutput;
+struct FilmReport;
 struct PictureOptions;
 
 /// An open document and all that goes on beside it: its file and journal, what workers compute and movers move, jobs,
@@ -98,11 +99,15 @@ class Session {
   scene::Scene settled(Progress& progress);
   /// A picture of the scene with everything at rest, drawn as by drawPicture(). @throw Cancelled, gpu::GpuError
   Image picture(const PictureOptions& options, Progress& progress);
-  /// Draws and writes one picture, or the film of the scene's timeline, each picture with its scene in it and
-  /// everything at rest. @param path  "-": standard output, for a single picture only  @return the files written @throw
-  /// Cancelled, gpu::GpuError, InputError when the disk refuses, ArgumentError
-  std::vector<std::filesystem::path> film(const FilmOptions& options, const std::filesystem::path& path,
-                                          Progress& progress);
+  /// Draws and writes a picture of what is shown, at rest, with its scene in it. @param path  "-": standard output
+  /// @param section  none: the 3D picture
+  /// @throw Cancelled, gpu::GpuError, InputError when the disk refuses
+  void savePicture(const PictureOptions& options, std::optional<scene::SectionKind> section,
+                   const std::filesystem::path& path, Progress& progress);
+  /// Draws and writes the film of the scene's timeline, see makeFilm(): each frame at rest, with its scene in it, and
+  /// drawn of all of its data. The rate is the timeline's.
+  /// @throw gpu::GpuError, and as makeFilm()
+  FilmReport film(FilmOutput output, Progress& progress);
   /// What became of the enabled membranes, at rest. @throw Cancelled, gpu::GpuError
   std::vector<MembraneReport> membraneReports(MembraneQuestions questions, Progress& progress);
   /// Makes a counter of what shows in pictures of so many pixels. The counter must end before the session does.

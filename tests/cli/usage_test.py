@@ -8,7 +8,7 @@ import unittest
 
 from velum_cli import CliTest
 
-VERBS = ["info", "render", "bench", "compare", "sample", "convert", "view"]
+VERBS = ["info", "render", "film", "bench", "compare", "sample", "convert", "view"]
 
 
 class Usage(CliTest):

@@ -79,51 +79,10 @@ TEST_F(PictureDialog, TheCopiedCommandMakesTheSamePicture) {
   runBatch(words);
   Progress progress;
   auto saved = mFolder.path() / "window.png";
-  session::Session(dialog.pictureScene()).film({dialog.options()}, saved, progress);
+  session::Session(dialog.pictureScene()).savePicture(dialog.options(), {}, saved, progress);
   auto pixels = [](const QString& path) { return QImage(path).convertToFormat(QImage::Format_RGBA8888); };
   ASSERT_FALSE(bytesOf(made).isEmpty());
   EXPECT_EQ(pixels(made), pixels(QString::fromStdString(saved.string())));
-}
-
-TEST_F(PictureDialog, OffersTheAnimationsThatTheSceneCanHave) {
-  SavePictureDialog still({160, 120}, {160, 120}, mScene, nullptr);
-  EXPECT_EQ(child<QComboBox>(still, "pictureMotion")->count(), 2) << "one picture, or once round";
-  EXPECT_FALSE(still.film());
-  EXPECT_FALSE(still.command().contains("--frames"));
-  scene::Cut cut;
-  cut.axis = {0, -1, 0};
-  cut.spares = {{1, 12.0}};
-  scene::addCut(mScene, cut);
-  SavePictureDialog dialog({160, 120}, {160, 120}, mScene, nullptr);
-  auto* motion = child<QComboBox>(dialog, "pictureMotion");
-  auto* frames = child<QSpinBox>(dialog, "pictureFrames");
-  ASSERT_EQ(motion->count(), 4) << "the cut, and what is pulled out of it";
-  EXPECT_FALSE(frames->isEnabled());
-  motion->setCurrentIndex(2);
-  EXPECT_TRUE(frames->isEnabled());
-  frames->setValue(3);
-  EXPECT_EQ(dialog.film(), session::ReadyFilm::Pull);
-  EXPECT_TRUE(dialog.command().endsWith(" --frames 3 --animate pull")) << dialog.command().toStdString();
-  // What the command makes, the window makes.
-  QStringList words = QProcess::splitCommand(dialog.command());
-  words.removeFirst();
-  words[words.indexOf("picture.png")] = QString::fromStdString((mFolder.path() / "command.png").string());
-  runBatch(words);
-  Progress progress;
-  session::Session(dialog.pictureScene())
-      .film({dialog.options(), session::ReadyFilm::Pull, 3}, mFolder.path() / "window.png", progress);
-  auto pixels = [&](const char* name) {
-    return QImage(QString::fromStdString((mFolder.path() / name).string())).convertToFormat(QImage::Format_RGBA8888);
-  };
-  for (const char* frame : {"-0000.png", "-0001.png", "-0002.png"}) {
-    QImage made = pixels((std::string("command") + frame).c_str());
-    ASSERT_FALSE(made.isNull());
-    EXPECT_EQ(made, pixels((std::string("window") + frame).c_str()));
-  }
-  EXPECT_NE(pixels("window-0000.png"), pixels("window-0002.png"));
-  dialog.show();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return dialog.hasPreview(); }, kPatience));
-  takeShot(dialog, "save-animation");
 }
 
 TEST_F(PictureDialog, RemembersWhatWasChosenForThePictureBefore) {
@@ -137,9 +96,6 @@ TEST_F(PictureDialog, RemembersWhatWasChosenForThePictureBefore) {
     child<QSpinBox>(dialog, "pictureDpi")->setValue(254);
     child<QDoubleSpinBox>(dialog, "pictureWidth")->setValue(12.0);
     child<QCheckBox>(dialog, "pictureLayers")->setChecked(true);
-    child<QComboBox>(dialog, "pictureMotion")->setCurrentIndex(2);
-    child<QSpinBox>(dialog, "pictureFrames")->setValue(17);
-    EXPECT_EQ(dialog.film(), session::ReadyFilm::Pull);
     dialog.remember();
   }
   SavePictureDialog again({800, 400}, {1200, 600}, mScene, nullptr);
@@ -149,13 +105,6 @@ TEST_F(PictureDialog, RemembersWhatWasChosenForThePictureBefore) {
   EXPECT_EQ(again.options().size, glm::ivec2(1200, 600));
   EXPECT_EQ(again.options().dpi, 254);
   EXPECT_TRUE(again.options().layers);
-  EXPECT_EQ(again.film(), session::ReadyFilm::Pull);
-  EXPECT_EQ(again.frames(), 17);
-  // A scene that cannot move so gets one picture.
-  mScene.cuts.clear();
-  SavePictureDialog still({800, 400}, {1200, 600}, mScene, nullptr);
-  still.recall();
-  EXPECT_FALSE(still.film());
   SavePictureDialog({800, 400}, {1920, 1080}, mScene, nullptr).remember();
 }
 

@@ -16,9 +16,9 @@
 #include "session/command/StructureCommands.h"
 #include "session/command/ViewCommands.h"
 #include "session/extrusion/GrowStructure.h"
-#include "session/membrane/HangMembrane.h"
-#include "session/film/Film.h"
+#include "session/film/MakeFilm.h"
 #include "session/film/ReadyFilms.h"
+#include "session/membrane/HangMembrane.h"
 
 namespace velum::gui {
 namespace {
@@ -55,7 +55,7 @@ class SameBytes : public Window {
     mWindow->openPaths({file("scene.json")});
     ASSERT_TRUE(waitForJob());
     ASSERT_TRUE(QTest::qWaitFor([&] { return mWindow->session().isSettled(); }, kPatience));
-    session::Session(scene()).film({options()}, text("picture.png"), mProgress);
+    session::Session(scene()).savePicture(options(), {}, text("picture.png"), mProgress);
     QByteArray byWindow = bytesOf(file("picture.png"));
     ASSERT_FALSE(byWindow.isEmpty());
 
@@ -72,7 +72,7 @@ class SameBytes : public Window {
     QFile::remove(file("picture.png"));
     session::Session bare;
     bare.file().open(session::readPaths({text("scene.json")}, mProgress, {}), text("scene.json"));
-    bare.film({options()}, text("picture.png"), mProgress);
+    bare.savePicture(options(), {}, text("picture.png"), mProgress);
     EXPECT_TRUE(bytesOf(file("picture.png")) == byWindow) << "a session";
   }
 
@@ -156,17 +156,18 @@ TEST_F(SameBytes, OfTheFramesOfAnAnimation) {
     run(session, session::SetField{"cuts.0.spares", R"([{"structure": 1, "distance": 12}])"});
     run(session, session::HangMembrane{});
   });
-  session::FilmOptions film{options(), true, {}};
   mWindow->openPaths({file("scene.json")});
   ASSERT_TRUE(waitForJob());
   ASSERT_TRUE(QTest::qWaitFor([&] { return mWindow->session().isSettled(); }, kPatience));
-  auto files = session::Session(session::withReadyFilm(scene(), session::ReadyFilm::Pull, 2)).film(film, text("film.png"), mProgress);
-  ASSERT_EQ(files.size(), 2u);
+  session::FilmOutput output{text("film.png"), options()};
+  session::Session(session::withReadyFilm(scene(), session::ReadyFilm::Pull, 2)).film(output, mProgress);
+  std::vector<std::filesystem::path> files;
+  for (int i : {0, 1}) files.push_back(session::FrameNames(output.path).frame(i));
   std::vector<QByteArray> byWindow;
   for (const auto& path : files) byWindow.push_back(bytesOf(QString::fromStdString(path.string())));
   EXPECT_NE(byWindow[0], byWindow[1]);
-  runBatch({"render", file("scene.json"), "-o", file("film.png"), "--size", "96x72", "--samples", "1", "--frames", "2",
-            "--animate", "pull"});
+  runBatch({"film", file("scene.json"), "-o", file("film.png"), "--size", "96x72", "--samples", "1", "--frames", "2",
+            "--animate", "pull overlap=0 hold=0"});
   for (std::size_t i = 0; i < files.size(); ++i)
     EXPECT_TRUE(bytesOf(QString::fromStdString(files[i].string())) == byWindow[i]) << i;
 }

@@ -12,7 +12,6 @@
 #include "render/kept/KeptInstances.h"
 #include "scene/timeline/SceneAt.h"
 #include "session/extrusion/Extrusion.h"
-#include "session/film/Film.h"
 
 namespace velum::session {
 
@@ -221,14 +220,6 @@ TEST(ReadyFilms, FramesOfATurnAreEvenlyApartAlsoTheLastFromTheFirst) {
     }
     EXPECT_LT(glm::length(eye(0) - (scene.camera.eye - scene.camera.target)), 1e-6) << "it begins with the scene";
   }
-}
-
-TEST(ReadyFilms, FilesStandInTheirOrderBesideTheNameThatWasAskedFor) {
-  std::vector<std::filesystem::path> paths = framePaths("folder/turn.it.png", 1200);
-  ASSERT_EQ(paths.size(), 1200u);
-  EXPECT_EQ(paths.front(), "folder/turn.it-0000.png");
-  EXPECT_TRUE(std::is_sorted(paths.begin(), paths.end()));
-  EXPECT_EQ(std::adjacent_find(paths.begin(), paths.end()), paths.end());
 }
 
 TEST(ReadyFilms, GoesThroughAllTimeStepsAlike) {

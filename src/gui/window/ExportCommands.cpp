@@ -63,10 +63,7 @@ void ExportCommands::askSavePicture() {
                   (dialog.options().layers ? ".exr" : ".png");
   QString path = askSavePath(&mParts.window, tr("Save picture"), start, saveFilters(io::FileKind::Picture));
   if (path.isEmpty()) return;
-  if (auto film = dialog.film())
-    saveAnimationTo(path, dialog.options(), dialog.pictureScene(), *film, dialog.frames());
-  else
-    savePictureTo(path, dialog.options(), dialog.pictureScene());
+  savePictureTo(path, dialog.options(), dialog.pictureScene());
 }
 
 void ExportCommands::savePictureTo(const QString& path, const session::PictureOptions& options,
@@ -74,23 +71,9 @@ void ExportCommands::savePictureTo(const QString& path, const session::PictureOp
   mParts.jobs.start(
       tr("Drawing %1").arg(QFileInfo(path).fileName()),
       [scene, options, path = path.toStdString()](Progress& progress) {
-        session::Session(scene).film({options}, path, progress);
+        session::Session(scene).savePicture(options, {}, path, progress);
       },
       [this, path] { mParts.messages.showNote(tr("Saved %1").arg(path)); });
-}
-
-void ExportCommands::saveAnimationTo(const QString& path, const session::PictureOptions& options,
-                                     const scene::Scene& scene, session::ReadyFilm film, int frames) {
-  mParts.jobs.start(
-      tr("Drawing %n frames", nullptr, frames),
-      [scene, options, film, frames, path = path.toStdString()](Progress& progress) {
-        session::Session(session::withReadyFilm(scene, film, frames)).film({options, true}, path, progress);
-      },
-      [this, path, frames] {
-        auto first = session::framePaths(path.toStdString(), 1).front();
-        mParts.messages.showNote(
-            tr("Saved %n pictures: %1 and on", nullptr, frames).arg(QString::fromStdString(first.string())));
-      });
 }
 
 // Sheets, and what they leave.

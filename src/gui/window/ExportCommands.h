@@ -4,8 +4,7 @@
 #include <vector>
 
 #include "gui/view/Room.h"
-#include "session/film/Film.h"
-#include "session/film/ReadyFilms.h"
+#include "session/picture/Picture.h"
 #include "session/structure/StructureExport.h"
 
 namespace velum::gui {
@@ -21,8 +20,6 @@ class ExportCommands : public Room {
 
   void savePictureTo(const QString& path, const session::PictureOptions& options, const scene::Scene& scene);
   /// Writes an animation as single frames, NAME-0000 and on.
-  void saveAnimationTo(const QString& path, const session::PictureOptions& options, const scene::Scene& scene,
-                       session::ReadyFilm film, int frames);
   /// Writes the sheet of the selected membrane, or of the first membrane where none is selected, as the sheet rests.
   void exportSheetTo(const QString& path);
   /// Writes the volume without the parts that the cuts take away.

@@ -29,7 +29,7 @@ constexpr int kDrawDelayMs = 250;  // while numbers are being typed
 enum Unit { Pixels, Centimetres, Inches };
 
 constexpr const char *kShapeKey = "picture/keepShape", *kDpiKey = "picture/dpi", *kUnitKey = "picture/unit",
-                     *kLayersKey = "picture/layers", *kFramesKey = "picture/frames", *kMotionKey = "picture/motion";
+                     *kLayersKey = "picture/layers";
 
 double unitsPerInch(int unit, int dpi) { return unit == Pixels ? dpi : unit == Centimetres ? 2.54 : 1.0; }
 
@@ -62,7 +62,6 @@ SavePictureDialog::SavePictureDialog(glm::ivec2 viewSize, glm::ivec2 size, const
   column->setSpacing(12);
   column->addWidget(makeSize(viewSize));
   column->addWidget(makeQuality());
-  column->addWidget(makeMotion());
   column->addStretch(1);
   mFacts = new QLabel(this);
   mFacts->setProperty("role", "muted");
@@ -102,9 +101,6 @@ void SavePictureDialog::recall() {
   mDpi->setValue(known.value(kDpiKey, mDpi->value()).toInt());
   mUnit->setCurrentIndex(std::clamp(known.value(kUnitKey, 0).toInt(), 0, mUnit->count() - 1));
   mLayers->setChecked(known.value(kLayersKey, mLayers->isChecked()).toBool());
-  mFrames->setValue(known.value(kFramesKey, mFrames->value()).toInt());
-  auto motion = enumValue<session::ReadyFilm>(known.value(kMotionKey).toString().toStdString());
-  mMotion->setCurrentIndex(std::max(0, mMotion->findData(motion ? int(*motion) : -1)));
 }
 
 void SavePictureDialog::remember() const {
@@ -114,8 +110,6 @@ void SavePictureDialog::remember() const {
   known.setValue(kDpiKey, mDpi->value());
   known.setValue(kUnitKey, mUnit->currentIndex());
   known.setValue(kLayersKey, mLayers->isChecked());
-  known.setValue(kFramesKey, mFrames->value());
-  known.setValue(kMotionKey, film() ? QString::fromStdString(std::string(enumName(*film()))) : QString());
 }
 
 QWidget* SavePictureDialog::makeSize(glm::ivec2 viewSize) {
@@ -252,48 +246,6 @@ QWidget* SavePictureDialog::makeQuality() {
   return box;
 }
 
-/// One picture, or several: an animation that this scene can have.
-QWidget* SavePictureDialog::makeMotion() {
-  auto* box = new QWidget(this);
-  auto* row = new QGridLayout(box);
-  row->setContentsMargins(0, 0, 0, 0);
-  row->setHorizontalSpacing(10);
-  row->setColumnMinimumWidth(0, kNameWidth);
-  row->setColumnStretch(1, 1);
-  mMotion = new QComboBox(box);
-  mMotion->setObjectName("pictureMotion");
-  mMotion->setAccessibleName(tr("Animation"));
-  mMotion->setToolTip(
-      tr("Several pictures, NAME-0000 and so on, for programs that make films of them: the eye goes once round, the "
-         "volume through its time steps, structures come out of the cuts one after the other, or the instances of a "
-         "model go one by one, and what the cuts leave comes back"));
-  mMotion->addItem(tr("One picture"), -1);
-  const std::pair<session::ReadyFilm, QString> kinds[] = {
-      {session::ReadyFilm::Turn, tr("Once round")},
-      {session::ReadyFilm::Time, tr("Through the time steps")},
-      {session::ReadyFilm::Pull, tr("Pull out, one after the other")},
-      {session::ReadyFilm::Cut, tr("Cut open, one by one")}};
-  for (const auto& [motion, name] : kinds)
-    if (session::whyNoFilm(mScene, motion).empty()) mMotion->addItem(name, int(motion));
-  mFrames = new QSpinBox(box);
-  mFrames->setObjectName("pictureFrames");
-  mFrames->setAccessibleName(tr("Frames"));
-  mFrames->setToolTip(tr("Pictures of the animation"));
-  mFrames->setRange(2, 9999);
-  mFrames->setValue(36);
-  mFrames->setEnabled(false);
-  row->addWidget(new QLabel(tr("Animation"), box), 0, 0);
-  row->addWidget(mMotion, 0, 1);
-  row->addWidget(mFrames, 0, 2);
-  connect(mMotion, &QComboBox::currentIndexChanged, this, [this] { mFrames->setEnabled(film().has_value()); });
-  return box;
-}
-
-std::optional<session::ReadyFilm> SavePictureDialog::film() const {
-  int chosen = mMotion->currentData().toInt();
-  return chosen < 0 ? std::nullopt : std::optional(session::ReadyFilm(chosen));
-}
-
 void SavePictureDialog::setPixels(glm::ivec2 size) {
   bool sameShape = mPixels.x * size.y == mPixels.y * size.x && (mHasPreview || mJob);
   mPixels = glm::clamp(size, 1, kMostPixels);
@@ -392,9 +344,6 @@ QString SavePictureDialog::command() const {
   std::filesystem::path file = place / ("scene-" + hash.toStdString() + ".json");
   session::saveScene(scene, file);
   QString command = QString::fromStdString(session::pictureCommand(file, options(), "picture.png"));
-  if (film())
-    command +=
-        QString(" --frames %1 --animate %2").arg(frames()).arg(QString::fromStdString(std::string(enumName(*film()))));
   return command;
 }
 

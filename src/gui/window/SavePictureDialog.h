@@ -10,8 +10,7 @@
 
 #include "gui/kit/NumberField.h"
 #include "gui/service/Job.h"
-#include "session/film/Film.h"
-#include "session/film/ReadyFilms.h"
+#include "session/picture/Picture.h"
 
 namespace velum::gui {
 
@@ -26,7 +25,7 @@ class SavePictureDialog : public QDialog {
   /// both in pixels
   SavePictureDialog(glm::ivec2 viewSize, glm::ivec2 size, const scene::Scene& scene, QWidget* parent);
   ~SavePictureDialog() override;
-  /// Chooses what was chosen for the picture before: unit, resolution, layers, animation, as far as this scene can have
+  /// Chooses what was chosen for the picture before: unit, resolution, layers, as far as this scene can have
   /// them. The number of samples and the background are taken from the scene.
   void recall();
   /// Keeps these choices, and the size, for the next picture.
@@ -34,9 +33,6 @@ class SavePictureDialog : public QDialog {
   session::PictureOptions options() const;
   /// The scene with the background that is chosen.
   scene::Scene pictureScene() const;
-  /// What moves in an animation; nothing for a single picture.
-  std::optional<session::ReadyFilm> film() const;
-  int frames() const { return mFrames->value(); }
   /// The command line that makes this picture; the scene goes into a file of its own in velum's folder under
   /// XDG_DATA_HOME, named after its contents, so that the command keeps giving this picture.
   QString command() const;
@@ -45,7 +41,6 @@ class SavePictureDialog : public QDialog {
  private:
   QWidget* makeSize(glm::ivec2 viewSize);
   QWidget* makeQuality();
-  QWidget* makeMotion();
   void setPixels(glm::ivec2 size);
   void showSize();
   void takeWidth();
@@ -57,9 +52,9 @@ class SavePictureDialog : public QDialog {
   scene::Scene mScene;
   double mAspect;
   glm::ivec2 mPixels{1280, 720};
-  QComboBox *mUnit = nullptr, *mBackground = nullptr, *mQuality = nullptr, *mMotion = nullptr;
+  QComboBox *mUnit = nullptr, *mBackground = nullptr, *mQuality = nullptr;
   NumberField *mWidth = nullptr, *mHeight = nullptr;
-  QSpinBox *mDpi = nullptr, *mSamples = nullptr, *mFrames = nullptr;
+  QSpinBox *mDpi = nullptr, *mSamples = nullptr;
   QCheckBox *mKeepShape = nullptr, *mLayers = nullptr;
   QLabel *mPreview = nullptr, *mFacts = nullptr;
   QTimer mDrawTimer;

@@ -56,13 +56,12 @@ Image displayChannels(const Image& image, const Path& path) {
   return channelsOf(image, names);
 }
 
-/// 0..1 in whole numbers of a type, from its least to its most.
+/// All samples by wholeSample().
 template <class T>
 std::vector<std::byte> quantized(const std::vector<float>& pixels) {
   std::vector<std::byte> out(pixels.size() * sizeof(T));
   for (std::size_t i = 0; i < pixels.size(); ++i) {
-    float v = pixels[i];
-    T whole = v > 0.0f ? T(std::min(v, 1.0f) * float(T(-1)) + 0.5f) : T(0);  // NaN is black
+    T whole = wholeSample<T>(pixels[i]);
     std::memcpy(&out[i * sizeof(T)], &whole, sizeof(T));
   }
   return out;
@@ -75,24 +74,17 @@ OIIO::TypeDesc sampleType(bool isFloat, int bits) {
 /// Turns display-referred straight colour into OpenEXR's linear premultiplied one, or back: of the picture, and of each
 /// of its layers that has colour ("inlay.R" ...).
 void convertColor(Image& image, bool toLinear) {
-  for (const std::string& red : image.channels) {
-    std::string layer = red.substr(0, red.size() - 1);
-    if (red != layer + "R" || !(layer.empty() || layer.back() == '.')) continue;
-    std::array<std::ptrdiff_t, 3> color{channelIndex(image, red), channelIndex(image, layer + "G"),
-                                        channelIndex(image, layer + "B")};
-    std::ptrdiff_t alpha = channelIndex(image, layer + "A");
-    if (color[1] < 0 || color[2] < 0) continue;
+  for (const ColorChannels& of : colorsOf(image))
     for (std::size_t at = 0; at < image.pixels.size(); at += image.channels.size()) {
-      float a = alpha < 0 ? 1.0f : image.pixels[at + std::size_t(alpha)];
-      for (auto c : color) {
-        float& v = image.pixels[at + std::size_t(c)];
+      float a = of.alpha < 0 ? 1.0f : image.pixels[at + std::size_t(of.alpha)];
+      for (std::size_t c : of.color) {
+        float& v = image.pixels[at + c];
         if (toLinear)
           v = linearFromSrgb(v) * a;
         else
           v = srgbFromLinear(a > 0.0f ? v / a : v);
       }
     }
-  }
 }
 
 /// Everything in the file follows from the picture: no clock, no program version.

@@ -16,13 +16,15 @@ ResolveVariant variantOf(const scene::Finish& finish, bool hasGhosts) {
 }  // namespace
 
 void ResolvePass::draw(const FrameData& data, const Gbuffer& gbuffer, const FinishPass& finish, const GhostPass& ghosts,
-                       const PictureProgress& progress) {
+                       const PictureProgress& progress, bool fine) {
   ResolveVariant variant = variantOf(data.frame.scene.finish, ghosts.samples() > 0);
   const gpu::Program& program =
       mPrograms.find(variant, [&] { return gpu::Program({"render/resolve.comp"}, definesOf(variant)); });
   glm::ivec2 size = gbuffer.size();
-  if (!mPicture || glm::ivec2(mPicture.size()) != size) {
-    mPicture = gpu::Texture::make2d("picture", gpu::Format::Rgba8, size, gpu::Filter::Linear);
+  if (!mPicture || glm::ivec2(mPicture.size()) != size || fine != mIsFine) {
+    mIsFine = fine;
+    mPicture =
+        gpu::Texture::make2d("picture", fine ? gpu::Format::Rgba32f : gpu::Format::Rgba8, size, gpu::Filter::Linear);
     mTarget = gpu::Framebuffer("picture", {&mPicture});
   }
   gbuffer.color().bindImage(shared::kColorImage, gpu::Access::Read);
@@ -35,7 +37,7 @@ void ResolvePass::draw(const FrameData& data, const Gbuffer& gbuffer, const Fini
   program.set(3, progress.strip);
   program.set(4, progress.columnsDone);
   program.set(5, glm::vec4(background.top, backdrop));
-  program.set(6, glm::vec4(background.bottom, backdrop));
+  program.set(6, glm::vec4(background.bottom, fine ? 0.0f : 1.0f));
   if (variant.hasFinish) {
     finish.bindResults();
     gbuffer.bindSample();
@@ -51,16 +53,22 @@ void ResolvePass::draw(const FrameData& data, const Gbuffer& gbuffer, const Fini
 }
 
 Image ResolvePass::read() const {
-  std::vector<glm::u8vec4> pixels(std::size_t(mPicture.size().x) * std::size_t(mPicture.size().y));
-  mPicture.read(pixels.data(), pixels.size() * sizeof(pixels[0]));
   Image image{mPicture.size().x, mPicture.size().y, {"R", "G", "B", "A"}, {}};
-  image.pixels.reserve(pixels.size() * 4);
-  for (glm::u8vec4 color : pixels) {
-    float alpha = float(color.a) / 255.0f;
-    for (int c = 0; c < 3; ++c)
-      image.pixels.push_back(alpha > 0.0f ? std::min(1.0f, float(color[c]) / 255.0f / alpha) : 0.0f);
-    image.pixels.push_back(alpha);
-  }
+  auto take = [&](auto pixels, float most) {
+    mPicture.read(pixels.data(), pixels.size() * sizeof(pixels[0]));
+    image.pixels.reserve(pixels.size() * 4);
+    for (const auto& color : pixels) {
+      float alpha = std::min(1.0f, float(color.a) / most);
+      for (int c = 0; c < 3; ++c)
+        image.pixels.push_back(alpha > 0.0f ? std::min(1.0f, float(color[c]) / most / alpha) : 0.0f);
+      image.pixels.push_back(alpha);
+    }
+  };
+  std::size_t count = std::size_t(image.width) * std::size_t(image.height);
+  if (mIsFine)
+    take(std::vector<glm::vec4>(count), 1.0f);
+  else
+    take(std::vector<glm::u8vec4>(count), 255.0f);
   return image;
 }
 

@@ -15,9 +15,10 @@ namespace velum::render {
 /// one of a frame's steps: it is done whenever the picture is looked at, complete or not. GL thread.
 class ResolvePass {
  public:
-  /// The caller must have bound the frame's parameters.
+  /// The caller must have bound the frame's parameters. @param fine  in floats; else in 256 levels, with noise that
+  /// hides the steps of the background
   void draw(const FrameData& data, const Gbuffer& gbuffer, const FinishPass& finish, const GhostPass& ghosts,
-            const PictureProgress& progress);
+            const PictureProgress& progress, bool fine);
   /// Shows the picture in a window's framebuffer, scaled, upright.
   void present(unsigned framebuffer, glm::ivec2 size) const { gpu::present(mTarget, framebuffer, size); }
   /// The picture: R, G, B, A; display-referred, straight alpha. Waits for the GPU.
@@ -27,6 +28,7 @@ class ResolvePass {
   ProgramCache<ResolveVariant> mPrograms;
   gpu::Texture mPicture;
   gpu::Framebuffer mTarget;
+  bool mIsFine = false;
 };
 
 }  // namespace velum::render

@@ -5,7 +5,6 @@
 #include "session/Session.h"
 #include "session/command/CommandRow.h"
 #include "session/document/SetFields.h"
-#include "session/film/Film.h"
 
 namespace velum::session {
 
@@ -51,7 +50,7 @@ Lines addFile(Session& session, const AddFile& arguments, Progress& progress) {
 }
 
 Lines makePicture(Session& session, const MakePicture& arguments, Progress& progress) {
-  session.film({optionsOf(arguments)}, wholePath(arguments.path), progress);
+  session.savePicture(optionsOf(arguments), {}, wholePath(arguments.path), progress);
   return {};
 }
 

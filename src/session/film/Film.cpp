@@ -1,19 +1,10 @@
 #include "session/film/Film.h"
 
-#include <fmt/format.h>
-
 #include "session/Rest.h"
 #include "session/growth/Growths.h"
 #include "session/membrane/Membranes.h"
 
 namespace velum::session {
-
-std::vector<std::filesystem::path> framePaths(const std::filesystem::path& path, int frames) {
-  std::vector<std::filesystem::path> paths;
-  for (int i = 0; i < frames; ++i)
-    paths.push_back(path.parent_path() / fmt::format("{}-{:04}{}", path.stem().string(), i, path.extension().string()));
-  return paths;
-}
 
 Film::Film(scene::Scene scene)
     : mScene(std::move(scene)), mFrames(scene::framesOf(mScene.timeline)), mFollows(scene::hasRestsOfFilm(mScene)) {}

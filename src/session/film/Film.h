@@ -1,26 +1,11 @@
 #pragma once
-#include <filesystem>
-#include <optional>
-#include <vector>
-
 #include "core/Task.h"
 #include "growth/GrowOverTime.h"
 #include "scene/Scene.h"
 #include "scene/timeline/SceneAt.h"
 #include "session/membrane/MembraneMover.h"
-#include "session/picture/Picture.h"
 
 namespace velum::session {
-
-/// Which pictures to make of a scene: one, or those of its film; of the 3D view or of a section.
-struct FilmOptions {
-  PictureOptions picture;
-  bool isFilm = false;                             ///< else one picture, of the scene as it is shown
-  std::optional<scene::SectionKind> section = {};  ///< none: the 3D picture
-};
-
-/// The files of the frames of a film: NAME-0000.png ...
-std::vector<std::filesystem::path> framePaths(const std::filesystem::path& path, int frames);
 
 /// The scenes of a film, with growth and sheets at rest in each. A frame depends on the film and its number alone:
 /// passive sheets come to rest from flat; active sheets that the film moves go from frame to frame, from the first, so

@@ -76,12 +76,14 @@ std::vector<std::string> colorChannels(const std::string& layer) {
   return {layer + ".R", layer + ".G", layer + ".B", layer + ".A"};
 }
 
-void writeLayerPictures(const Image& image, const std::vector<glm::vec3>& typeColors, double dpi,
-                        const std::filesystem::path& output) {
+std::vector<std::filesystem::path> writeLayerPictures(const Image& image, const std::vector<glm::vec3>& typeColors,
+                                                      double dpi, const std::filesystem::path& output) {
+  std::vector<std::filesystem::path> files;
   auto write = [&](const Image& layer, const char* what) {
     auto path = output;
     path.replace_filename(fmt::format("{}.{}{}", output.stem().string(), what, output.extension().string()));
     io::writeImage(layer, path, {}, dpi, {}, kBits);
+    files.push_back(path);
   };
   // Parts of an inlay, where the picture has them.
   for (const char* layer : kInlayLayers) {
@@ -101,13 +103,14 @@ void writeLayerPictures(const Image& image, const std::vector<glm::vec3>& typeCo
                 }),
         "normal");
   write(idPicture(image), "id");
-  if (types.empty()) return;
+  if (types.empty()) return files;
   write(colored(image,
                 [&](std::size_t i) {
                   bool isType = types[i] >= 0.0f && types[i] < float(typeColors.size());
                   return isType ? typeColors[std::size_t(types[i])] : glm::vec3(0.0f);
                 }),
         "type");
+  return files;
 }
 
 }  // namespace velum::session

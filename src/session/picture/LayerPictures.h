@@ -19,8 +19,8 @@ std::vector<std::string> colorChannels(const std::string& layer);
 /// box of what is hit; ids have the colours that structures have by themselves, each surface and each instance of a
 /// model a colour of its own; types have theirs; the parts of an inlay have alpha.
 /// @param typeColors  of the types of a model; empty: there is no model
-/// @param dpi  pixels an inch in print, which the files say; 0: they say nothing
-void writeLayerPictures(const Image& image, const std::vector<glm::vec3>& typeColors, double dpi,
-                        const std::filesystem::path& output);
+/// @param dpi  pixels an inch in print, which the files say; 0: they say nothing  @return the files written
+std::vector<std::filesystem::path> writeLayerPictures(const Image& image, const std::vector<glm::vec3>& typeColors,
+                                                      double dpi, const std::filesystem::path& output);
 
 }  // namespace velum::session

@@ -92,6 +92,7 @@ std::string pictureCommand(const std::filesystem::path& scene, const PictureOpti
                                     quoted(output.string()), options.size.x, options.size.y);
   if (options.samples > 0) command += fmt::format(" --samples {}", options.samples);
   if (options.dpi > 0) command += fmt::format(" --dpi {:g}", options.dpi);
+  if (options.bits != PictureOptions().bits) command += fmt::format(" --bits {}", options.bits);
   if (options.transparent) command += " --transparent";
   if (options.layers) command += " --layers";
   return command;
@@ -113,6 +114,7 @@ Image drawPicture(render::Renderer& renderer, const scene::Scene& scene, const P
   frame.brickBytes = memoryBudget().gpuBrickBytes;
   render::Layers layers;
   if (options.layers) layers = {true, true, true, true, true, bool(scene.model.data)};
+  layers.isFine = options.bits > 8;
   bool hasTypes = scene.lettering.legend && scene.model.data;
   layers.type = layers.type || hasTypes;
   int window = std::min(4096, limits.texture2d);
@@ -130,7 +132,7 @@ Image drawPicture(render::Renderer& renderer, const scene::Scene& scene, const P
   frame.scene.finish = {};
   for (std::size_t i = 0; i < std::size(kInlayLayers); ++i) {
     frame.parts = kInlayParts[i];
-    image = withChannels(image, render::renderPicture(renderer, frame, {}, window, progress),
+    image = withChannels(image, render::renderPicture(renderer, frame, {.isFine = layers.isFine}, window, progress),
                          colorChannels(kInlayLayers[i]));
   }
   return image;
@@ -151,19 +153,25 @@ void expectPictureFile(const std::filesystem::path& path) {
   expectReplaceable(path);
 }
 
-void savePicture(const Image& image, const scene::Scene& scene, const PictureOptions& options,
-                 const std::filesystem::path& path) {
+std::vector<std::filesystem::path> savePicture(const Image& image, const scene::Scene& scene,
+                                               const PictureOptions& options, const std::filesystem::path& path) {
   scene::Scene drawn = sceneForPicture(scene, options);
   std::string text = sceneTextFor(drawn, path == "-" ? "." : path);
   bool isExr = lowerExtension(path) == ".exr";
+  std::vector<std::filesystem::path> files{path};
   if (options.layers && !isExr && path != "-")
-    writeLayerPictures(image, scene::typeColors(scene.model), options.dpi, path);
+    for (auto& layer : writeLayerPictures(image, scene::typeColors(scene.model), options.dpi, path))
+      files.push_back(std::move(layer));
   std::vector<std::string> color{"R", "G", "B"};
   if (drawn.background.transparent) color.push_back("A");
-  if (!options.layers || !isExr) return io::writeImage(channelsOf(image, color), path, text, options.dpi);
+  if (!options.layers || !isExr) {
+    io::writeImage(channelsOf(image, color), path, text, options.dpi, {}, options.bits);
+    return files;
+  }
   std::vector<io::ImageAttribute> attributes;
   bool hasTypes = scene.model.data && channelIndex(image, "type") >= 0;
   io::writeImage(hasTypes ? withMattes(image, scene, attributes) : image, path, text, options.dpi, attributes);
+  return files;
 }
 
 }  // namespace velum::session

@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <glm/glm.hpp>
 #include <string>
+#include <vector>
 
 #include "core/Image.h"
 #include "core/Task.h"
@@ -21,6 +22,8 @@ struct PictureOptions {
   /// over behind is the picture. For a scene with a model also the type, and in the EXR mattes by name (Cryptomatte.h).
   bool layers = false;
   double dpi = 0;  ///< pixels an inch in print, which the file says; 0: the file says nothing
+  /// Of a sample of colour: 8, or 16, with which an .exr is as fine as the mean of the samples, too.
+  int bits = 8;
 };
 
 /// A size as people write it: "1280x720" (pixels), "12x8cm", "120x80mm", "5x3in" (at `dpi`; 0 counts as 300).
@@ -50,8 +53,8 @@ void expectPictureFile(const std::filesystem::path& path);
 /// Writes a picture of drawPicture() or drawSectionPicture(), with the scene inside: colour (and alpha where the
 /// background is transparent) to .png, .tif or .exr; layers into the .exr or as pictures beside it ("name.depth.png").
 /// @param path  "-" writes PNG to stdout, without layers
-/// @throw InputError when the disk refuses
-void savePicture(const Image& image, const scene::Scene& scene, const PictureOptions& options,
-                 const std::filesystem::path& path);
+/// @return the files written, the picture's first  @throw InputError when the disk refuses
+std::vector<std::filesystem::path> savePicture(const Image& image, const scene::Scene& scene,
+                                               const PictureOptions& options, const std::filesystem::path& path);
 
 }  // namespace velum::session

@@ -1,0 +1,203 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "app/Inputs.h"
+#include "app/Verbs.h"
+#include "core/Clock.h"
+#include "core/Error.h"
+#include "core/Log.h"
+#include "render/Renderer.h"
+#include "scene/timeline/SceneAt.h"
+#include "session/Session.h"
+#include "session/command/FilmCommands.h"
+#include "session/film/JoinFrames.h"
+#include "session/film/MakeFilm.h"
+#include "session/film/ReadyFilms.h"
+
+namespace velum::app {
+
+namespace {
+
+struct FilmVerb {
+  Common common;
+  InputOptions input;
+  LetteringOptions lettering;
+  std::vector<std::string> animate;
+  std::string output, size = "1280x720", section, part = "1/1", saveScene;
+  int frames = 0;
+  double seconds = 0.0, framesPerSecond = 0.0, timeout = 0.0;
+  session::FilmOutput made;  ///< filled from the options; where texts are read by filmOutput()
+};
+
+session::FilmOutput filmOutput(const FilmVerb& options) {
+  session::FilmOutput output = options.made;
+  output.path = options.output;
+  output.part = session::parseFilmPart(options.part);
+  output.picture.size = session::parsePictureSize(options.size, output.picture.dpi);
+  if (options.framesPerSecond > 0.0) output.framesPerSecond = options.framesPerSecond;
+  if (options.section.empty()) return output;
+  output.section = enumValue<scene::SectionKind>(options.section);
+  if (!output.section)
+    throw ArgumentError(fmt::format("--section {}: not one of {}", options.section,
+                                    fmt::join(EnumNames<scene::SectionKind>::kNames, ", ")));
+  if (output.picture.layers) throw ArgumentError("--layers: a section has none; leave it out with --section");
+  return output;
+}
+
+/// Runs a ready-made film: its name as in the commands film.turn, film.pull ..., and what they take.
+void addReadyMade(session::Session& session, const std::string& text, double seconds) {
+  std::string name = text.substr(0, text.find(' '));
+  if (!enumValue<session::ReadyFilm>(name))
+    throw ArgumentError(
+        fmt::format("--animate {}: not one of {}", name, fmt::join(EnumNames<session::ReadyFilm>::kNames, ", ")));
+  std::string line = "film." + text;
+  if (seconds > 0.0 && text.find("seconds=") == text.npos) line += fmt::format(" seconds={:.17g}", seconds);
+  run(session, session::parseCall(line), {{"film." + name, "--animate " + name}});
+}
+
+/// Brings the film that is asked for into the scene: the scene's own, or ready-made ones in its place.
+void chooseFilm(session::Session& session, const FilmVerb& options) {
+  if (options.framesPerSecond > 0.0)
+    run(session, session::SetField{"timeline.framesPerSecond", fmt::format("{:.17g}", options.framesPerSecond)});
+  const scene::Timeline& timeline = session.scene().timeline;
+  bool hasOwn = !timeline.tracks.empty() && options.animate.empty();
+  bool isTimed = options.frames > 0 || options.seconds > 0.0;
+  if (hasOwn && isTimed)
+    throw ArgumentError(
+        fmt::format("{}: the scene has a film of its own, of {:g} s; set timeline.duration, timeline.rangeStart or "
+                    "timeline.rangeEnd, or choose another film with --animate",
+                    options.frames > 0 ? "--frames" : "--seconds", timeline.duration));
+  if (hasOwn) {
+    for (const std::string& line : scene::tracksThatDoNotFit(session.scene())) log::warning(line);
+    return;
+  }
+  run(session, session::ClearFilm{});
+  double seconds = options.frames > 0 ? options.frames / timeline.framesPerSecond : options.seconds;
+  if (options.animate.empty())
+    addReadyMade(session, std::string(enumName(session::usualFilm(session.scene()))), seconds);
+  for (const std::string& text : options.animate) addReadyMade(session, text, seconds);
+  for (const char* end : {"timeline.rangeStart", "timeline.rangeEnd"}) run(session, session::SetField{end, "0"});
+}
+
+/// Makes a video of the frames that a folder holds. @return nothing where the input is no such folder
+std::optional<int> joinFolder(const FilmVerb& options, const session::FilmOutput& output) {
+  const auto& inputs = options.input.inputs;
+  if (inputs.size() != 1 || !std::filesystem::is_directory(inputs.front())) return std::nullopt;
+  auto names = session::namesInFolder(inputs.front());
+  if (!names) return std::nullopt;
+  int frames = session::joinFrames(
+      *names, output.path, {options.framesPerSecond, output.quality, output.picture.transparent}, consoleProgress());
+  consoleProgress().report(1.0, "");
+  if (options.common.json) printJson({{"frames", frames}, {"output", options.output}});
+  return 0;
+}
+
+void printFilm(const session::FilmReport& report, const FilmVerb& options, const session::FilmOutput& output,
+               const std::string& renderer, double ms) {
+  Json json = {{"renderer", renderer},    {"size", {output.picture.size.x, output.picture.size.y}},
+               {"frames", report.frames}, {"drawn", report.drawn},
+               {"kept", report.kept},     {"totalMs", ms},
+               {"output", options.output}};
+  for (const auto& [frame, why] : report.failed) json["failed"].push_back({{"frame", frame}, {"error", why}});
+  printJson(json);
+}
+
+/// What is there of a film that was stopped, or of which frames are missing.
+void tellFilm(const session::FilmReport& report, const session::FilmOutput& output, Progress& progress) {
+  int there = report.drawn + report.kept;
+  bool isVideo = io::isVideo(output.path);
+  if (report.isStopped && (!isVideo || there > 0))
+    log::say(fmt::format("note: {} holds {} of {} frames{}", output.path.string(), there, report.frames,
+                         isVideo ? "" : "; --resume draws the others"));
+  progress.throwIfCancelled();
+  if (report.failed.empty()) return;
+  std::vector<int> frames;
+  for (const auto& [frame, why] : report.failed) frames.push_back(frame);
+  throw InputError(fmt::format("{} of {} frames could not be drawn: {} ({})", frames.size(), report.frames,
+                               session::rangesOf(frames), report.failed.front().second));
+}
+
+int runFilm(const FilmVerb& options) {
+  session::FilmOutput output = filmOutput(options);
+  session::expectFilmOutput(output);
+  if (auto code = joinFolder(options, output)) return *code;
+  Progress& progress = consoleProgress();
+  session::Session session;
+  session.setContextKind(options.common.context);
+  if (!output.section) session.renderer();  // before data is read: without a driver there is no film
+  openInputs(session, options.input, double(output.picture.size.x) / output.picture.size.y);
+  chooseFilm(session, options);
+  writeOver(session, options.lettering);
+  output.framesPerSecond = session.scene().timeline.framesPerSecond;
+  if (std::string note = session::filmNote(output); !note.empty()) log::warning(note);
+  if (!options.saveScene.empty()) session::saveScene(session.scene(), options.saveScene);
+
+  auto start = Clock::now();
+  session::FilmReport report = session.film(output, progress);
+  if (!report.isStopped) progress.report(1.0, "");
+  if (options.common.json)
+    printFilm(report, options, output, output.section ? "" : session.renderer().stats().renderer, msSince(start));
+  tellFilm(report, output, progress);
+  return 0;
+}
+
+}  // namespace
+
+Run registerFilm(CLI::App& verb) {
+  auto options = std::make_shared<FilmVerb>();
+  session::FilmOutput& made = options->made;
+  addCommon(verb, options->common);
+  addInput(verb, options->input, true);
+  verb.add_option("-o,--output", options->output,
+                  "what to write: film.mp4 (H.264), .webm (VP9), .gif; a folder FRAMES/ of PNGs; or pictures turn.png, "
+                  ".tif, .exr, as turn-0000.png ...")
+      ->required();
+  verb.add_option("--size", options->size, "WIDTHxHEIGHT in pixels, or with a unit: 12x8cm, 120x80mm, 5x3in")
+      ->capture_default_str();
+  verb.add_option("--samples", made.picture.samples, "pictures that are averaged, 1 to 256; default: as the scene says")
+      ->check(CLI::Range(1, 256));
+  verb.add_option("--fps", options->framesPerSecond,
+                  "frames a second; else as the scene's film says, or what the frames were drawn for")
+      ->check(CLI::Range(0.01, 1000.0));
+  auto* seconds = verb.add_option("--seconds", options->seconds, "how long a ready-made film lasts")
+                      ->check(CLI::Range(0.001, scene::kLongestFilm));
+  verb.add_option("--frames", options->frames, "how many frames it has, instead of --seconds")
+      ->check(CLI::Range(1, 1000000))
+      ->excludes(seconds);
+  verb.add_option(
+          "--animate", options->animate,
+          "a ready-made film in the place of the scene's own: turn (once round; the default where the scene has "
+          "no film), time (through the time steps; the default where there are some), cut (cuts come in), membrane "
+          "(membranes sink in), pull (structures come out of the cuts one after the other), equalize (a model from "
+          "whole to what its cuts leave), fly (to a structure), compare (whole, then cut); with what the command of "
+          "that name takes: \"turn turns=2 gently=true\"; may be repeated")
+      ->allow_extra_args(false);
+  verb.add_option("--section", options->section, "a section view instead of the 3D picture: axial, coronal, sagittal");
+  addLettering(verb, options->lettering);
+  verb.add_option("--save-scene", options->saveScene, "write the scene with its film as JSON, too");
+  verb.add_option("--part", options->part, "K/N: the K-th of N parts of the frames, for several machines");
+  verb.add_flag("--resume", made.old.resume, "draw only frames that are missing, broken or failed");
+  verb.add_flag("--overwrite", made.old.overwrite, "write over the frames of another film");
+  verb.add_option("--blur", made.blur, "blur what moves: each frame is the mean of so many pictures, 1 to 256")
+      ->check(CLI::Range(1, 256));
+  verb.add_option("--shutter", made.shutter, "the share of the time between frames that --blur takes, 0 to 1")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
+  verb.add_option("--quality", made.quality, "of a video, 0 to 100")->check(CLI::Range(0, 100))->capture_default_str();
+  verb.add_option("--bits", made.picture.bits, "levels of colour: 8 bits, or 16, also in .exr")
+      ->check(CLI::IsMember({8, 16}));
+  verb.add_flag("--transparent", made.picture.transparent, "no background, with alpha: not in .mp4");
+  verb.add_flag("--layers", made.picture.layers, "also alpha, normal, depth and more of each frame, as in render");
+  verb.add_option("--dpi", made.picture.dpi, "pixels an inch in print: for sizes with a unit (else 300)")
+      ->check(CLI::Range(1.0, 10000.0));
+  verb.add_option("--timeout", options->timeout, "give up after so many seconds, with exit code 142; 0: never")
+      ->check(CLI::Range(0.0, 1e6));
+  return [options] {
+    stopAfter(options->timeout);
+    return runFilm(*options);
+  };
+}
+
+}  // namespace velum::app

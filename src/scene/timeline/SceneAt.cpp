@@ -193,20 +193,24 @@ void keepTracked(Scene& scene, const Scene& from) {
   }
 }
 
-void scaleKeys(Scene& scene, double factor) {
+void changeKeys(Scene& scene, const std::function<void(Scene&)>& change) {
   for (Track& track : scene.timeline.tracks) {
     for (Key& key : track.keys) {
       try {
-        Scene scaled = scene;
-        detail::atPath(scaled, track.path, "", {},
+        Scene changed = scene;
+        detail::atPath(changed, track.path, "", {},
                        [&](auto& member, const FieldInfo& info) { member = valueOf(key, member, track.path, info); });
-        scaleLengths(scaled, factor);
-        detail::atPath(scaled, track.path, "", {},
+        change(changed);
+        detail::atPath(changed, track.path, "", {},
                        [&](auto& member, const FieldInfo&) { key.value.json = detail::write(member).dump(); });
       } catch (const Error&) {  // a track that does not fit stays as it is
       }
     }
   }
+}
+
+void scaleKeys(Scene& scene, double factor) {
+  changeKeys(scene, [factor](Scene& changed) { scaleLengths(changed, factor); });
 }
 
 FilmFrames framesOf(const Timeline& timeline) {

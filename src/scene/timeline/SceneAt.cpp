@@ -77,8 +77,7 @@ void setAt(T& member, const FieldInfo& info, const Track& track, double time) {
 void apply(Scene& scene, const Track& track, double time) {
   if (!canChange(track.path)) throw ArgumentError(fmt::format("{} cannot change in a film", track.path));
   if (track.keys.empty()) return;
-  detail::atPath(scene, track.path, "", {},
-                 [&](auto& member, const FieldInfo& info) { setAt(member, info, track, time); });
+  detail::atPath(scene, track.path, [&](auto& member, const FieldInfo& info) { setAt(member, info, track, time); });
 }
 
 void applyWhereItFits(Scene& scene, const Track& track, double time) {
@@ -181,11 +180,11 @@ void keepTracked(Scene& scene, const Scene& from) {
     try {
       void* value = nullptr;
       const std::type_info* type = nullptr;
-      detail::atPath(other, track.path, "", {}, [&](auto& member, const FieldInfo&) {
+      detail::atPath(other, track.path, [&](auto& member, const FieldInfo&) {
         value = &member;
         type = &typeid(member);
       });
-      detail::atPath(scene, track.path, "", {}, [&](auto& member, const FieldInfo&) {
+      detail::atPath(scene, track.path, [&](auto& member, const FieldInfo&) {
         if (*type == typeid(member)) member = *static_cast<std::remove_reference_t<decltype(member)>*>(value);
       });
     } catch (const ArgumentError&) {  // one of the two has no such field
@@ -198,10 +197,10 @@ void changeKeys(Scene& scene, const std::function<void(Scene&)>& change) {
     for (Key& key : track.keys) {
       try {
         Scene changed = scene;
-        detail::atPath(changed, track.path, "", {},
+        detail::atPath(changed, track.path,
                        [&](auto& member, const FieldInfo& info) { member = valueOf(key, member, track.path, info); });
         change(changed);
-        detail::atPath(changed, track.path, "", {},
+        detail::atPath(changed, track.path,
                        [&](auto& member, const FieldInfo&) { key.value.json = detail::write(member).dump(); });
       } catch (const Error&) {  // a track that does not fit stays as it is
       }

@@ -104,7 +104,7 @@ OIIO::ImageSpec specFor(const Image& image, const std::string& format, OIIO::Typ
     spec.attribute("YResolution", float(dpi));
     spec.attribute("ResolutionUnit", "in");
   }
-  if (description.empty()) return spec;
+  if (description.empty() || format == "png") return spec;
   if (format == "tiff")
     spec.attribute("ImageDescription", std::string(kTiffScenePrefix) + description);
   else
@@ -145,13 +145,28 @@ void encode(OIIO::ImageOutput& out, const std::string& name, const OIIO::ImageSp
   if (!done) throw InputError(fmt::format("{}: cannot be written ({})", name, out.geterror()));
 }
 
-void writeToStdout(OIIO::ImageOutput& out, const OIIO::ImageSpec& spec, const void* pixels) {
+/// A PNG file in memory. The library keeps every text that it is given for as long as the program runs, which are ten
+/// thousand scenes in a long film: it does not get the description.
+std::vector<unsigned char> pngOf(OIIO::ImageOutput& out, const std::string& name, const OIIO::ImageSpec& spec,
+                                 const void* pixels, const std::string& description) {
   std::vector<unsigned char> bytes;
   OIIO::Filesystem::IOVecOutput memory(bytes);
   out.set_ioproxy(&memory);
-  encode(out, "stdout.png", spec, pixels, [] {});
-  if (std::fwrite(bytes.data(), 1, bytes.size(), stdout) != bytes.size() || std::fflush(stdout) != 0)
-    throw InputError("-: the picture cannot be written to the standard output");
+  encode(out, name, spec, pixels, [] {});
+  if (!description.empty()) addPngText(bytes, kDescriptionKey, description);
+  return bytes;
+}
+
+void writePng(const std::vector<unsigned char>& png, const Path& path) {
+  if (path == "-") {
+    if (std::fwrite(png.data(), 1, png.size(), stdout) != png.size() || std::fflush(stdout) != 0)
+      throw InputError("-: the picture cannot be written to the standard output");
+    return;
+  }
+  ReplaceFile file(path);
+  SinkStream(file).write(reinterpret_cast<const char*>(png.data()), std::streamsize(png.size()));
+  file.throwIfRefused();
+  file.commit();
 }
 
 /// OpenImageIO's name of the format that a file is in. Told nothing, the library offers the bytes to readers of thirty
@@ -223,7 +238,7 @@ void plugin::writeImage(const Image& image, const Path& path, const std::string&
   if (format == "openexr")
     for (const ImageAttribute& attribute : attributes) spec.attribute(attribute.name, attribute.value);
 
-  if (path == "-") return writeToStdout(*out, spec, pixels);
+  if (format == "png") return writePng(pngOf(*out, path.string(), spec, pixels, description), path);
   ReplaceFile file(path);
   {
     SinkProxy proxy(file);

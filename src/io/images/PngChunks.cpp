@@ -1,5 +1,7 @@
 #include "io/images/PngChunks.h"
 
+#include <zlib.h>
+
 #include <array>
 #include <cstdint>
 #include <cstring>
@@ -18,6 +20,24 @@ bool isSoundPng(const FileBytes& file) {
     at += kAround + length;
   }
   return false;
+}
+
+void addPngText(std::vector<unsigned char>& png, std::string_view keyword, std::string_view text) {
+  constexpr std::ptrdiff_t kBehindHeader = 8 + 25;  // the signature and the chunk IHDR
+  std::vector<unsigned char> chunk(4);
+  auto put = [&](std::string_view bytes) { chunk.insert(chunk.end(), bytes.begin(), bytes.end()); };
+  auto number = [](std::uint32_t value, unsigned char* at) {
+    for (int i = 0; i < 4; ++i) at[i] = static_cast<unsigned char>(value >> (24 - 8 * i));
+  };
+  put("tEXt");
+  put(keyword);
+  chunk.push_back(0);
+  put(text);
+  number(std::uint32_t(chunk.size() - 8), chunk.data());
+  auto sum = crc32_z(0, chunk.data() + 4, chunk.size() - 4);
+  chunk.resize(chunk.size() + 4);
+  number(std::uint32_t(sum), chunk.data() + chunk.size() - 4);
+  png.insert(png.begin() + kBehindHeader, chunk.begin(), chunk.end());
 }
 
 }  // namespace velum::io

@@ -13,6 +13,7 @@
 #include "gui/rows/FieldKey.h"
 #include "gui/timeline/TimelineRoom.h"
 #include "gui/view/TimeBar.h"
+#include "scene/Navigate.h"
 #include "scene/timeline/SceneAt.h"
 #include "scene/timeline/Tracks.h"
 #include "session/command/Command.h"
@@ -303,6 +304,36 @@ TEST_F(Timelines, AControlMakesAKeyOfItsFieldAndShowsIt) {
   takeShot(*mWindow, "timeline-marks");
   QTest::mouseClick(mark, Qt::LeftButton);
   EXPECT_EQ(timesOf("finish.contours"), std::vector<double>{0.0});
+}
+
+TEST_F(Timelines, TheWayOfTheEyeIsSeenFromElsewhereAndItsKnobsAreDragged) {
+  key("camera", 0.0, "");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return strip().isVisible(); }, kPatience));
+  document().setPlayhead(4.0);
+  viewport().lookFrom(scene::StandardView::Left);
+  key("camera", 4.0, "");
+  const CameraPath& path = mWindow->timeline().cameraPath();
+  EXPECT_FALSE(path.isShown()) << "the film's own view looks along it";
+  viewport().lookFrom(scene::StandardView::Superior);
+  document().view([](scene::Scene& scene) { scene.camera = scene::zoom(scene.camera, 4.0); });
+  ASSERT_TRUE(path.isShown());
+  ASSERT_TRUE(settle());
+  takeShot(*mWindow, "timeline-path");
+  std::vector<glm::dvec3> eyes = path.keyEyes();
+  ASSERT_EQ(eyes.size(), 2u);
+  scene::Camera from = document().shown().camera;
+  glm::dvec2 at = scene::pixelFromWorld(from, size(), eyes[1]).value();
+  std::size_t steps = document().undoLabels().size();
+  QPoint place(int(std::lround(at.x)), int(std::lround(at.y))), off(30, -20);
+  drag(place, place + off);
+  EXPECT_EQ(document().undoLabels().size(), steps + 1);
+  EXPECT_EQ(document().shown().camera, from) << "the view stays";
+  scene::CameraBasis basis = scene::cameraBasis(from);
+  glm::dvec3 wanted = eyes[1] + scene::lengthPerPixel(from, size(), eyes[1]) * (basis.right * 30.0 + basis.up * 20.0);
+  EXPECT_LT(glm::length(scene::sceneAt(scene(), 4.0).camera.eye - wanted), 1e-6 * glm::length(wanted));
+  EXPECT_EQ(scene::sceneAt(scene(), 0.0).camera.eye, eyes[0]);
+  document().undo();
+  EXPECT_LT(glm::length(scene::sceneAt(scene(), 4.0).camera.eye - eyes[1]), 1e-9);
 }
 
 TEST_F(Timelines, TheStripIsNotWiderThanASmallWindow) {

@@ -9,8 +9,8 @@ namespace velum::gui {
 
 namespace {
 
-constexpr int kTickMs = 8;           ///< half a frame of the fastest screens in use
-constexpr qint64 kPatienceMs = 250;  ///< after which the playhead goes on although the views do not follow
+constexpr int kTickMs = 8;         ///< half a frame of the fastest screens in use
+constexpr qint64 kFollowMs = 250;  ///< after which the playhead goes on although the views do not follow
 constexpr double kSame = 1e-9;
 
 }  // namespace
@@ -49,7 +49,7 @@ void FilmPlayer::tick() {
   }
   bool isReady = true;
   emit askReady(isReady);
-  if (!isReady && mSinceMoved.elapsed() < kPatienceMs) return;
+  if (!isReady && mSinceMoved.elapsed() < kFollowMs) return;
   scene::FilmFrames frames = scene::framesOf(mDocument.scene().timeline);
   double end = frames.timeOf(frames.count), now = mFrom + double(mClock.nsecsElapsed()) * 1e-9;
   if (now >= end && !mLoops) {

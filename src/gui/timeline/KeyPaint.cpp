@@ -67,8 +67,8 @@ QPainterPath keyShape(scene::Ease ease, double radius) {
 }
 
 QIcon easeIcon(scene::Ease ease, const QPalette& palette) {
-  constexpr int kSize = 16, kScale = 4;  // sharp on screens of any density
-  QPixmap picture(kSize * kScale, kSize * kScale);
+  constexpr int kEasePicture = 16, kScale = 4;  // sharp on screens of any density
+  QPixmap picture(kEasePicture * kScale, kEasePicture * kScale);
   picture.fill(Qt::transparent);
   QPainter painter(&picture);
   painter.setRenderHint(QPainter::Antialiasing);

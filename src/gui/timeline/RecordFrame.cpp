@@ -6,7 +6,7 @@
 namespace velum::gui {
 
 namespace {
-constexpr double kWide = 3.0;
+constexpr double kFrameWide = 3.0;
 }  // namespace
 
 RecordFrame::RecordFrame(QWidget& view) : QWidget(&view) {
@@ -26,8 +26,8 @@ bool RecordFrame::eventFilter(QObject* watched, QEvent* event) {
 void RecordFrame::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
-  painter.setPen(QPen(kRecordRed, kWide));
-  painter.drawRect(QRectF(rect()).adjusted(0.5 * kWide, 0.5 * kWide, -0.5 * kWide, -0.5 * kWide));
+  painter.setPen(QPen(kRecordRed, kFrameWide));
+  painter.drawRect(QRectF(rect()).adjusted(0.5 * kFrameWide, 0.5 * kFrameWide, -0.5 * kFrameWide, -0.5 * kFrameWide));
 }
 
 }  // namespace velum::gui

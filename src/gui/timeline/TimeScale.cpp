@@ -6,7 +6,7 @@
 namespace velum::gui {
 
 namespace {
-constexpr double kLeastPixels = 1e-3, kMostPixels = 20'000.0;  ///< to a second
+constexpr double kLeastPerSecond = 1e-3, kMostPerSecond = 20'000.0;  ///< pixels
 }
 
 double rulerStep(const TimeScale& scale, double least, double framesPerSecond) {
@@ -33,11 +33,11 @@ QString rulerText(double time, double step) {
 
 TimeScale fitted(double from, double to, double left, double width) {
   double span = std::max(to - from, 1e-3);
-  return {from, std::clamp(std::max(width, 1.0) / span, kLeastPixels, kMostPixels), left};
+  return {from, std::clamp(std::max(width, 1.0) / span, kLeastPerSecond, kMostPerSecond), left};
 }
 
 TimeScale zoomed(const TimeScale& scale, double about, double factor) {
-  double pixels = std::clamp(scale.pixelsPerSecond * factor, kLeastPixels, kMostPixels);
+  double pixels = std::clamp(scale.pixelsPerSecond * factor, kLeastPerSecond, kMostPerSecond);
   double x = scale.xOf(about);
   return {std::max(0.0, about - (x - scale.left) / pixels), pixels, scale.left};
 }

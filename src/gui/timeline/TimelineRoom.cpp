@@ -17,7 +17,7 @@ namespace velum::gui {
 namespace {
 
 constexpr const char *kLoopKey = "film/loop", *kSnapKey = "film/snap";
-constexpr int kTellMs = 6000;
+constexpr int kRecordedMs = 6000;
 
 }  // namespace
 
@@ -161,7 +161,7 @@ void TimelineRoom::tellRecorded() {
   auto* window = qobject_cast<QMainWindow*>(&mParts.window);
   if (!titles.isEmpty() && window)
     window->statusBar()->showMessage(
-        tr("Recorded at %1 s: %2").arg(mParts.document().playhead().value_or(0.0)).arg(titles.join(", ")), kTellMs);
+        tr("Recorded at %1 s: %2").arg(mParts.document().playhead().value_or(0.0)).arg(titles.join(", ")), kRecordedMs);
 }
 
 void TimelineRoom::refresh(const session::Session& session) {

@@ -24,6 +24,7 @@ class TimelineRoom : public Room {
   void play() { mPlayer.setPlaying(!mPlayer.isPlaying()); }
   void goToKey(int direction) { mStrip.canvas().goToKey(direction); }
   FilmPlayer& player() { return mPlayer; }
+  const CameraPath& cameraPath() const { return mPath; }
 
  signals:
   /// As of TimelineStrip.

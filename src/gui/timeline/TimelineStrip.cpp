@@ -21,7 +21,7 @@ namespace velum::gui {
 
 namespace {
 
-constexpr int kRowHeight = 38, kFirstHeight = 190, kLeastHeight = 110, kEdge = 5;
+constexpr int kStripRow = 38, kFirstStrip = 190, kLeastStrip = 110, kStripEdge = 5;
 constexpr const char* kHeightKey = "film/height";
 
 /// The commands of ready-made films with what the menu calls them.
@@ -48,10 +48,10 @@ TimelineStrip::TimelineStrip(session::Document& document, QWidget* parent)
       mInto(mMoves),
       mCanvas(new TrackCanvas(document, this)) {
   setObjectName("timeline");
-  setFixedHeight(std::max(kLeastHeight, Preferences().value(kHeightKey, kFirstHeight).toInt()));
+  setFixedHeight(std::max(kLeastStrip, Preferences().value(kHeightKey, kFirstStrip).toInt()));
   setMouseTracking(true);
   auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, kEdge, 0, 0);
+  column->setContentsMargins(0, kStripEdge, 0, 0);
   column->setSpacing(0);
   column->addWidget(mRow);
   column->addWidget(mCanvas, 1);
@@ -61,7 +61,7 @@ TimelineStrip::TimelineStrip(session::Document& document, QWidget* parent)
   row->setContentsMargins(8, 0, 8, 0);
   row->setSpacing(0);
   for (QWidget* part : {mMoves, mFilm}) {
-    part->setFixedHeight(kRowHeight);
+    part->setFixedHeight(kStripRow);
     auto* line = new QHBoxLayout(part);
     line->setContentsMargins(0, 0, 0, 4);
     line->setSpacing(3);
@@ -197,15 +197,15 @@ void TimelineStrip::refresh() {
 // The upper edge makes the strip higher.
 
 void TimelineStrip::mousePressEvent(QMouseEvent* event) {
-  if (event->button() == Qt::LeftButton && event->position().y() <= kEdge)
+  if (event->button() == Qt::LeftButton && event->position().y() <= kStripEdge)
     mGrip = height() + event->globalPosition().y();
 }
 
 void TimelineStrip::mouseMoveEvent(QMouseEvent* event) {
-  setCursor(mGrip || event->position().y() <= kEdge ? Qt::SizeVerCursor : Qt::ArrowCursor);
+  setCursor(mGrip || event->position().y() <= kStripEdge ? Qt::SizeVerCursor : Qt::ArrowCursor);
   if (!mGrip) return;
-  int most = std::max(kLeastHeight, parentWidget()->height() - 260);
-  setFixedHeight(std::clamp(int(*mGrip - event->globalPosition().y()), kLeastHeight, most));
+  int most = std::max(kLeastStrip, parentWidget()->height() - 260);
+  setFixedHeight(std::clamp(int(*mGrip - event->globalPosition().y()), kLeastStrip, most));
 }
 
 void TimelineStrip::mouseReleaseEvent(QMouseEvent*) {

@@ -74,11 +74,11 @@ QPointF TrackCanvas::onEye(std::size_t row) const { return {17.0, yOf(row)}; }
 TrackCanvas::Hit TrackCanvas::hitAt(QPointF place) const {
   using Part = Hit::Part;
   if (place.y() < kRulerHeight) {
-    if (place.x() < kTitleWidth - kHandleReach) return {};
+    if (place.x() < kTitleWidth - kFlagReach) return {};
     double toStart = std::abs(place.x() - mScale.xOf(timeline().rangeStart));
     double toEnd = std::abs(place.x() - mScale.xOf(rangeEnd()));
     bool isLow = place.y() > 0.6 * kRulerHeight;  // where the handles are
-    if (isLow && std::min(toStart, toEnd) <= kHandleReach)
+    if (isLow && std::min(toStart, toEnd) <= kFlagReach)
       return {toStart < toEnd ? Part::RangeStart : Part::RangeEnd, 0, {}};
     return {Part::Ruler, 0, {}};
   }

@@ -110,7 +110,6 @@ void TrackCanvas::dragKeys(QPointF place, bool copies) {
   if (mStartSelected.empty()) return;
   double wanted = mGrabbed.time + (place.x() - mPressed.x()) / mScale.pixelsPerSecond;
   double seconds = movable(mStartSelected, snapped(wanted, mSelected) - mGrabbed.time, timeline().duration);
-  // The playhead does not draw what is far: fall back on frames where the ends hold keys back.
   Tracks next = withMoved(mStart, mStartSelected, seconds, copies);
   change(mStartSelected.size() == 1 ? tr("Move key") : tr("Move keys"), next, true);
   KeyNames moved = mStartSelected;

@@ -4,6 +4,6 @@
 namespace velum::gui {
 
 constexpr double kTitleWidth = 196, kRulerHeight = 26, kTrackHeight = 23, kTrackMargin = 14;
-constexpr double kKeyRadius = 6.0, kKeyReach = 8.0, kHandleReach = 6.0;
+constexpr double kKeyRadius = 6.0, kKeyReach = 8.0, kFlagReach = 6.0;
 
 }  // namespace velum::gui

@@ -101,6 +101,7 @@ class TrackCanvas : public QAbstractScrollArea {
 
   void paintRuler(QPainter& painter) const;
   void paintRange(QPainter& painter) const;
+  void paintFlags(QPainter& painter) const;
   void paintTitle(QPainter& painter, std::size_t row) const;
   void paintTrack(QPainter& painter, std::size_t row);
   void paintWay(QPainter& painter, const scene::Track& track, double y);

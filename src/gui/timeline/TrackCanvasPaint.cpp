@@ -52,6 +52,7 @@ void TrackCanvas::paintEvent(QPaintEvent*) {
   painter.setRenderHint(QPainter::Antialiasing);
   painter.fillRect(viewport()->rect(), palette().color(QPalette::Window));
   painter.fillRect(timeArea(), palette().color(QPalette::Base));
+  paintRange(painter);
   painter.save();
   painter.setClipRect(QRectF(0, kRulerHeight, viewport()->width(), timeArea().height()));
   for (std::size_t row = 0; row < tracks().size(); ++row) {
@@ -67,8 +68,8 @@ void TrackCanvas::paintEvent(QPaintEvent*) {
         tr("Nothing changes yet. Record while you change things, choose Key this in the menu of a control, "
            "or add a film that is ready-made."));
   }
-  paintRange(painter);
   paintRuler(painter);
+  paintFlags(painter);
   paintPlayhead(painter);
   if (mDrag == Drag::Band && !mBand.isEmpty()) {
     painter.setPen(palette().color(QPalette::Link));
@@ -111,7 +112,7 @@ void TrackCanvas::paintRuler(QPainter& painter) const {
   painter.drawLine(QPointF(kTitleWidth - 0.5, 0), QPointF(kTitleWidth - 0.5, viewport()->height()));
 }
 
-/// What is not played is dimmed; the range's ends can be dragged.
+/// What is not played is dimmed.
 void TrackCanvas::paintRange(QPainter& painter) const {
   QRectF area = timeArea();
   double from = mScale.xOf(timeline().rangeStart), to = mScale.xOf(rangeEnd());
@@ -120,6 +121,14 @@ void TrackCanvas::paintRange(QPainter& painter) const {
   painter.setClipRect(QRectF(kTitleWidth, 0, area.width(), viewport()->height()));
   painter.fillRect(QRectF(QPointF(area.left(), kRulerHeight), QPointF(from, area.bottom())), shade);
   painter.fillRect(QRectF(QPointF(to, kRulerHeight), QPointF(area.right(), area.bottom())), shade);
+  painter.restore();
+}
+
+/// The ends of the range, which can be dragged.
+void TrackCanvas::paintFlags(QPainter& painter) const {
+  double from = mScale.xOf(timeline().rangeStart), to = mScale.xOf(rangeEnd());
+  painter.save();
+  painter.setClipRect(QRectF(kTitleWidth, 0, timeArea().width(), kRulerHeight));
   QColor accent = palette().color(QPalette::Link);
   painter.fillRect(QRectF(from, kRulerHeight - 4.0, to - from, 3.0), faded(accent, 0.55));
   painter.setPen(Qt::NoPen);

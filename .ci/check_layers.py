@@ -33,11 +33,11 @@ ROOMS = {  # module: {room: rooms of the module it may include (its own is impli
                 "picture": ". document extrusion growth lettering membrane model",
                 "film": ". document extrusion growth lettering membrane model picture structure"},
     # A membrane is a cut: the panel of cuts holds its form.
-    "gui": {"kit": "", "rows": "kit", "service": "kit rows", "tool": "kit", "view": "kit rows service tool",
+    "gui": {"kit": "", "rows": "kit", "service": "kit rows", "tool": "kit", "timeline": "kit rows service tool view", "view": "kit rows service tool",
             "look": "kit rows service tool view", "structure": "kit rows service tool view", "model": "kit rows service tool view",
             "membrane": "kit rows service tool view", "cut": "kit rows service tool view membrane",
             "extrusion": "kit rows service tool view",
-            "window": "kit rows service tool view look structure model cut membrane extrusion"},
+            "window": "kit rows service tool view look structure model cut membrane extrusion timeline"},
 }
 ONLY_IN = {  # library header: modules that may name it
     r"<Q[A-Z]": "gui",

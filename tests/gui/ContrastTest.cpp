@@ -104,6 +104,7 @@ TEST_F(Contrast, OfAllTextInTheWindowInBothThemes) {
     mWindow->messages().showNote("what to know");
     mWindow->actions().find("cut.addMembrane")->trigger();
     ASSERT_TRUE(waitForJob());
+    mWindow->actions().find("film.keyCamera")->trigger();
     auto& tabs = mWindow->tabs();
     for (int page = 0; page < tabs.count(); ++page) {
       if (!tabs.isTabVisible(page)) continue;

@@ -18,7 +18,7 @@ namespace velum::gui {
 namespace {
 
 /// Those that no command has.
-const QStringList kOthers = {"view.maximise", "view.restore", "view.menu", "view.more"};
+const QStringList kOthers = {"view.maximise", "view.restore", "view.menu", "view.more", "film.pause"};
 
 class Icons : public Window {
  protected:

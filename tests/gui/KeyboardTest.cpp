@@ -280,7 +280,7 @@ TEST_P(Keyboard, ReachesAllOfTheCuts) {
 /// The pages above have a test of their own, in which all that they can show is there.
 TEST_P(Keyboard, ReachesAllOfEveryPage) {
   open({"phantom.nrrd"});
-  ASSERT_GE(tabs().count(), 3);
+  mWindow->actions().find("film.keyCamera")->trigger();  // the film is reached, too
   for (int page = 0; page < tabs().count(); ++page) {
     if (!tabs().isTabVisible(page)) continue;  // of data that is not open
     tabs().setCurrentIndex(page);

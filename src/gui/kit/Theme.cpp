@@ -127,6 +127,17 @@ QScrollBar::add-line, QScrollBar::sub-line { height: 0; }
 #messageBar[kind="note"] { background: @noteFill; border: 1px solid @noteEdge; border-radius: 8px; }
 #recoveryBar { background: @noteFill; border: 1px solid @noteEdge; border-radius: 8px; }
 #timeBar { background: @panel; border-top: 1px solid @deep; }
+#timeline { background: @panel; border-top: 1px solid @deep; }
+#timeline QToolButton { background: transparent; border: 1px solid transparent; border-radius: 5px; padding: 4px 5px; color: @text; }
+#timeline QToolButton:hover { background: @hover; }
+#timeline QToolButton:pressed, #timeline QToolButton:checked { background: @chosen; border-color: @chosenEdge; color: @onChosen; }
+#timeline QToolButton[role="record"]:checked { background: @errorFill; border-color: #e5484d; }
+#timeline QToolButton:disabled { color: @faint; }
+#timeline QToolButton#saveFilm, #timeline QToolButton#addFilm { background: @button; border-color: @edge; padding: 4px 9px; }
+#timeline QToolButton#addFilm { padding-right: 21px; }
+#timeline QToolButton#saveFilm:hover, #timeline QToolButton#addFilm:hover { background: @buttonHover; }
+#timeline QToolButton::menu-indicator { image: url(:/velum/@chevron); width: 9px; height: 9px; subcontrol-position: right center; right: 6px; }
+#timeline QDoubleSpinBox { padding: 3px 5px; }
 #commandFinder { background: @popup; border: 1px solid @edge; }
 #commandFinder QLineEdit { font-size: 13pt; padding: 8px 10px; }
 QTextBrowser { background: @ground; border: none; padding: 10px 20px; }

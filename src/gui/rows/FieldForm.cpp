@@ -18,6 +18,9 @@ namespace {
 
 using scene::FieldKind;
 
+/// Pixels between label and control; and how many of them the mark of a key may take.
+constexpr int kLabelGap = 11, kMarkRoom = 10;
+
 /// Numbers of a text as fields have it: "1,2,3".
 std::vector<double> numbersIn(std::string_view text) {
   std::vector<double> numbers;
@@ -68,9 +71,15 @@ QWidget* FieldForm::add(const std::string& path, const QString& title, FieldText
   VELUM_ASSERT(mGrid, "rows have a grid");
   QWidget* control = make(mGrid->parentWidget(), path, title, std::move(text));
   Row& row = mRows.back();
+  row.hasMark = true;
   int line = mGrid->rowCount();
   bool hasTitle = row.facts.kind == FieldKind::Truth || row.facts.kind == FieldKind::Color;
-  if (!hasTitle) mGrid->addWidget(row.label = new QLabel(title, mGrid->parentWidget()), line, 0);
+  if (!hasTitle) {
+    mGrid->addWidget(row.label = new QLabel(title, mGrid->parentWidget()), line, 0);
+    row.label->setContentsMargins(0, 0, kMarkRoom, 0);
+    row.key->watch(row.label);
+  }
+  mGrid->addWidget(row.key, line, 0, Qt::AlignRight | Qt::AlignVCenter);
   mGrid->addWidget(control, line, 1);
   return control;
 }
@@ -91,6 +100,9 @@ QWidget* FieldForm::make(QWidget* parent, const std::string& path, const QString
   row.control = makeControl(row, title, parent);
   row.control->setObjectName(row.text.object);
   if (!row.text.tip.isEmpty()) row.control->setToolTip(row.text.tip);
+  row.key = new FieldKey(
+      mDocument, row.text.name, [this, &row] { return pathOf(row); }, parent);
+  row.key->watch(row.control);
   return row.control;
 }
 
@@ -194,6 +206,7 @@ void FieldForm::refresh() {
     if (row.text.isShown && row.label) row.label->setVisible(row.text.isShown());
     if (row.text.isEnabled) row.control->setEnabled(row.text.isEnabled());
     std::string path = row.text.isShown && !row.text.isShown() ? std::string() : pathOf(row);
+    row.key->refresh(row.hasMark && !path.empty());
     if (path.empty()) continue;
     show(row, row.text.number ? fmt::format("{}", row.text.number()) : scene::getField(mDocument.shown(), path));
   }
@@ -214,9 +227,10 @@ std::vector<FieldForm::Told> FieldForm::rows() const {
 QGridLayout* makeFieldGrid(QWidget* parent, int labelWidth) {
   auto* grid = new QGridLayout(parent);
   grid->setContentsMargins(0, 0, 0, 0);
-  grid->setHorizontalSpacing(10);
+  // Between label and control there is room for the mark of a key.
+  grid->setHorizontalSpacing(kLabelGap - kMarkRoom);
   grid->setVerticalSpacing(8);
-  grid->setColumnMinimumWidth(0, labelWidth);
+  grid->setColumnMinimumWidth(0, labelWidth + kMarkRoom);
   grid->setColumnStretch(1, 1);
   return grid;
 }

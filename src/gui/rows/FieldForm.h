@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "gui/kit/Widgets.h"
+#include "gui/rows/FieldKey.h"
 #include "scene/json/FieldFacts.h"
 #include "session/command/Command.h"
 #include "session/document/Document.h"
@@ -38,7 +39,8 @@ struct FieldText {
 };
 
 /// Rows of a form, each for a field of the scene: a label, and a control that is made from the field's fields() entry,
-/// shows the field and changes it by the command `set`. A drag is one undo step.
+/// shows the field and changes it by the command `set`. A drag is one undo step. The menus of label and control make
+/// keys of the field; a mark beside the label says that a film changes it.
 class FieldForm : public QObject {
   Q_OBJECT
  public:
@@ -77,6 +79,8 @@ class FieldForm : public QObject {
     FieldText text;
     QWidget* control = nullptr;
     QLabel* label = nullptr;
+    FieldKey* key = nullptr;  ///< its mark is shown only in rows of a grid
+    bool hasMark = false;
   };
   std::string pathOf(const Row& row) const;
   QWidget* makeControl(const Row& row, const QString& title, QWidget* parent);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 
+#include "gui/rows/FieldKey.h"
 #include "gui/rows/PictureList.h"
 #include "scene/LitSpheres.h"
 #include "session/command/Command.h"
@@ -205,6 +206,16 @@ void StructureCommands::fillLegendEntry(QMenu& menu, const Ids& ids) {
   list->setToolTip(tr("The legend names what is listed; where nothing is, the structures that are shown"));
 }
 
+/// Keys of a film.
+void StructureCommands::fillKeyEntries(QMenu& menu, int id) {
+  const auto& list = mDocument.shown().labels.structures;
+  auto place = std::ranges::find(list, id, &scene::Structure::id) - list.begin();
+  QMenu* keys = menu.addMenu(tr("Key in film"));
+  keys->setToolTipsVisible(true);
+  addKeyEntry(*keys, mDocument, "labels.structures." + std::to_string(place) + ".visible", tr("visibility"));
+  addKeyEntry(*keys, mDocument, "labels.structures." + std::to_string(place) + ".opacity", tr("opacity"));
+}
+
 void StructureCommands::fillMenu(QMenu& menu, const Ids& ids) {
   if (ids.empty()) return;
   const scene::Structure* first = session::findStructure(mDocument.shown(), ids[0]);
@@ -226,6 +237,7 @@ void StructureCommands::fillMenu(QMenu& menu, const Ids& ids) {
     menu.addAction(tr("Rename..."), this, [this, ids] { emit renameAsked(ids[0]); });
   }
   fillLegendEntry(menu, ids);
+  if (one) fillKeyEntries(menu, ids[0]);
   menu.addSeparator();
   QString name = cutName();
   QAction* whole = menu.addAction(name.isEmpty() ? tr("Spare") : tr("Spare in %1").arg(name));

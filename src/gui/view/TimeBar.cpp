@@ -72,8 +72,8 @@ void TimeBar::step(int steps) {
 
 void TimeBar::refresh() {
   int count = timeSteps();
-  setVisible(count > 1);
-  if (count < 2) return setPlaying(false);
+  setVisible(count > 1 && !mIsReplaced);
+  if (count < 2 || mIsReplaced) return setPlaying(false);
   const QSignalBlocker quiet(mSlider);
   mSlider->setRange(0, count - 1);
   int timeStep = mDocument.shown().volume.timeStep;

@@ -16,6 +16,8 @@ class TimeBar : public QFrame {
  public:
   TimeBar(session::Document& document, QWidget* parent);
   void refresh();
+  /// Hides the bar while a film says which step is seen.
+  void setReplaced(bool replaced) { mIsReplaced = replaced; }
   void setPlaying(bool playing);
   bool isPlaying() const { return mTimer.isActive(); }
   /// Goes on by some steps; after the last step comes the first, and the other way round.
@@ -33,6 +35,7 @@ class TimeBar : public QFrame {
   QSlider* mSlider;
   QLabel* mText;
   QTimer mTimer;
+  bool mIsReplaced = false;
 };
 
 }  // namespace velum::gui

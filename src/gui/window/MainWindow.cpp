@@ -82,7 +82,9 @@ void MainWindow::buildRooms() {
   mModels = add(new ModelRoom(parts));
   mCuts = add(new CutRoom(parts));
   add(new ExtrusionRoom(parts));
-  add(new TimeCommands(parts, *mFrame.time));
+  auto* time = add(new TimeCommands(parts, *mFrame.time));
+  mTimeline = add(new TimelineRoom(parts, *mFrame.timeline));
+  time->follow(*mTimeline);
   add(new HelpCommands(parts));
   add(new StatusLine(parts, *statusBar()));
   mFrame.bar->fill(mActions);

@@ -7,6 +7,7 @@
 #include "gui/look/LookRoom.h"
 #include "gui/model/ModelRoom.h"
 #include "gui/structure/StructureRoom.h"
+#include "gui/timeline/TimelineRoom.h"
 #include "gui/window/FileCommands.h"
 #include "gui/window/LostWork.h"
 #include "gui/window/PyramidCommands.h"
@@ -64,6 +65,7 @@ class MainWindow : public QMainWindow {
   PyramidCommands& pyramids() { return *mPyramids; }
   AreaMeter& areas() { return mStructures->areas(); }
   ModelRoom& models() { return *mModels; }
+  TimelineRoom& timeline() { return *mTimeline; }
   Sketch& sketch() { return mCuts->membranes().sketch(); }
 
   bool isBusy() const { return mJobs.isBusy(); }
@@ -110,6 +112,7 @@ class MainWindow : public QMainWindow {
   StructureRoom* mStructures = nullptr;
   ModelRoom* mModels = nullptr;
   CutRoom* mCuts = nullptr;
+  TimelineRoom* mTimeline = nullptr;
 };
 
 }  // namespace velum::gui

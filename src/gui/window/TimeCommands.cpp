@@ -4,12 +4,22 @@ namespace velum::gui {
 
 TimeCommands::TimeCommands(const WindowParts& parts, TimeBar& bar) : Room(parts), mBar(bar) {
   QMenu* menu = parts.menu(MenuId::Time);
-  parts.actions.addForScene(menu, "time.play", tr("&Play or pause"), tr("Play the time steps round and round"),
-                            [this] { mBar.setPlaying(!mBar.isPlaying()); });
-  parts.actions.addForScene(menu, "time.next", tr("&Next step"), tr("The next time step"), [this] { mBar.step(1); });
-  parts.actions.addForScene(menu, "time.previous", tr("&Step before"), tr("The time step before"),
-                            [this] { mBar.step(-1); });
+  parts.actions.addForScene(menu, "time.play", tr("&Play or pause"), tr("Play the film, or the time steps of a series"),
+                            [this] { play(); });
+  parts.actions.addForScene(menu, "time.next", tr("&Next step"), tr("The next time step, or the next key of a film"),
+                            [this] { step(1); });
+  parts.actions.addForScene(menu, "time.previous", tr("&Step before"),
+                            tr("The time step before, or the key before of a film"), [this] { step(-1); });
   connect(&mBar, &TimeBar::askReady, this, [this](bool& ready) { ready = mParts.views.isCurrent(); });
 }
+
+void TimeCommands::refresh(const session::Session&) {
+  mBar.setReplaced(mTimeline && mTimeline->hasTimeSteps());
+  mBar.refresh();
+}
+
+void TimeCommands::play() { hasFilm() ? mTimeline->play() : mBar.setPlaying(!mBar.isPlaying()); }
+
+void TimeCommands::step(int steps) { hasFilm() ? mTimeline->goToKey(steps) : mBar.step(steps); }
 
 }  // namespace velum::gui

@@ -16,11 +16,13 @@ WindowFrame::WindowFrame(QMainWindow& window, session::Document& document) {
   pages->addWidget(empty);
   progress = new ProgressStrip(centre);
   time = new TimeBar(document, centre);
+  timeline = new TimelineStrip(document, centre);
   auto* layout = new QVBoxLayout(centre);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
   layout->addWidget(pages, 1);
   layout->addWidget(time);
+  layout->addWidget(timeline);
   floating = new FloatingBars(*pages);
   floating->addToTop(*recovery);
   floating->addToTop(*messages);

@@ -8,6 +8,7 @@
 #include "gui/kit/FloatingBars.h"
 #include "gui/kit/Messages.h"
 #include "gui/kit/SidePanel.h"
+#include "gui/timeline/TimelineStrip.h"
 #include "gui/view/Room.h"
 #include "gui/view/TimeBar.h"
 #include "gui/window/EmptyState.h"
@@ -32,6 +33,7 @@ struct WindowFrame {
   QStackedWidget* pages;
   EmptyState* empty;
   TimeBar* time;
+  TimelineStrip* timeline;
   ProgressStrip* progress;
   QDockWidget* dock;  ///< Holds the side panel; hidden while nothing is open.
   SidePanel* side;

@@ -1,5 +1,6 @@
 #include "session/command/FilmCommands.h"
 
+#include "scene/Navigate.h"
 #include "scene/json/FieldPaths.h"
 #include "scene/json/Paths.h"
 #include "scene/timeline/SceneAt.h"
@@ -28,11 +29,6 @@ std::string keyPath(const Scene& scene, const std::string& field) {
   return path;
 }
 
-/// A time where one is given, else that of the playhead.
-double timeOf(const Session& session, double time) {
-  return time >= 0.0 ? time : session.document().playhead().value_or(0.0);
-}
-
 scene::Track& trackOf(Scene& scene, const std::string& field) {
   scene::Track* track = scene::findTrack(scene.timeline, keyPath(scene, field));
   if (!track) throw ArgumentError(fmt::format("{} has no keys", field));
@@ -44,26 +40,46 @@ std::size_t keyOf(const scene::Track& track, double time) {
   throw ArgumentError(fmt::format("{} has no key at {:g} s", track.path, time));
 }
 
+/// When a key is, and by how much the film turns the eye in what is seen.
+struct KeyPlace {
+  double time = 0.0, orbitDeg = 0.0;
+};
+
 /// An edit whose time may be the playhead's, which is no part of a scene.
 template <class Arguments>
+void editAt(Document& document, const char* step, void (*change)(Scene&, const Arguments&, KeyPlace), Arguments call) {
+  auto playhead = document.playhead();
+  if (call.time < 0.0) call.time = playhead.value_or(0.0);
+  KeyPlace at{call.time, playhead ? scene::orbitAt(document.scene(), *playhead) : 0.0};
+  document.edit(
+      step, [&](Scene& scene) { change(scene, call, at); }, false,
+      std::string(Arguments::kName) + " " + writeArguments<Arguments>(std::any(call)));
+}
+
+template <class Arguments>
 Command keyRow(std::string_view doc, std::string_view example, const char* step,
-               void (*change)(Scene&, const Arguments&, double)) {
+               void (*change)(Scene&, const Arguments&, KeyPlace)) {
   return actRow<Arguments>(doc, example, [=](Session& session, const Arguments& asked, Progress&) {
-    Arguments a = asked;
-    a.time = timeOf(session, a.time);
-    session.document().edit(
-        step, [&](Scene& scene) { change(scene, a, a.time); }, false,
-        std::string(Arguments::kName) + " " + writeArguments<Arguments>(std::any(a)));
+    editAt(session.document(), step, change, asked);
     return std::vector<std::string>();
   });
 }
 
-void setFilmKey(Scene& scene, const SetFilmKey& a, double time) {
+constexpr const char *kSetKey = "Set key", *kRemoveKey = "Remove key";
+
+void setFilmKey(Scene& scene, const SetFilmKey& a, KeyPlace at) {
   std::string path = keyPath(scene, a.field);
   Scene valued = scene;
+  if (at.orbitDeg != 0.0) valued.camera = scene::turntable(valued.camera, -glm::radians(at.orbitDeg));
   if (!a.value.empty()) scene::setField(valued, path, a.value);
-  scene::setKey(scene.timeline, path, time, scene::valueAt(valued, path));
-  scene.timeline.duration = std::max(scene.timeline.duration, time);
+  scene::setKey(scene.timeline, path, at.time, scene::valueAt(valued, path));
+  scene.timeline.duration = std::max(scene.timeline.duration, at.time);
+}
+
+void removeFilmKey(Scene& scene, const RemoveFilmKey& a, KeyPlace at) {
+  scene::Track& track = trackOf(scene, a.field);
+  keyOf(track, at.time);
+  scene::removeKeys(scene.timeline, std::string(track.path), at.time, at.time);
 }
 
 void moveFilmKey(Scene& scene, const MoveFilmKey& a) {
@@ -125,17 +141,12 @@ std::vector<Command> readyFilms() {
 std::vector<Command> filmCommands() {
   std::vector<Command> rows{
       keyRow<SetFilmKey>("Makes a key of a field: what the field is at a time of the film.", "film.key camera 2.5",
-                         "Set key", setFilmKey),
-      keyRow<RemoveFilmKey>("Removes a key.", "film.removeKey camera 2.5", "Remove key",
-                            [](Scene& scene, const RemoveFilmKey& a, double time) {
-                              scene::Track& track = trackOf(scene, a.field);
-                              keyOf(track, time);
-                              scene::removeKeys(scene.timeline, std::string(track.path), time, time);
-                            }),
+                         kSetKey, setFilmKey),
+      keyRow<RemoveFilmKey>("Removes a key.", "film.removeKey camera 2.5", kRemoveKey, removeFilmKey),
       keyRow<EaseFilmKey>("Says how a field gets from a key to the next one.", "film.ease camera 0 both", "Ease key",
-                          [](Scene& scene, const EaseFilmKey& a, double time) {
+                          [](Scene& scene, const EaseFilmKey& a, KeyPlace at) {
                             scene::Track& track = trackOf(scene, a.field);
-                            track.keys[keyOf(track, time)].ease = a.ease;
+                            track.keys[keyOf(track, at.time)].ease = a.ease;
                           }),
       editRow<MoveFilmKey>("Moves a key to another time, or copies it.", "film.moveKey camera.fieldOfViewDeg 2.5 4",
                            "Move key", [](Scene& scene, const MoveFilmKey& a) { moveFilmKey(scene, a); }),
@@ -163,3 +174,14 @@ std::vector<Command> filmCommands() {
 }
 
 }  // namespace velum::session::detail
+
+namespace velum::session {
+
+void editKey(Document& document, const SetFilmKey& call) {
+  detail::editAt(document, detail::kSetKey, detail::setFilmKey, call);
+}
+void editKey(Document& document, const RemoveFilmKey& call) {
+  detail::editAt(document, detail::kRemoveKey, detail::removeFilmKey, call);
+}
+
+}  // namespace velum::session

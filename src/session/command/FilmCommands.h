@@ -9,6 +9,8 @@
 /// The arguments of commands of films: keys, the playhead, ready-made films.
 namespace velum::session {
 
+class Document;
+
 inline constexpr FieldInfo kFilmStartInfo{"s", {0, scene::kLongestFilm}, "When it begins."};
 inline constexpr FieldInfo kFilmSecondsInfo{"s", {0.001, scene::kLongestFilm}, "How long it takes."};
 inline constexpr FieldInfo kKeyPathInfo{"", {}, "Field of the scene, such as camera or cuts[Front].centre."};
@@ -181,5 +183,10 @@ struct AddComparison {
     visit("start", o.start, kFilmStartInfo);
   }
 };
+
+/// What the commands film.key and film.removeKey do, as one undo step, for those who have a document and no session.
+/// @throw ArgumentError, InputError; then nothing has changed
+void editKey(Document& document, const SetFilmKey& call);
+void editKey(Document& document, const RemoveFilmKey& call);
 
 }  // namespace velum::session

@@ -1,0 +1,216 @@
+#include "gui/timeline/TimelineStrip.h"
+
+#include <fmt/format.h>
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMenu>
+#include <QMouseEvent>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+
+#include "gui/kit/Preferences.h"
+#include "gui/kit/Text.h"
+#include "gui/kit/Widgets.h"
+#include "session/command/Command.h"
+#include "session/command/DocumentCommands.h"
+
+namespace velum::gui {
+
+namespace {
+
+constexpr int kStripRow = 38, kFirstStrip = 190, kLeastStrip = 110, kStripEdge = 5;
+constexpr const char* kHeightKey = "film/height";
+
+/// The commands of ready-made films with what the menu calls them.
+struct ReadyMade {
+  const char *command, *title;
+};
+constexpr ReadyMade kReadyMade[] = {{"film.turn", "Turn round"},
+                                    {"film.cut", "Cut comes in"},
+                                    {"film.membrane", "Membrane sinks in"},
+                                    {"film.pull", "Structures come out"},
+                                    {"film.equalize", "Model thins out"},
+                                    {"film.fly", "Fly to a structure"},
+                                    {"film.time", "Time steps"},
+                                    {"film.compare", "Whole, then cut open"}};
+
+}  // namespace
+
+TimelineStrip::TimelineStrip(session::Document& document, QWidget* parent)
+    : QFrame(parent),
+      mDocument(document),
+      mRow(new QWidget(this)),
+      mMoves(new QWidget(mRow)),
+      mFilm(new QWidget(mRow)),
+      mInto(mMoves),
+      mCanvas(new TrackCanvas(document, this)) {
+  setObjectName("timeline");
+  setFixedHeight(std::max(kLeastStrip, Preferences().value(kHeightKey, kFirstStrip).toInt()));
+  setMouseTracking(true);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, kStripEdge, 0, 0);
+  column->setSpacing(0);
+  column->addWidget(mRow);
+  column->addWidget(mCanvas, 1);
+  mRow->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+  mRow->setMinimumWidth(1);
+  auto* row = new QBoxLayout(QBoxLayout::LeftToRight, mRow);
+  row->setContentsMargins(8, 0, 8, 0);
+  row->setSpacing(0);
+  for (QWidget* part : {mMoves, mFilm}) {
+    part->setFixedHeight(kStripRow);
+    auto* line = new QHBoxLayout(part);
+    line->setContentsMargins(0, 0, 0, 4);
+    line->setSpacing(3);
+    row->addWidget(part);
+  }
+  hide();
+}
+
+QToolButton* TimelineStrip::addCommand(QAction* action) {
+  auto* button = new QToolButton(mInto);
+  button->setObjectName("button-" + action->objectName());
+  button->setDefaultAction(action);
+  button->setToolButtonStyle(Qt::ToolButtonIconOnly);
+  button->setIconSize({18, 18});
+  button->setFocusPolicy(Qt::TabFocus);
+  button->setAccessibleName(action->text().remove('&'));
+  mInto->layout()->addWidget(button);
+  return button;
+}
+
+QToolButton* TimelineStrip::addButton(const QString& text, const QString& name, const QString& tip) {
+  auto* button = new QToolButton(mInto);
+  button->setText(text);
+  button->setAccessibleName(name);
+  button->setToolTip(tip);
+  button->setFocusPolicy(Qt::TabFocus);
+  mInto->layout()->addWidget(button);
+  return button;
+}
+
+void TimelineStrip::addGap(int pixels) { static_cast<QHBoxLayout*>(mInto->layout())->addSpacing(pixels); }
+
+NumberField* TimelineStrip::addNumber(const char* object, const QString& name, const QString& tip, int decimals) {
+  auto* field = new NumberField(mInto);
+  field->setObjectName(object);
+  field->setAccessibleName(name);
+  field->setToolTip(tip);
+  field->setDecimals(decimals);
+  mInto->layout()->addWidget(field);
+  return field;
+}
+
+void TimelineStrip::finishRow() {
+  addGap(6);
+  mTime = addNumber("filmTime", tr("Time"), tr("Where the playhead is, in seconds"), 2);
+  mTime->setSuffix(tr(" s"));
+  mTime->setRange(0.0, scene::kLongestFilm);
+  connect(mTime, &NumberField::valueChanged, this, [this](double time) { mDocument.setPlayhead(time); });
+  mFrame = addNumber("filmFrame", tr("Frame"), tr("Which frame is at the playhead, the first one is 0"), 0);
+  mFrame->setPrefix(tr("# "));
+  mFrame->setRange(0.0, 1e8);
+  connect(mFrame, &NumberField::valueChanged, this, [this](double frame) {
+    mDocument.setPlayhead(std::min(frame / mDocument.scene().timeline.framesPerSecond, scene::kLongestFilm));
+  });
+  static_cast<QHBoxLayout*>(mInto->layout())->addStretch(1);
+  mInto = mFilm;
+  static_cast<QHBoxLayout*>(mInto->layout())->addStretch(1);
+  auto* out = addButton(QString::fromUtf8("\u2212"), tr("Show more time"), tr("Show more time (Ctrl and the wheel)"));
+  connect(out, &QToolButton::clicked, this, [this] { mCanvas->zoom(0.7); });
+  auto* in = addButton("+", tr("Show less time"), tr("Show less time, larger (Ctrl and the wheel)"));
+  connect(in, &QToolButton::clicked, this, [this] { mCanvas->zoom(1.0 / 0.7); });
+  auto* fit = addButton(tr("Fit"), tr("Show the whole film"), tr("Show the whole film"));
+  connect(fit, &QToolButton::clicked, mCanvas, &TrackCanvas::fit);
+  addGap(6);
+  addFilmNumbers();
+  addGap(6);
+  addReadyMade();
+  auto* save = addButton(tr("Save film..."), tr("Save film"), tr("Write the film as a video or as pictures"));
+  save->setObjectName("saveFilm");
+  connect(save, &QToolButton::clicked, this, &TimelineStrip::saveAsked);
+  tabInLayoutOrder(this);
+  foldRow();
+}
+
+void TimelineStrip::foldRow() {
+  bool hasRoom = mMoves->sizeHint().width() + mFilm->sizeHint().width() + 16 <= width();
+  auto* row = static_cast<QBoxLayout*>(mRow->layout());
+  auto direction = hasRoom ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom;
+  if (row->direction() != direction) row->setDirection(direction);
+}
+
+void TimelineStrip::resizeEvent(QResizeEvent* event) {
+  foldRow();
+  QFrame::resizeEvent(event);
+}
+
+void TimelineStrip::addReadyMade() {
+  auto* button = addButton(tr("Add film"), tr("Add film"), tr("Add a film that is ready-made, to be changed then"));
+  button->setObjectName("addFilm");
+  button->setPopupMode(QToolButton::InstantPopup);
+  auto* menu = new QMenu(button);
+  menu->setToolTipsVisible(true);
+  for (const ReadyMade& row : kReadyMade) {
+    QString name = row.command;
+    QAction* entry = menu->addAction(tr(row.title), this, [this, name] { emit readyMadeAsked(name); });
+    entry->setObjectName(name);
+    entry->setToolTip(toText(session::findCommand(row.command).doc));
+  }
+  button->setMenu(menu);
+}
+
+void TimelineStrip::addFilmNumbers() {
+  mDuration = addNumber("filmDuration", tr("Length of the film"), tr("How long the film is, in seconds"), 2);
+  mDuration->setSuffix(tr(" s"));
+  mDuration->setRange(0.01, scene::kLongestFilm);
+  connect(mDuration, &NumberField::valueChanged, this,
+          [this](double value) { setFilm("timeline.duration", value, tr("Change length of film")); });
+  mRate = addNumber("filmRate", tr("Frames per second"), tr("How many pictures a second has"), 2);
+  mRate->setSuffix(tr(" fps"));
+  mRate->setRange(0.01, 1000.0);
+  connect(mRate, &NumberField::valueChanged, this,
+          [this](double value) { setFilm("timeline.framesPerSecond", value, tr("Change frames per second")); });
+}
+
+void TimelineStrip::setFilm(const char* field, double value, const QString& step) {
+  session::edit(mDocument, session::SetField{field, fmt::format("{}", value)}, false, step.toStdString());
+}
+
+void TimelineStrip::refresh() {
+  const scene::Timeline& film = mDocument.scene().timeline;
+  double time = mDocument.playhead().value_or(0.0);
+  auto show = [](NumberField* field, double value) {
+    const QSignalBlocker quiet(field);
+    if (!field->hasFocus() || std::abs(field->value() - value) > 1e-9) field->setValue(value);
+  };
+  show(mTime, time);
+  show(mFrame, std::round(time * film.framesPerSecond));
+  show(mDuration, film.duration);
+  show(mRate, film.framesPerSecond);
+  mCanvas->refresh();
+}
+
+// The upper edge makes the strip higher.
+
+void TimelineStrip::mousePressEvent(QMouseEvent* event) {
+  if (event->button() == Qt::LeftButton && event->position().y() <= kStripEdge)
+    mGrip = height() + event->globalPosition().y();
+}
+
+void TimelineStrip::mouseMoveEvent(QMouseEvent* event) {
+  setCursor(mGrip || event->position().y() <= kStripEdge ? Qt::SizeVerCursor : Qt::ArrowCursor);
+  if (!mGrip) return;
+  int most = std::max(kLeastStrip, parentWidget()->height() - 260);
+  setFixedHeight(std::clamp(int(*mGrip - event->globalPosition().y()), kLeastStrip, most));
+}
+
+void TimelineStrip::mouseReleaseEvent(QMouseEvent*) {
+  if (mGrip) Preferences().setValue(kHeightKey, height());
+  mGrip.reset();
+}
+
+}  // namespace velum::gui

@@ -13,6 +13,7 @@
 #include "gui/service/KeyboardFocus.h"
 #include "gui/service/RecentFiles.h"
 #include "gui/service/WheelScrolls.h"
+#include "gui/window/FilmCommands.h"
 #include "gui/window/HelpCommands.h"
 #include "gui/window/HistoryCommands.h"
 #include "gui/window/StatusLine.h"
@@ -83,6 +84,7 @@ void MainWindow::buildRooms() {
   mCuts = add(new CutRoom(parts));
   add(new ExtrusionRoom(parts));
   add(new TimeCommands(parts, *mFrame.time));
+  mFilms = add(new FilmCommands(parts));
   add(new HelpCommands(parts));
   add(new StatusLine(parts, *statusBar()));
   mFrame.bar->fill(mActions);

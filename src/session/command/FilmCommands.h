@@ -2,6 +2,7 @@
 #include <string>
 #include <string_view>
 
+#include "scene/Caption.h"
 #include "scene/Timeline.h"
 #include "session/command/CutCommands.h"
 #include "session/command/StructureCommands.h"
@@ -179,6 +180,20 @@ struct AddComparison {
     visit("seconds", o.seconds, kFilmSecondsInfo);
     visit("hold", o.hold, FieldInfo{"", {0.1, 0.49}, "Share of the time that whole and cut are seen, each."});
     visit("start", o.start, kFilmStartInfo);
+  }
+};
+
+struct AddTitle {
+  static constexpr std::string_view kName = "film.title";
+  std::string text;
+  double start = 0.0, seconds = 4.0, fade = 0.5;
+  scene::CaptionPlace place = scene::CaptionPlace::Bottom;
+  static void fields(auto& o, auto& visit) {
+    visit("text", o.text, FieldInfo{"", {}, "The words."});
+    visit("start", o.start, kFilmStartInfo);
+    visit("seconds", o.seconds, kFilmSecondsInfo);
+    visit("fade", o.fade, FieldInfo{"s", {0, 60}, "How long it takes to come, and to go."});
+    visit("place", o.place, FieldInfo{"", {}, "Where it stands."});
   }
 };
 

@@ -10,9 +10,9 @@
 #include "core/Task.h"
 #include "scene/Scene.h"
 #include "scene/Shown.h"
-#include "scene/timeline/Tracks.h"
 #include "session/extrusion/Extrusion.h"
 #include "session/extrusion/PulledEnd.h"
+#include "session/film/FilmKeys.h"
 #include "session/structure/StructureSizes.h"
 
 namespace velum::session {
@@ -22,38 +22,6 @@ namespace {
 using scene::Cut;
 using scene::Ease;
 using scene::Scene;
-
-/// Writes the keys of a film into a scene.
-class Keys {
- public:
-  Keys(Scene& scene, FilmSpan span) : mScene(scene), mSpan(span) {
-    scene::Timeline& timeline = scene.timeline;
-    double end = span.start + span.seconds;
-    timeline.duration = timeline.tracks.empty() ? end : std::max(timeline.duration, end);
-  }
-  /// A time of the film. @param at  0: its beginning, 1: its end
-  double timeAt(double at) const { return mSpan.start + at * mSpan.seconds; }
-  /// The same where 1 is the last picture of the film.
-  double pictureAt(double at) const {
-    double frame = std::min(1.0 / mScene.timeline.framesPerSecond, 0.5 * mSpan.seconds);
-    return mSpan.start + at * (mSpan.seconds - frame);
-  }
-  /// Takes away the keys that a field has in the time of the film.
-  void clear(const std::string& path) {
-    scene::removeKeys(mScene.timeline, path, mSpan.start, mSpan.start + mSpan.seconds);
-  }
-  void set(const std::string& path, double time, std::string json, Ease ease) {
-    scene::setKey(mScene.timeline, path, time, AnyValue{std::move(json)}).ease = ease;
-  }
-  /// Sets the value that the field has in a scene.
-  void setAsIn(const Scene& scene, const std::string& path, double time, Ease ease) {
-    set(path, time, scene::valueAt(scene, path).json, ease);
-  }
-
- private:
-  Scene& mScene;
-  FilmSpan mSpan;
-};
 
 std::string number(double value) { return std::isfinite(value) ? fmt::format("{:.17g}", value) : "null"; }
 
@@ -100,7 +68,7 @@ std::string takenOut(Scene& scene, Cut& cut) {
 }
 
 /// Lets cuts come in between two times. @param back  0: they stay; else the time at which they are out again
-void comeIn(Scene& scene, Keys& keys, int id, bool onlyMembranes, double from, double to, double back) {
+void comeIn(Scene& scene, FilmKeys& keys, int id, bool onlyMembranes, double from, double to, double back) {
   bool isAny = false;
   for (const Cut& cut : std::vector<Cut>(scene.cuts)) {
     bool isMeant = id > 0 ? cut.id == id : cut.enabled;
@@ -155,6 +123,7 @@ ReadyFilm usualFilm(const Scene& scene) { return timeStepsOf(scene) > 1 ? ReadyF
 std::string whyNoFilm(const Scene& scene, ReadyFilm film) {
   switch (film) {
     case ReadyFilm::Turn:
+    case ReadyFilm::Title:
       return {};
     case ReadyFilm::Time:
       return timeStepsOf(scene) > 1 ? "" : "the volume has no time steps";
@@ -198,11 +167,13 @@ void addReadyFilm(Scene& scene, ReadyFilm film, FilmSpan span) {
       return addTimeSteps(scene, span, 1.0);
     case ReadyFilm::Compare:
       return addComparison(scene, span, 0.35);
+    case ReadyFilm::Title:
+      return addTitle(scene, span, "Title", 0.5, scene::CaptionPlace::Bottom);
   }
 }
 
 void addTurn(Scene& scene, FilmSpan span, double turns, bool gently) {
-  Keys keys(scene, span);
+  FilmKeys keys(scene, span);
   std::string path(scene::kOrbitPath);
   Ease ease = gently ? Ease::Both : Ease::Linear;
   keys.clear(path);
@@ -212,19 +183,19 @@ void addTurn(Scene& scene, FilmSpan span, double turns, bool gently) {
 
 void addCutting(Scene& scene, FilmSpan span, int cut, bool back) {
   expect(scene, ReadyFilm::Cut);
-  Keys keys(scene, span);
+  FilmKeys keys(scene, span);
   comeIn(scene, keys, cut, false, keys.pictureAt(0.0), keys.pictureAt(back ? 0.5 : 1.0), keys.timeAt(back ? 1.0 : 0.0));
 }
 
 void addSinking(Scene& scene, FilmSpan span, int cut, bool back) {
   expect(scene, ReadyFilm::Membrane);
-  Keys keys(scene, span);
+  FilmKeys keys(scene, span);
   comeIn(scene, keys, cut, true, keys.pictureAt(0.0), keys.pictureAt(back ? 0.5 : 1.0), keys.timeAt(back ? 1.0 : 0.0));
 }
 
 void addPulling(Scene& scene, FilmSpan span, double overlap, double hold) {
   expect(scene, ReadyFilm::Pull);
-  Keys keys(scene, span);
+  FilmKeys keys(scene, span);
   std::vector<Extrusion> all = extrusionsOf(scene);
   double count = double(all.size());
   double length = (1.0 - hold) / (1.0 + (count - 1.0) * (1.0 - overlap));  // of one, as a share of the film
@@ -243,7 +214,7 @@ void addPulling(Scene& scene, FilmSpan span, double overlap, double hold) {
 
 void addEqualizing(Scene& scene, FilmSpan span, double hold) {
   expect(scene, ReadyFilm::Equalize);
-  Keys keys(scene, span);
+  FilmKeys keys(scene, span);
   double still = hold / 3.0, move = (1.0 - hold) / 2.0;
   Scene whole = scene, taken = scene;
   for (std::size_t i = 0; i < scene.cuts.size(); ++i) {
@@ -279,7 +250,7 @@ void addFlight(Scene& scene, FilmSpan span, int structure, double fill) {
   auto sizes = countStructures(*scene.labels.data, quiet);
   StructureSize size = sizes[structure];
   if (size.voxels == 0) throw ArgumentError("the structure is empty: there is nothing to fly to");
-  Keys keys(scene, span);
+  FilmKeys keys(scene, span);
   Scene there = scene;
   glm::dvec3 middle = middleOfStructure(*scene.labels.data, structure, size);
   double radius = radiusOfStructure(*scene.labels.data, size);
@@ -291,7 +262,7 @@ void addFlight(Scene& scene, FilmSpan span, int structure, double fill) {
 
 void addTimeSteps(Scene& scene, FilmSpan span, double rounds) {
   expect(scene, ReadyFilm::Time);
-  Keys keys(scene, span);
+  FilmKeys keys(scene, span);
   const std::string path = "volume.timeStep";
   keys.clear(path);
   // Each step is seen for as long: the number that is rounded to it goes from half below it to half above it.
@@ -309,7 +280,7 @@ void addTimeSteps(Scene& scene, FilmSpan span, double rounds) {
 
 void addComparison(Scene& scene, FilmSpan span, double hold) {
   expect(scene, ReadyFilm::Compare);
-  Keys keys(scene, span);
+  FilmKeys keys(scene, span);
   double move = 0.5 * (1.0 - 2.0 * std::min(hold, 0.49));
   comeIn(scene, keys, 0, false, keys.pictureAt(0.5 - move), keys.pictureAt(0.5 + move), 0.0);
 }

@@ -15,6 +15,7 @@
 #include "session/film/JoinFrames.h"
 #include "session/film/MakeFilm.h"
 #include "session/film/ReadyFilms.h"
+#include "session/film/Retarget.h"
 
 namespace velum::app {
 
@@ -24,7 +25,8 @@ struct FilmVerb {
   Common common;
   InputOptions input;
   LetteringOptions lettering;
-  std::vector<std::string> animate;
+  std::vector<std::string> animate, retarget, retargetLabels;
+  std::string retargetBy;
   std::string output, size = "1280x720", section, part = "1/1", saveScene;
   int frames = 0;
   double seconds = 0.0, framesPerSecond = 0.0, timeout = 0.0;
@@ -115,11 +117,57 @@ void tellFilm(const session::FilmReport& report, const session::FilmOutput& outp
   if (std::string failed = session::failedFrames(report); !failed.empty()) throw InputError(failed);
 }
 
+/// Draws the film of a session, and says what has become of it.
+void drawFilm(session::Session& session, const FilmVerb& options, const session::FilmOutput& output) {
+  if (std::string note = session::filmNote(output); !note.empty()) log::warning(note);
+  auto start = Clock::now();
+  Progress& progress = consoleProgress();
+  session::FilmReport report = session.film(output, progress);
+  if (!report.isStopped) progress.report(1.0, "");
+  if (options.common.json)
+    printFilm(report, options, output, output.section ? "" : session.renderer().stats().renderer, msSince(start));
+  tellFilm(report, output, progress);
+}
+
+/// The name of data's file without its endings: "scan7" of "in/scan7.nii.gz".
+std::string nameOfData(const std::string& path) {
+  std::string name = std::filesystem::path(path).filename().string();
+  return name.substr(0, name.find('.', 1));
+}
+
+/// The same film of other data, one after the other. "{}" in the output's name is the data's name.
+void drawOfOthers(session::Session& session, const FilmVerb& options, const session::FilmOutput& output) {
+  const scene::Scene scene = session.scene();
+  for (std::size_t i = 0; i < options.retarget.size(); ++i) {
+    session::NewData data{options.retarget[i], {}, options.retargetBy};
+    if (!options.retargetLabels.empty()) data.labels = options.retargetLabels[i];
+    std::vector<std::string> notes;
+    scene::Scene other = session::retargeted(scene, data, consoleProgress(), notes);
+    for (const std::string& note : notes) log::say(fmt::format("note: {}: {}", data.volume, note));
+    session.document().replace(std::move(other));
+    session::FilmOutput own = output;
+    std::string path = output.path.string();
+    if (std::size_t at = path.find("{}"); at != path.npos) own.path = path.replace(at, 2, nameOfData(data.volume));
+    drawFilm(session, options, own);
+  }
+}
+
+void expectOthers(const FilmVerb& options) {
+  std::size_t count = options.retarget.size(), labels = options.retargetLabels.size();
+  if (labels > 0 && labels != count)
+    throw ArgumentError(fmt::format("--retarget-labels: {} files for {} of --retarget", labels, count));
+  if (count > 1 && options.output.find("{}") == options.output.npos)
+    throw ArgumentError("--retarget: with several files the output's name needs {}, where each file's name comes");
+  if (!options.retargetBy.empty() && (labels == 0))
+    throw ArgumentError(
+        "--retarget-by: a structure is found in labels; give those of the new data with --retarget-labels");
+}
+
 int runFilm(const FilmVerb& options) {
   session::FilmOutput output = filmOutput(options);
   session::expectFilmOutput(output);
+  expectOthers(options);
   if (auto code = joinFolder(options, output)) return *code;
-  Progress& progress = consoleProgress();
   session::Session session;
   session.setContextKind(options.common.context);
   if (!output.section) session.renderer();  // before data is read: without a driver there is no film
@@ -127,15 +175,11 @@ int runFilm(const FilmVerb& options) {
   chooseFilm(session, options);
   writeOver(session, options.lettering);
   output.framesPerSecond = session.scene().timeline.framesPerSecond;
-  if (std::string note = session::filmNote(output); !note.empty()) log::warning(note);
   if (!options.saveScene.empty()) session::saveScene(session.scene(), options.saveScene);
-
-  auto start = Clock::now();
-  session::FilmReport report = session.film(output, progress);
-  if (!report.isStopped) progress.report(1.0, "");
-  if (options.common.json)
-    printFilm(report, options, output, output.section ? "" : session.renderer().stats().renderer, msSince(start));
-  tellFilm(report, output, progress);
+  if (options.retarget.empty())
+    drawFilm(session, options, output);
+  else
+    drawOfOthers(session, options, output);
   return 0;
 }
 
@@ -173,6 +217,13 @@ Run registerFilm(CLI::App& verb) {
       ->allow_extra_args(false);
   verb.add_option("--section", options->section, "a section view instead of the 3D picture: axial, coronal, sagittal");
   addLettering(verb, options->lettering);
+  verb.add_option(
+      "--retarget", options->retarget,
+      "the same film of other volumes: camera and cuts go by the data's box, curves by modality; of several, "
+      "each has a film of its own, whose name has the file's in the place of {}: -o \"{}.mp4\"");
+  verb.add_option("--retarget-labels", options->retargetLabels, "labels of these, in the same order");
+  verb.add_option("--retarget-by", options->retargetBy,
+                  "name of a structure of both labels by which camera and cuts go, in the place of the box");
   verb.add_option("--save-scene", options->saveScene, "write the scene with its film as JSON, too");
   verb.add_option("--part", options->part, "K/N: the K-th of N parts of the frames, for several machines");
   verb.add_flag("--resume", made.old.resume, "draw only frames that are missing, broken or failed");

@@ -7,11 +7,9 @@
 
 #include "CutScene.h"
 #include "scene/Project.h"
-#include "scene/timeline/SceneAt.h"
 #include "session/cut/CutEdit.h"
 #include "session/extrusion/MaterialRange.h"
 #include "session/extrusion/Pull.h"
-#include "session/film/ReadyFilms.h"
 #include "session/growth/Growths.h"
 
 namespace velum::session {
@@ -375,53 +373,6 @@ TEST(Pull, WhatHasALabelIsPulledAsItIs) {
   pullTo(scene, *pull, 6.0);
   EXPECT_TRUE(scene.labels.growths.empty());
   EXPECT_EQ(extrusionOf(scene.cuts[0], 3), 6.0);
-}
-
-/// A moment of the film in which structures come out. @param at  0: its first picture, 1: its last
-scene::Scene pulledAt(const scene::Scene& scene, double at) {
-  scene::Scene film = scene;
-  film.timeline.framesPerSecond = 1000.0;
-  addPulling(film, {0.0, 1.0}, 0.0, 0.0);
-  scene::Scene out = scene::sceneAt(film, at * 0.999);
-  out.timeline = scene.timeline;
-  return out;
-}
-
-TEST(Extrusion, StructuresComeOutOneAfterTheOther) {
-  scene::Scene scene = boneScene();
-  scene::addCut(scene, planeOf({0, 0, 5}, {0, 0, 1}));
-  scene.cuts[0].spares = {{2, 7.5}, {3, scene::Spare::kEndless}, {5, 3.25}, {6, 0.0}};
-  scene.cuts[1].spares = {{2, 11.0}};
-  ASSERT_EQ(extrusionsOf(scene).size(), 3u);
-  EXPECT_TRUE(extrusionsOf(pulledAt(scene, 0.0)).empty());
-  EXPECT_EQ(pulledAt(scene, 1.0), scene);
-  constexpr int kFrames = 61;
-  auto distances = [](const scene::Scene& s) {
-    std::vector<double> all;
-    for (const auto& cut : s.cuts)
-      for (const auto& spare : cut.spares) all.push_back(spare.distance);
-    return all;
-  };
-  std::vector<double> before = distances(pulledAt(scene, 0.0));
-  int moves = 0;
-  for (int i = 1; i < kFrames; ++i) {
-    scene::Scene now = pulledAt(scene, i / (kFrames - 1.0));
-    std::vector<double> at = distances(now);
-    int moved = 0;
-    for (std::size_t k = 0; k < at.size(); ++k) {
-      EXPECT_GE(at[k], before[k]) << "none goes back";
-      moved += at[k] != before[k];
-    }
-    EXPECT_LE(moved, 1) << "of " << kFrames - 1 << " frames each structure has twenty";
-    moves += moved;
-    before = at;
-    // Nothing else of the scene has changed.
-    for (std::size_t c = 0; c < now.cuts.size(); ++c) now.cuts[c].spares = scene.cuts[c].spares;
-    EXPECT_EQ(now, scene);
-  }
-  EXPECT_EQ(moves, kFrames - 1) << "and none rests";
-  // Slowly at first: of the way of the first structure after a tenth of its time.
-  EXPECT_LT(distances(pulledAt(scene, 0.1 / 3))[0], 0.05 * 7.5);
 }
 
 TEST(Extrusion, ANewStructureHasANumberThatNobodyHasNorWillGrow) {

@@ -173,6 +173,43 @@ TEST(CutsComeIn, AndGoOutAgainWhereThatIsAsked) {
   EXPECT_THROW(addCutting(film, {}, 77, false), ArgumentError);
 }
 
+TEST(ReadyFilms, StructuresComeOutOneAfterTheOther) {
+  scene::Scene scene = boneScene();
+  scene::addCut(scene, planeOf({0, 0, 5}, {0, 0, 1}));
+  scene.cuts[0].spares = {{2, 7.5}, {3, scene::Spare::kEndless}, {5, 3.25}, {6, 0.0}};
+  scene.cuts[1].spares = {{2, 11.0}};
+  ASSERT_EQ(extrusionsOf(scene).size(), 3u);
+  EXPECT_TRUE(extrusionsOf(momentOf(scene, ReadyFilm::Pull, 0.0)).empty());
+  EXPECT_EQ(momentOf(scene, ReadyFilm::Pull, 1.0), scene);
+  constexpr int kFrames = 61;
+  auto distances = [](const scene::Scene& s) {
+    std::vector<double> all;
+    for (const auto& cut : s.cuts)
+      for (const auto& spare : cut.spares) all.push_back(spare.distance);
+    return all;
+  };
+  std::vector<double> before = distances(momentOf(scene, ReadyFilm::Pull, 0.0));
+  int moves = 0;
+  for (int i = 1; i < kFrames; ++i) {
+    scene::Scene now = momentOf(scene, ReadyFilm::Pull, i / (kFrames - 1.0));
+    std::vector<double> at = distances(now);
+    int moved = 0;
+    for (std::size_t k = 0; k < at.size(); ++k) {
+      EXPECT_GE(at[k], before[k]) << "none goes back";
+      moved += at[k] != before[k];
+    }
+    EXPECT_LE(moved, 1) << "of " << kFrames - 1 << " frames each structure has twenty";
+    moves += moved;
+    before = at;
+    // Nothing else of the scene has changed.
+    for (std::size_t c = 0; c < now.cuts.size(); ++c) now.cuts[c].spares = scene.cuts[c].spares;
+    EXPECT_EQ(now, scene);
+  }
+  EXPECT_EQ(moves, kFrames - 1) << "and none rests";
+  // Slowly at first: of the way of the first structure after a tenth of its time.
+  EXPECT_LT(distances(momentOf(scene, ReadyFilm::Pull, 0.1 / 3))[0], 0.05 * 7.5);
+}
+
 TEST(ReadyFilms, ThereAreThoseThatASceneCanHave) {
   scene::Scene scene = cutScene();
   EXPECT_EQ(whyNoFilm(scene, ReadyFilm::Equalize), "");

@@ -88,7 +88,7 @@ QPushButton[role="row"]:checked { background: @hover; border-color: @chosenEdge;
 QComboBox, QDoubleSpinBox, QSpinBox, QLineEdit {
   background: @ground; border: 1px solid @edge; border-radius: 5px; padding: 4px 7px;
   selection-background-color: @chosen; min-height: 17px; }
-QComboBox:focus, QDoubleSpinBox:focus, QSpinBox:focus, QLineEdit:focus { border-color: @accent; }
+QComboBox:focus, QDoubleSpinBox:focus, QSpinBox:focus, QLineEdit:focus, QPlainTextEdit:focus { border-color: @accent; }
 QComboBox:disabled, QDoubleSpinBox:disabled, QSpinBox:disabled { color: @faint; border-color: @line; }
 QComboBox::drop-down { border: none; width: 20px; }
 QComboBox::down-arrow { image: url(:/velum/@chevron); width: 10px; height: 10px; }
@@ -107,7 +107,7 @@ QPushButton[role="small"] { padding: 4px 2px; }
 #sidePanel QToolButton:checked { background: @chosen; border-color: @chosenEdge; color: @onChosen; }
 #sidePanel QToolButton::menu-indicator { image: url(:/velum/@chevron); width: 9px; height: 9px; subcontrol-position: right center; right: 6px; }
 #sidePanel QToolButton[popupMode="2"] { padding-right: 21px; }
-QTreeView, QListView { background: @ground; border: 1px solid @edge; border-radius: 5px; outline: 0; padding: 2px; }
+QTreeView, QListView, QPlainTextEdit { background: @ground; border: 1px solid @edge; border-radius: 5px; outline: 0; padding: 2px; }
 QTreeView QLineEdit, QListView QLineEdit { padding: 0 4px; min-height: 0; }
 QListWidget { background: @ground; border: 1px solid @edge; border-radius: 5px; outline: 0; padding: 2px; }
 QListWidget::item { padding: 4px 4px; border-radius: 4px; color: @text; }

@@ -69,7 +69,7 @@ QWidget* CaptionForm::makeFields(int labelWidth) {
   mText->setToolTip(tr("The words, in as many lines as are typed; long lines are broken in the picture"));
   mText->setTabChangesFocus(true);
   mText->setFixedHeight(kTextLines * mText->fontMetrics().lineSpacing() + 2 * mText->frameWidth() +
-                        int(2.0 * mText->document()->documentMargin()));
+                        int(2.0 * mText->document()->documentMargin()) + 4);
   mText->installEventFilter(this);
   connect(mText, &QPlainTextEdit::textChanged, this, [this] {
     setField("text", scene::valueOfText(mText->toPlainText().toStdString()), tr("Change caption"), true);

@@ -77,8 +77,7 @@ void setAt(T& member, const FieldInfo& info, const Track& track, double time) {
 void apply(Scene& scene, const Track& track, double time) {
   if (!canChange(track.path)) throw ArgumentError(fmt::format("{} cannot change in a film", track.path));
   if (track.keys.empty()) return;
-  detail::atPath(scene, track.path, "", {},
-                 [&](auto& member, const FieldInfo& info) { setAt(member, info, track, time); });
+  detail::atPath(scene, track.path, [&](auto& member, const FieldInfo& info) { setAt(member, info, track, time); });
 }
 
 void applyWhereItFits(Scene& scene, const Track& track, double time) {
@@ -181,11 +180,11 @@ void keepTracked(Scene& scene, const Scene& from) {
     try {
       void* value = nullptr;
       const std::type_info* type = nullptr;
-      detail::atPath(other, track.path, "", {}, [&](auto& member, const FieldInfo&) {
+      detail::atPath(other, track.path, [&](auto& member, const FieldInfo&) {
         value = &member;
         type = &typeid(member);
       });
-      detail::atPath(scene, track.path, "", {}, [&](auto& member, const FieldInfo&) {
+      detail::atPath(scene, track.path, [&](auto& member, const FieldInfo&) {
         if (*type == typeid(member)) member = *static_cast<std::remove_reference_t<decltype(member)>*>(value);
       });
     } catch (const ArgumentError&) {  // one of the two has no such field
@@ -193,20 +192,24 @@ void keepTracked(Scene& scene, const Scene& from) {
   }
 }
 
-void scaleKeys(Scene& scene, double factor) {
+void changeKeys(Scene& scene, const std::function<void(Scene&)>& change) {
   for (Track& track : scene.timeline.tracks) {
     for (Key& key : track.keys) {
       try {
-        Scene scaled = scene;
-        detail::atPath(scaled, track.path, "", {},
+        Scene changed = scene;
+        detail::atPath(changed, track.path,
                        [&](auto& member, const FieldInfo& info) { member = valueOf(key, member, track.path, info); });
-        scaleLengths(scaled, factor);
-        detail::atPath(scaled, track.path, "", {},
+        change(changed);
+        detail::atPath(changed, track.path,
                        [&](auto& member, const FieldInfo&) { key.value.json = detail::write(member).dump(); });
       } catch (const Error&) {  // a track that does not fit stays as it is
       }
     }
   }
+}
+
+void scaleKeys(Scene& scene, double factor) {
+  changeKeys(scene, [factor](Scene& changed) { scaleLengths(changed, factor); });
 }
 
 FilmFrames framesOf(const Timeline& timeline) {

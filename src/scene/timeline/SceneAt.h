@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -37,6 +38,8 @@ bool hasRestsOfFilm(const Scene& scene);
 /// Gives membranes whose rest follows from the film, see sceneAt(), the shapes that they have in another scene.
 void keepRests(Scene& scene, const Scene& from);
 
+/// Changes the values of all keys as a change of the scene would change the fields that they are of.
+void changeKeys(Scene& scene, const std::function<void(Scene&)>& change);
 /// Multiplies the lengths in all keys, as scaleLengths() does with those of the scene itself.
 void scaleKeys(Scene& scene, double factor);
 

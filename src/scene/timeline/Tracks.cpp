@@ -175,8 +175,7 @@ std::optional<std::size_t> keyAt(const Track& track, double time) {
 AnyValue valueAt(const Scene& scene, std::string_view path) {
   Scene copy = scene;
   AnyValue value;
-  detail::atPath(copy, path, "", {},
-                 [&](auto& member, const FieldInfo&) { value.json = detail::write(member).dump(); });
+  detail::atPath(copy, path, [&](auto& member, const FieldInfo&) { value.json = detail::write(member).dump(); });
   return value;
 }
 

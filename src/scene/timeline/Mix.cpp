@@ -1,4 +1,4 @@
-#include "scene/timeline/MixNumbers.h"
+#include "scene/timeline/Mix.h"
 
 #include <array>
 #include <cmath>

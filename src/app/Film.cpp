@@ -183,6 +183,16 @@ int runFilm(const FilmVerb& options) {
   return 0;
 }
 
+void addRetarget(CLI::App& verb, FilmVerb& options) {
+  verb.add_option(
+      "--retarget", options.retarget,
+      "the same film of other volumes: camera and cuts go by the data's box, curves by modality; of several, "
+      "each has a film of its own, whose name has the file's in the place of {}: -o \"{}.mp4\"");
+  verb.add_option("--retarget-labels", options.retargetLabels, "labels of these, in the same order");
+  verb.add_option("--retarget-by", options.retargetBy,
+                  "name of a structure of both labels by which camera and cuts go, in the place of the box");
+}
+
 }  // namespace
 
 Run registerFilm(CLI::App& verb) {
@@ -217,13 +227,7 @@ Run registerFilm(CLI::App& verb) {
       ->allow_extra_args(false);
   verb.add_option("--section", options->section, "a section view instead of the 3D picture: axial, coronal, sagittal");
   addLettering(verb, options->lettering);
-  verb.add_option(
-      "--retarget", options->retarget,
-      "the same film of other volumes: camera and cuts go by the data's box, curves by modality; of several, "
-      "each has a film of its own, whose name has the file's in the place of {}: -o \"{}.mp4\"");
-  verb.add_option("--retarget-labels", options->retargetLabels, "labels of these, in the same order");
-  verb.add_option("--retarget-by", options->retargetBy,
-                  "name of a structure of both labels by which camera and cuts go, in the place of the box");
+  addRetarget(verb, *options);
   verb.add_option("--save-scene", options->saveScene, "write the scene with its film as JSON, too");
   verb.add_option("--part", options->part, "K/N: the K-th of N parts of the frames, for several machines");
   verb.add_flag("--resume", made.old.resume, "draw only frames that are missing, broken or failed");

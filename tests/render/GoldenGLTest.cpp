@@ -14,6 +14,8 @@
 #include "render/RenderPicture.h"
 #include "scene/Presets.h"
 #include "scene/json/Paths.h"
+#include "session/film/Film.h"
+#include "session/film/ReadyFilms.h"
 #include "session/membrane/Membranes.h"
 
 namespace velum {
@@ -83,19 +85,39 @@ class Panels {
   Panels(const Json& what, gpu::Context& context) : mWhat(what), mRenderer(context), mData(dataOf(what)) {}
 
   Image draw(const Json& panel) {
-    glm::ivec2 size(mWhat.at("size")[0], mWhat.at("size")[1]);
-    render::Frame frame;
-    frame.pictureSize = size;
-    frame.scene = mData;
-    std::string view = panel.contains("view") ? panel.at("view") : mWhat.at("view");
-    frame.scene.camera = scene::frameCamera(frame.scene, viewNamed(view), double(size.x) / size.y);
-    setFields(frame.scene, mWhat.at("set"));
-    if (panel.contains("set")) setFields(frame.scene, panel.at("set"));
-    settle(frame.scene);
-    return render::renderPicture(mRenderer, frame, {}, 4096, mProgress);
+    scene::Scene scene = sceneOf(panel);
+    settle(scene);
+    return picture(std::move(scene));
+  }
+
+  std::vector<Image> drawFilm(const Json& asked) {
+    scene::Scene scene = sceneOf(Json::object());
+    auto kind = enumValue<session::ReadyFilm>(asked.at("ready").get<std::string>());
+    session::Film film(session::withReadyFilm(scene, kind.value(), asked.at("frames")));
+    std::vector<Image> frames;
+    for (int i = 0; i < film.count(); ++i) frames.push_back(picture(film.at(i, 0.0, mProgress).drawn));
+    return frames;
   }
 
  private:
+  glm::ivec2 size() const { return {mWhat.at("size")[0], mWhat.at("size")[1]}; }
+
+  scene::Scene sceneOf(const Json& panel) const {
+    scene::Scene scene = mData;
+    std::string view = panel.contains("view") ? panel.at("view") : mWhat.at("view");
+    scene.camera = scene::frameCamera(scene, viewNamed(view), double(size().x) / size().y);
+    setFields(scene, mWhat.at("set"));
+    if (panel.contains("set")) setFields(scene, panel.at("set"));
+    return scene;
+  }
+
+  Image picture(scene::Scene scene) {
+    render::Frame frame;
+    frame.pictureSize = size();
+    frame.scene = std::move(scene);
+    return render::renderPicture(mRenderer, frame, {}, 4096, mProgress);
+  }
+
   void settle(scene::Scene& scene) {
     if (!session::hasMembranes(scene)) return;
     scene::Cut& cut = scene.cuts[0];
@@ -130,9 +152,11 @@ Image joinRow(const std::vector<Image>& panels) {
 }
 
 /// Keys: sample, voxels, labels (true: shown), preset, view, size [w, h], set {path: value}, panels [{view, set}] (what
-/// differs in each of several pictures in a row), maxDifference, maxFraction.
+/// differs in each of several pictures in a row) or film {ready: a ready-made film, frames}, maxDifference,
+/// maxFraction.
 Image draw(const Json& what, gpu::Context& context) {
   Panels panels(what, context);
+  if (what.contains("film")) return joinRow(panels.drawFilm(what.at("film")));
   std::vector<Image> images;
   for (const auto& panel : what.value("panels", Json::array({Json::object()}))) images.push_back(panels.draw(panel));
   return joinRow(images);

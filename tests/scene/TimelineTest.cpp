@@ -134,7 +134,7 @@ TEST(Timeline, ACameraTurnsAboutItsTargetAndKeepsItsDistance) {
 TEST(Timeline, ADirectionTurnsEvenlyAndNeverVanishes) {
   Scene scene;
   scene.cuts.emplace_back();
-  completeCuts(scene);
+  completeItems(scene);
   scene = withTrack(scene, "cuts[#1].axis", {{0.0, {"[0,-2,0]"}, Ease::Linear}, {1.0, {"[0,2,0]"}, Ease::Linear}});
   for (double t = 0.0; t <= 1.0; t += 0.125) {
     glm::dvec3 axis = sceneAt(scene, t).cuts[0].axis;
@@ -163,7 +163,7 @@ TEST(Timeline, TracksFollowTheirItemsByIdAndKey) {
     scene.cuts.emplace_back();
     scene.cuts.back().name = name;
   }
-  completeCuts(scene);
+  completeItems(scene);
   scene.labels.structures.push_back({5, "aorta"});
   scene.cuts[1].spares.push_back({5, 10.0});
   EXPECT_EQ(stablePath(scene, "cuts[Side].centre"), "cuts[#2].centre");
@@ -225,7 +225,7 @@ TEST(Timeline, FilesKeepItAsItIs) {
 TEST(Timeline, RecordingMakesKeysOfWhatChanges) {
   Scene before;
   before.cuts.emplace_back();
-  completeCuts(before);
+  completeItems(before);
   Scene after = before;
   after.camera = orbit(after.camera, {0.1, 0.2});
   after.cuts[0].centre.y = 40.0;

@@ -16,7 +16,7 @@ scene::Scene filmScene() {
   scene::Scene scene;
   scene.cuts.emplace_back();
   scene.cuts[0].name = "Front";
-  scene::completeCuts(scene);
+  scene::completeItems(scene);
   scene.timeline.tracks = {
       {"cuts[#1].faceOpacity", true, {{0.0, {"0"}, scene::Ease::Linear}, {4.0, {"1"}, scene::Ease::Linear}}},
       {"timeline.orbitDeg", true, {{0.0, {"0"}, scene::Ease::Linear}, {4.0, {"400"}, scene::Ease::Linear}}}};

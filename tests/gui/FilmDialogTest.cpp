@@ -112,6 +112,7 @@ TEST_F(FilmDialogs, TheDialogKnowsHowLongItIsAndRemembers) {
     EXPECT_EQ(output.blur, 3);
     EXPECT_EQ(output.picture.bits, 16);
     EXPECT_TRUE(output.picture.layers);
+    EXPECT_TRUE(output.old.resume) << "frames that are there are kept";
     dialog.setFormat(SaveFilmDialog::Mp4);
     EXPECT_FALSE(dialog.output().picture.layers) << "a video has none";
     dialog.reject();

@@ -24,8 +24,8 @@ class FilmFixture : public ModelWindow {
  protected:
   void SetUp() override {
     Preferences known;
-    for (const char* key : {"film/format", "film/size", "film/blur", "film/quality", "film/transparent",
-                            "film/sixteenBits", "film/layers", "film/folder"})
+    for (const char* key :
+         {"film/format", "film/size", "film/blur", "film/quality", "film/sixteenBits", "film/layers", "film/folder"})
       known.setValue(key, {});
     ModelWindow::SetUp();
   }

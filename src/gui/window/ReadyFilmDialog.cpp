@@ -4,10 +4,10 @@
 
 #include <QCoreApplication>
 #include <QDialogButtonBox>
-#include <QStyle>
 #include <QVBoxLayout>
 
 #include "gui/kit/CutTitle.h"
+#include "gui/kit/Widgets.h"
 #include "session/structure/StructureEdit.h"
 
 namespace velum::gui {
@@ -125,13 +125,11 @@ void ReadyFilmDialog::showFilm() {
 
 void ReadyFilmDialog::tell(const QString& why) {
   double end = mForm->number("start") + mForm->number("seconds");
-  mSaid->setProperty("role", why.isEmpty() ? "muted" : "alarm");
-  mSaid->style()->unpolish(mSaid);
-  mSaid->style()->polish(mSaid);
-  mSaid->setText(why.isEmpty() ? tr("Its keys stand from %1 s to %2 s of the film; undo takes them back.")
+  QString text = why.isEmpty() ? tr("Its keys stand from %1 s to %2 s of the film; undo takes them back.")
                                      .arg(mForm->number("start"), 0, 'f', 1)
                                      .arg(end, 0, 'f', 1)
-                               : why);
+                               : why;
+  sayIn(*mSaid, text, !why.isEmpty());
   for (QPushButton* button : {mAdd, mSave}) button->setEnabled(why.isEmpty());
 }
 

@@ -18,9 +18,8 @@ namespace {
 constexpr const char* kFormats[] = {"MP4 video (H.264)", "WebM video (VP9)", "GIF", "PNG frames", "EXR frames"};
 constexpr int kMostFilmPixels = 16384, kFilmNameWidth = 96;
 constexpr const char *kFormatKey = "film/format", *kSizeKey = "film/size", *kBlurKey = "film/blur",
-                     *kVideoQualityKey = "film/quality", *kTransparentKey = "film/transparent",
-                     *kSixteenBitsKey = "film/sixteenBits", *kFilmLayersKey = "film/layers",
-                     *kFolderKey = "film/folder";
+                     *kVideoQualityKey = "film/quality", *kSixteenBitsKey = "film/sixteenBits",
+                     *kFilmLayersKey = "film/layers", *kFolderKey = "film/folder";
 
 QString sizeText(glm::ivec2 size) { return QString::fromUtf8("%1 \u00d7 %2").arg(size.x).arg(size.y); }
 
@@ -69,7 +68,6 @@ SaveFilmDialog::SaveFilmDialog(glm::ivec2 viewSize, const scene::Scene& scene, c
   mFacts->setProperty("role", "muted");
   mFacts->setObjectName("filmFacts");
   mNote = new QLabel(this);
-  mNote->setProperty("role", "alarm");
   mNote->setObjectName("filmNote");
   for (QLabel* label : {mFacts, mNote}) {
     label->setWordWrap(true);
@@ -219,7 +217,6 @@ void SaveFilmDialog::recall() {
   if (!size.isEmpty()) setSize({size.width(), size.height()});
   mBlur->setValue(known.value(kBlurKey, mBlur->value()).toInt());
   mVideoQuality->setValue(known.value(kVideoQualityKey, mVideoQuality->value()).toInt());
-  mTransparent->setChecked(known.value(kTransparentKey, mTransparent->isChecked()).toBool());
   mSixteenBits->setChecked(known.value(kSixteenBitsKey, false).toBool());
   mLayers->setChecked(known.value(kFilmLayersKey, false).toBool());
 }
@@ -230,7 +227,6 @@ void SaveFilmDialog::remember() const {
   known.setValue(kSizeKey, QSize(mWidth->value(), mHeight->value()));
   known.setValue(kBlurKey, mBlur->value());
   known.setValue(kVideoQualityKey, mVideoQuality->value());
-  known.setValue(kTransparentKey, mTransparent->isChecked());
   known.setValue(kSixteenBitsKey, mSixteenBits->isChecked());
   known.setValue(kFilmLayersKey, mLayers->isChecked());
   known.setValue(kFolderKey, QFileInfo(mPath->text()).absolutePath());

@@ -27,7 +27,8 @@ class SaveFilmDialog : public QDialog {
   /// @param viewSize  size of the 3D view, which can be chosen, too, pixels  @param name  of the file that is proposed,
   /// without folder and ending
   SaveFilmDialog(glm::ivec2 viewSize, const scene::Scene& scene, const QString& name, QWidget* parent);
-  /// Chooses what was chosen for the film before. The number of samples and the rate are the scene's.
+  /// Chooses what was chosen for the film before. The number of samples, the background and the
+  /// rate are the scene's.
   void recall();
   /// Keeps these choices for the next film.
   void remember() const;

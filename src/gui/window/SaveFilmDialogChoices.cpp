@@ -6,8 +6,8 @@
 #include <QGuiApplication>
 #include <QMessageBox>
 #include <QSignalBlocker>
-#include <QStyle>
 
+#include "gui/kit/Widgets.h"
 #include "gui/service/KeepScene.h"
 #include "gui/service/SavePath.h"
 #include "gui/window/SaveFilmDialog.h"
@@ -77,6 +77,7 @@ void SaveFilmDialog::showSize() {
 scene::Scene SaveFilmDialog::filmScene() const {
   scene::Scene scene = mScene;
   scene::Timeline& film = scene.timeline;
+  scene.background.transparent = mTransparent->isEnabled() && mTransparent->isChecked();
   film.framesPerSecond = mRate->value();
   if (mRange->currentIndex() == 0) film.rangeStart = film.rangeEnd = 0.0;
   if (film.tracks.empty()) session::addReadyFilm(scene, session::usualFilm(scene), {0.0, film.duration});
@@ -144,7 +145,8 @@ void SaveFilmDialog::updateText() {
     why = QString::fromUtf8(error.what());
     isPossible = false;
   }
-  mNote->setText(why.left(1).toUpper() + why.mid(1));
+  why.remove(QString::fromStdString(output.path.string()) + ": ");
+  sayIn(*mNote, why.left(1).toUpper() + why.mid(1), !isPossible);
   mNote->setVisible(!why.isEmpty());
   mSave->setEnabled(isPossible);
 }
@@ -169,7 +171,7 @@ void SaveFilmDialog::accept() {
     session::expectFilmOutput(output());
     if (mayReplace()) QDialog::accept();
   } catch (const std::exception& error) {
-    mNote->setText(QString::fromUtf8(error.what()));
+    sayIn(*mNote, QString::fromUtf8(error.what()), true);
     mNote->show();
   }
 }

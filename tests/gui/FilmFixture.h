@@ -24,9 +24,10 @@ class FilmFixture : public ModelWindow {
  protected:
   void SetUp() override {
     Preferences known;
-    for (const char* key :
-         {"film/format", "film/size", "film/blur", "film/quality", "film/sixteenBits", "film/layers", "film/folder"})
-      known.setValue(key, {});
+    for (const char* key : {"film/format", "film/blur", "film/sixteenBits", "film/layers"}) known.setValue(key, 0);
+    known.setValue("film/quality", 75);
+    known.setValue("film/size", QSize());
+    known.setValue("film/folder", QString());
     ModelWindow::SetUp();
   }
   void TearDown() override {
@@ -47,7 +48,7 @@ class FilmFixture : public ModelWindow {
     drawSoon();
     run("cut.add plane Front");
     run("set cuts.0.axis 0,-1,0");
-    run("set cuts.0.spares [{\"structure\":1,\"distance\":12}]");
+    run("set cuts.0.spares [{\"structure\":1,\"distance\":60}]");
     ASSERT_TRUE(settle());
   }
   /// Triggers a command and calls use(dialog) with each dialog of the type that comes up.

@@ -17,7 +17,7 @@ namespace velum::gui {
 
 namespace {
 
-constexpr int kArgumentNameWidth = 82;
+constexpr int kArgumentNameWidth = 82, kNumberWidth = 92;
 
 /// "Top left" of "topLeft".
 QString wordsOf(const std::string& name) {
@@ -98,6 +98,7 @@ ArgumentForm::Row ArgumentForm::makeNumber(const scene::FieldRow& argument, cons
   field->setDecimals(argument.type == "whole number" ? 0 : 2);
   if (!argument.unit.empty()) field->setSuffix(" " + QString::fromStdString(argument.unit));
   field->setAlignment(Qt::AlignRight);
+  field->setMinimumWidth(kNumberWidth);
   field->setValue(number);
   connect(field, &NumberField::valueChanged, this, &ArgumentForm::changed);
   return {argument.path, field, [field] { return fmt::format("{}", field->value()); }};

@@ -15,9 +15,9 @@ namespace velum::gui {
 
 namespace {
 
-constexpr int kMostWidth = 138, kMostHeight = 104;  ///< of a picture, pixels
-constexpr int kFilmPatienceMs = 200;                ///< while numbers are being typed
-constexpr int kLarger = 4;                          ///< by which a picture is larger that tells how long pixels take
+constexpr double kTallest = 0.75;     ///< of a picture, in its width
+constexpr int kFilmPatienceMs = 200;  ///< while numbers are being typed
+constexpr int kLarger = 4;            ///< by which a picture is larger that tells how long pixels take
 
 /// From the first frame of a film, or of a part of it, to the last one.
 std::vector<double> momentsOf(const scene::Scene& film, const std::optional<session::FilmSpan>& span, int count) {
@@ -31,14 +31,14 @@ std::vector<double> momentsOf(const scene::Scene& film, const std::optional<sess
 
 }  // namespace
 
-FilmPreview::FilmPreview(QWidget* parent) : QWidget(parent), mJob(kFilmPatienceMs, this) {
+FilmPreview::FilmPreview(int width, QWidget* parent) : QWidget(parent), mWidth(width), mJob(kFilmPatienceMs, this) {
   auto* grid = new QGridLayout(this);
   grid->setContentsMargins(0, 0, 0, 0);
   grid->setHorizontalSpacing(6);
   grid->setVerticalSpacing(4);
   for (int i = 0; i < kPictures; ++i) {
     mPictures[i] = new QLabel(this);
-    mPictures[i]->setFixedSize(kMostWidth, kMostHeight);
+    mPictures[i]->setFixedSize(mWidth, mWidth * 9 / 16);
     mPictures[i]->setAlignment(Qt::AlignCenter);
     mTimes[i] = new QLabel(this);
     mTimes[i]->setProperty("role", "muted");
@@ -50,9 +50,9 @@ FilmPreview::FilmPreview(QWidget* parent) : QWidget(parent), mJob(kFilmPatienceM
 }
 
 void FilmPreview::show(Asked asked) {
-  double scale = std::min(double(kMostWidth) / asked.size.x, double(kMostHeight) / asked.size.y);
+  double scale = mWidth * std::min(1.0 / asked.size.x, kTallest / asked.size.y);
   glm::ivec2 size = glm::max(glm::ivec2(glm::round(glm::dvec2(asked.size) * scale)), 1);
-  for (QLabel* picture : mPictures) picture->setFixedHeight(std::max(size.y, kMostWidth * 9 / 16));
+  for (QLabel* picture : mPictures) picture->setFixedHeight(std::max(size.y, mWidth * 9 / 16));
   int turn = ++mTurn;
   mJob.want(
       [this, asked = std::move(asked), size, turn] {

@@ -22,7 +22,8 @@ struct DrawingTime {
 class FilmPreview : public QWidget {
   Q_OBJECT
  public:
-  explicit FilmPreview(QWidget* parent);
+  /// @param width  of each picture, pixels
+  FilmPreview(int width, QWidget* parent);
   /// What is to be shown, and whether it is to be found out how long pictures take.
   struct Asked {
     std::function<scene::Scene(Progress&)> film;  ///< makes its scene; called in another thread, and may throw
@@ -44,6 +45,7 @@ class FilmPreview : public QWidget {
   void draw(const Asked& asked, glm::ivec2 size, int turn, Progress& progress);
   void take(int turn, int place, const QImage& picture, double time);
 
+  const int mWidth;
   std::array<QLabel*, kPictures> mPictures, mTimes;
   int mTurn = 0;  ///< counts the calls of show(), so that pictures of an earlier call are known
   NewestJob mJob;

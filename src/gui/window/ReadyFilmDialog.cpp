@@ -52,7 +52,7 @@ QString readyFilmTip(ReadyFilm film) {
 }
 
 ReadyFilmDialog::ReadyFilmDialog(const scene::Scene& scene, ReadyFilm film, double start, QWidget* parent)
-    : QDialog(parent), mScene(scene), mPreview(new FilmPreview(this)), mSaid(new QLabel(this)) {
+    : QDialog(parent), mScene(scene), mPreview(new FilmPreview(138, this)), mSaid(new QLabel(this)) {
   setWindowTitle(readyFilmTitle(film).remove('&'));
   mForm = new ArgumentForm(commandOf(film), extraOf(film, start), this);
   mSaid->setWordWrap(true);

@@ -48,7 +48,7 @@ QSpinBox* makeNumber(const char* name, int least, int most, const QString& tip, 
 }  // namespace
 
 SaveFilmDialog::SaveFilmDialog(glm::ivec2 viewSize, const scene::Scene& scene, const QString& name, QWidget* parent)
-    : QDialog(parent), mScene(scene), mPreview(new FilmPreview(this)) {
+    : QDialog(parent), mScene(scene), mPreview(new FilmPreview(162, this)) {
   setWindowTitle(tr("Save film"));
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(18, 18, 18, 14);

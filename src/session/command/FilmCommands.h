@@ -154,11 +154,11 @@ struct AddEqualizing {
 struct AddFlight {
   static constexpr std::string_view kName = "film.fly";
   std::string structure;
-  double seconds = 5.0, fill = 0.7, start = 0.0;
+  double seconds = 5.0, fill = 0.9, start = 0.0;
   static void fields(auto& o, auto& visit) {
     visit("structure", o.structure, FieldInfo{"", {}, "Its name or number."});
     visit("seconds", o.seconds, kFilmSecondsInfo);
-    visit("fill", o.fill, FieldInfo{"", {0.1, 1}, "How much of the picture's height it is to fill."});
+    visit("fill", o.fill, FieldInfo{"", {0.1, 1}, "How much of the picture's height the ball about it is to fill."});
     visit("start", o.start, kFilmStartInfo);
   }
 };

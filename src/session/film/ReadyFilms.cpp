@@ -162,7 +162,7 @@ void addReadyFilm(Scene& scene, ReadyFilm film, FilmSpan span) {
     case ReadyFilm::Equalize:
       return addEqualizing(scene, span, 0.0);
     case ReadyFilm::Fly:
-      return addFlight(scene, span, scene.labels.structures.front().id, 0.7);
+      return addFlight(scene, span, scene.labels.structures.front().id, 0.9);
     case ReadyFilm::Time:
       return addTimeSteps(scene, span, 1.0);
     case ReadyFilm::Compare:
@@ -254,7 +254,7 @@ void addFlight(Scene& scene, FilmSpan span, int structure, double fill) {
   Scene there = scene;
   glm::dvec3 middle = middleOfStructure(*scene.labels.data, structure, size);
   double radius = radiusOfStructure(*scene.labels.data, size);
-  there.camera = closeUp(scene.camera, middle, radius / fill, 1.0);
+  there.camera = closeUp(scene.camera, middle, radius, 1.0, fill);
   keys.clear("camera");
   keys.setAsIn(scene, "camera", keys.pictureAt(0.0), Ease::Smooth);
   keys.setAsIn(there, "camera", keys.pictureAt(0.85), Ease::Smooth);

@@ -47,7 +47,7 @@ void addSinking(scene::Scene& scene, FilmSpan span, int cut, bool back);
 void addPulling(scene::Scene& scene, FilmSpan span, double overlap, double hold);
 /// @param hold  share of the time in which nothing changes, at the beginning, the turning point and the end, 0..0.9
 void addEqualizing(scene::Scene& scene, FilmSpan span, double hold);
-/// @param structure  id  @param fill  how much of the picture's height it is to fill, 0.1..1
+/// @param structure  id  @param fill  how much of the picture's height the ball about its box fills, 0.1..1
 void addFlight(scene::Scene& scene, FilmSpan span, int structure, double fill);
 /// @param rounds  how often the volume goes through its time steps
 void addTimeSteps(scene::Scene& scene, FilmSpan span, double rounds);

@@ -204,7 +204,7 @@ class Film(CliTest):
                 self.refuse("film", *film, name, code=1, words=words)
 
     def test_a_title_is_over_its_part_of_a_turn(self):
-        turn = ["two-spheres.nrrd", *FAST, "--fps", "4", "--animate", "turn"]
+        turn = ["two-spheres.nrrd", *FAST[:4], "--size", "480x320", "--fps", "4", "--animate", "turn"]
         plain = self.animate("plain", 4, *turn)
         titled = self.animate("titled", 4, *turn, "--animate", 'title "The two spheres" start=0.5 seconds=0.2 fade=0')
         for i, (a, b) in enumerate(zip(plain, titled)):

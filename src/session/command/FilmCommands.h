@@ -11,7 +11,7 @@
 namespace velum::session {
 
 inline constexpr FieldInfo kFilmStartInfo{"s", {0, scene::kLongestFilm}, "When it begins."};
-inline constexpr FieldInfo kFilmSecondsInfo{"s", {0.1, scene::kLongestFilm}, "How long it takes."};
+inline constexpr FieldInfo kFilmSecondsInfo{"s", {0.001, scene::kLongestFilm}, "How long it takes."};
 inline constexpr FieldInfo kKeyPathInfo{"", {}, "Field of the scene, such as camera or cuts[Front].centre."};
 inline constexpr FieldInfo kKeyTimeInfo{"s", {-1, scene::kLongestFilm}, "When; -1: at the playhead."};
 

@@ -78,41 +78,42 @@ int idOfCut(const Scene& scene, const std::string& cut) { return cut.empty() ? 0
 
 std::vector<Command> readyFilms() {
   return {
-      editRow<AddTurn>("Ready-made film: the eye goes round.", "film.turn 8 1", "Film: turn",
+      editRow<AddTurn>("Ready-made film: the eye goes round.", "film.turn 6 2", "Film: turn",
                        [](Scene& scene, const AddTurn& a) {
                          addTurn(scene, {a.start, a.seconds}, a.turns, a.gently);
                        }),
-      editRow<AddCutting>("Ready-made film: cuts come in from where the data ends.", "film.cut 6 Front", "Film: cut",
+      editRow<AddCutting>("Ready-made film: cuts come in from where the data ends.", "film.cut 5 \"Plane 1\"",
+                          "Film: cut",
                           [](Scene& scene, const AddCutting& a) {
                             addCutting(scene, {a.start, a.seconds}, idOfCut(scene, a.cut), a.back);
                           }),
-      editRow<AddSinking>("Ready-made film: membranes sink in.", "film.membrane 6", "Film: membrane",
+      editRow<AddSinking>("Ready-made film: membranes sink in.", "film.membrane 4", "Film: membrane",
                           [](Scene& scene, const AddSinking& a) {
                             addSinking(scene, {a.start, a.seconds}, idOfCut(scene, a.cut), a.back);
                           }),
-      editRow<AddPulling>("Ready-made film: structures come out of the cuts one after the other.",
-                          "film.pull 8 overlap=0.2", "Film: pull out",
+      editRow<AddPulling>("Ready-made film: structures come out of the cuts one after the other.", "film.pull 6 0.5",
+                          "Film: pull out",
                           [](Scene& scene, const AddPulling& a) {
                             addPulling(scene, {a.start, a.seconds}, a.overlap, a.hold);
                           }),
       editRow<AddEqualizing>(
           "Ready-made film: a model from whole, over all that its cuts can take, to what they leave.",
-          "film.equalize 10", "Film: equalize",
+          "film.equalize 12", "Film: equalize",
           [](Scene& scene, const AddEqualizing& a) {
             addEqualizing(scene, {a.start, a.seconds}, a.hold);
           }),
-      editRow<AddFlight>("Ready-made film: the eye goes to a structure.", "film.fly aorta 5", "Film: fly",
+      editRow<AddFlight>("Ready-made film: the eye goes to a structure.", "film.fly aorta 4", "Film: fly",
                          [](Scene& scene, const AddFlight& a) {
                            const auto& list = scene.labels.structures;
                            int id = list[scene::detail::findByKey(list, a.structure, "labels.structures")].id;
                            addFlight(scene, {a.start, a.seconds}, id, a.fill);
                          }),
-      editRow<AddTimeSteps>("Ready-made film: the volume goes through its time steps.", "film.time 5 rounds=2",
+      editRow<AddTimeSteps>("Ready-made film: the volume goes through its time steps.", "film.time 6 2",
                             "Film: time steps",
                             [](Scene& scene, const AddTimeSteps& a) {
                               addTimeSteps(scene, {a.start, a.seconds}, a.rounds);
                             }),
-      editRow<AddComparison>("Ready-made film: whole, then cut open.", "film.compare 6", "Film: before and after",
+      editRow<AddComparison>("Ready-made film: whole, then cut open.", "film.compare 8", "Film: before and after",
                              [](Scene& scene, const AddComparison& a) {
                                addComparison(scene, {a.start, a.seconds}, a.hold);
                              }),
@@ -141,9 +142,9 @@ std::vector<Command> filmCommands() {
                             scene::Track& track = trackOf(scene, a.field);
                             track.keys[keyOf(track, time)].ease = a.ease;
                           }),
-      editRow<MoveFilmKey>("Moves a key to another time, or copies it.", "film.moveKey camera 2.5 4", "Move key",
-                           [](Scene& scene, const MoveFilmKey& a) { moveFilmKey(scene, a); }),
-      editRow<RemoveFilmTrack>("Removes all keys of a field.", "film.removeTrack camera", "Remove track",
+      editRow<MoveFilmKey>("Moves a key to another time, or copies it.", "film.moveKey camera.fieldOfViewDeg 2.5 4",
+                           "Move key", [](Scene& scene, const MoveFilmKey& a) { moveFilmKey(scene, a); }),
+      editRow<RemoveFilmTrack>("Removes all keys of a field.", "film.removeTrack camera.fieldOfViewDeg", "Remove track",
                                [](Scene& scene, const RemoveFilmTrack& a) {
                                  std::string path = trackOf(scene, a.field).path;
                                  scene::removeKeys(scene.timeline, path, 0.0, scene::kLongestFilm);

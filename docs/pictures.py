@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Draws the pictures of the guide and of the README that show volumes; `./dev guide` calls it.
 
-Each picture is a plate of panels, each panel one call of `velum-batch render`, mounted by oiiotool (Debian package
+Each picture is a plate of panels, each panel one call of `velum-batch render` or `film`, mounted by oiiotool (Debian package
 openimageio-tools). The scans are those of the Debian packages invesalius-examples and mricron-data; all else is
 phantoms. usage: pictures.py BATCH FOLDER [NAME...]
 """
@@ -240,7 +240,7 @@ def layers(_):
 
 
 def turn(_):
-    return [([WELCOME, *near(28), "--frames", "4"], ("-0000", "-0001", "-0002", "-0003"))]
+    return [([WELCOME, *near(28), "--frames", "4", "--animate", "turn"], ("-0000", "-0001", "-0002", "-0003"))]
 
 
 def models(folder):
@@ -420,7 +420,7 @@ def draw_plate(batch, name, folder, out):
     panels = []
     for i, panel in enumerate(describe(folder)):
         arguments, endings = panel if isinstance(panel, tuple) else (panel, ("",))
-        run(batch, "render", *arguments, "-o", folder / f"{name}{i}.png", "--size", f"{size[0]}x{size[1]}", "--samples", SAMPLES)
+        run(batch, "film" if "--animate" in arguments else "render", *arguments, "-o", folder / f"{name}{i}.png", "--size", f"{size[0]}x{size[1]}", "--samples", SAMPLES)
         panels += [folder / f"{name}{i}{ending}.png" for ending in endings]
         if ".depth" in endings:  # which has one channel
             depth = folder / f"{name}{i}.depth.png"

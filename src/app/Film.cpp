@@ -119,11 +119,7 @@ void tellFilm(const session::FilmReport& report, const session::FilmOutput& outp
     log::say(fmt::format("note: {} holds {} of {} frames{}", output.path.string(), there, report.frames,
                          isVideo ? "" : "; --resume draws the others"));
   progress.throwIfCancelled();
-  if (report.failed.empty()) return;
-  std::vector<int> frames;
-  for (const auto& [frame, why] : report.failed) frames.push_back(frame);
-  throw InputError(fmt::format("{} of {} frames could not be drawn: {} ({})", frames.size(), report.frames,
-                               session::rangesOf(frames), report.failed.front().second));
+  if (std::string failed = session::failedFrames(report); !failed.empty()) throw InputError(failed);
 }
 
 /// Draws the film of a session, and says what has become of it.
@@ -230,7 +226,8 @@ Run registerFilm(CLI::App& verb) {
           "a ready-made film in the place of the scene's own: turn (once round; the default where the scene has "
           "no film), time (through the time steps; the default where there are some), cut (cuts come in), membrane "
           "(membranes sink in), pull (structures come out of the cuts one after the other), equalize (a model from "
-          "whole to what its cuts leave), fly (to a structure), compare (whole, then cut); with what the command of "
+          "whole to what its cuts leave), fly (to a structure), compare (whole, then cut), title (words); with what "
+          "the command of "
           "that name takes: \"turn turns=2 gently=true\"; may be repeated")
       ->allow_extra_args(false);
   verb.add_option("--section", options->section, "a section view instead of the 3D picture: axial, coronal, sagittal");

@@ -182,9 +182,7 @@ Image Session::picture(const PictureOptions& options, Progress& progress) {
 void Session::savePicture(const PictureOptions& options, std::optional<scene::SectionKind> section,
                           const std::filesystem::path& path, Progress& progress) {
   if (path != "-") expectPictureFile(path);
-  scene::Scene whole = settled(progress);
-  Image image = section ? drawSectionPicture(whole, *section, options)
-                        : drawPicture(renderer(), whole, options, mContext->limits(), progress);
+  Image image = section ? drawSectionPicture(settled(progress), *section, options) : picture(options, progress);
   session::savePicture(image, shown(), options, path);
 }
 

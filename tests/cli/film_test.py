@@ -81,9 +81,6 @@ class Film(CliTest):
 
     def test_a_frame_opens_as_its_scene_and_is_the_picture_of_render(self):
         self.film("turn.png", frames=4)
-        self.run_batch("render", "two-spheres.nrrd", "-o", "same.png", "--frames", "4", *FAST)
-        for i in range(4):
-            self.assertEqual((self.folder / f"turn-000{i}.png").read_bytes(), (self.folder / f"same-000{i}.png").read_bytes())
         self.run_batch("render", "turn-0002.png", "-o", "again.png", "--size", "48x32")
         self.assertEqual((self.folder / "again.png").read_bytes(), (self.folder / "turn-0002.png").read_bytes())
 
@@ -152,6 +149,87 @@ class Film(CliTest):
         moments = [samples_of(self.folder / f"moments-{i:04}.png") for i in (5, 7, 9, 11)]
         blurred = samples_of(self.folder / "blurred-0001.png")
         self.assertLess(max(abs(4 * a - sum(of)) for a, *of in zip(blurred, *moments)), 8)
+
+    def animate(self, name, frames, *arguments):
+        """The names of a film's frames, in order."""
+        self.run_batch("film", *arguments, "-o", f"{name}.png", "--frames", frames)
+        return [f"{name}-{i:04}.png" for i in range(frames)]
+
+    def same(self, name, frame):
+        self.run_batch("compare", name, frame, "--max-diff", "0", "--max-fraction", "0")
+
+    def different(self, names):
+        return len({(self.folder / name).read_bytes() for name in names})
+
+    def test_structures_are_pulled_out_one_after_the_other(self):
+        common = (self.sample("torso", 40), "torso_labels.seg.nrrd", "--set", "cuts.+.axis=0,-1,0", *FAST)
+        spares = ["--set", 'cuts.0.spares=[{"structure": 1, "distance": 30}, {"structure": 2, "distance": 40}]']
+        pull = ["--animate", "pull overlap=0 hold=0"]
+        names = self.animate("pull", 5, *common, *spares, *pull)
+        self.assertEqual(self.different(names), 5)
+        # It begins with the plain cut, and ends with the scene itself.
+        self.run_batch("render", *common, "-o", "plain.png")
+        self.run_batch("render", *common, *spares, "-o", "all.png")
+        self.same("plain.png", names[0])
+        self.same("all.png", names[-1])
+        # Sections go along.
+        self.assertGreater(self.different(self.animate("cut", 3, *common, *spares, *pull, "--section", "axial")), 1)
+
+    def test_a_model_is_cut_open_instance_by_instance(self):
+        self.run_batch("sample", "virion", "-o", "v.cif")
+        common = ("v.cif", "--view", "anterior", *FAST)
+        cuts = ["--set", 'cuts.+={"axis": [0, -1, 0], "model": {"spares": [{"type": "root.plasma", "share": 0.3}]}}']
+        names = self.animate("cut", 5, *common, *cuts, "--animate", "equalize hold=0")
+        self.assertEqual(self.different(names), 5)
+        # It begins without cuts, passes what the cuts take plainly, and ends with the scene itself.
+        self.run_batch("render", *common, "-o", "whole.png")
+        self.run_batch("render", *common, "--set", "cuts.+.axis=0,-1,0", "-o", "plain.png")
+        self.run_batch("render", *common, *cuts, "-o", "scene.png")
+        for name, frame in (("whole.png", 0), ("plain.png", 2), ("scene.png", 4)):
+            self.same(name, names[frame])
+
+    def test_a_cut_comes_in_from_where_the_data_ends(self):
+        cut = ["--set", "cuts.+.axis=0,-1,0"]
+        names = self.animate("cut", 3, "two-spheres.nrrd", *cut, *FAST, "--animate", "cut")
+        self.run_batch("render", "two-spheres.nrrd", *FAST, "-o", "whole.png")
+        self.run_batch("render", "two-spheres.nrrd", *cut, *FAST, "-o", "all.png")
+        self.same("whole.png", names[0])
+        self.same("all.png", names[2])
+
+    def test_what_cannot_move_is_refused(self):
+        film = ("two-spheres.nrrd", "-o", "x.png", "--frames", "3", *FAST, "--animate")
+        for name, words in (("pull", ["no structure"]), ("time", ["no time steps"]), ("cut", ["no cut is on"]),
+                            ("equalize", ["no model"]), ("jump", ["--animate jump", "turn", "pull"]), ("title", ["words"])):
+            with self.subTest(name=name):
+                self.refuse("film", *film, name, code=1, words=words)
+
+    def test_a_title_is_over_its_part_of_a_turn(self):
+        turn = ["two-spheres.nrrd", *FAST[:4], "--size", "480x320", "--fps", "4", "--animate", "turn"]
+        plain = self.animate("plain", 4, *turn)
+        titled = self.animate("titled", 4, *turn, "--animate", 'title "The two spheres" start=0.5 seconds=0.2 fade=0')
+        for i, (a, b) in enumerate(zip(plain, titled)):
+            self.run_batch("compare", a, b, "--max-diff", "0", "--max-fraction", "0", code=4 if i == 2 else 0)
+
+    def test_what_was_grown_stays_out_over_a_beat(self):
+        self.run_batch("sample", "heart", "-o", "heart.nrrd", "--voxels", "40", "--time-steps", "4")
+        grown = {"structure": 1, "seeds": [[0, 0, 0]], "low": 250, "high": 600, "timeStep": 0}
+        scene = ["--set", f"labels.growths=[{json.dumps(grown)}]", "--set", "cuts.+.axis=0,-1,0",
+                 "--set", 'cuts.0.spares=[{"structure": 1, "distance": 40}]']
+        names = self.animate("beat", 4, "heart.nrrd", *scene, *FAST)
+        # Each frame is what its time step gives by itself.
+        for t in (1, 3):
+            self.run_batch("render", "heart.nrrd", "-o", "one.png", *scene, "--set", f"volume.timeStep={t}", *FAST)
+            self.same("one.png", names[t])
+
+    def test_a_membrane_follows_through_time_steps(self):
+        self.run_batch("sample", "heart", "-o", "heart.nrrd", "--voxels", "40", "--time-steps", "4")
+        self.run_batch("membrane", "heart.nrrd", "--protect", "200,600", "--axis", "0,-1,0", "--position", "0.4",
+                       "--save-scene", "m.json")
+        names = self.animate("beat", 4, "m.json", "--set", "cuts[Membrane].membrane.repositioning=active", *FAST)
+        self.assertEqual(self.different(names), 4)
+        # The first step is that of a passive sheet, later ones go on from it.
+        self.run_batch("render", "m.json", "-o", "first.png", *FAST)
+        self.run_batch("compare", "first.png", names[0])
 
     @unittest.skipUnless(HAS_FFMPEG, "ffmpeg is not installed: apt install ffmpeg")
     def test_videos_and_the_film_of_frames_that_are_there(self):

@@ -182,7 +182,7 @@ class Render(CliTest):
         (self.folder / "x.png").mkdir()
         for arguments in (
                 ["render", gone, "-o", "x.bmp"], ["render", gone, "-o", "none/y.png"], ["render", gone, "-o", "x.png"],
-                ["render", gone, "-o", "x.bmp", "--frames", "3"], ["render", gone, "-o", "none/y.exr", "--frames", "3"],
+                ["film", gone, "-o", "x.bmp"], ["film", gone, "-o", "none/y.exr"],
                 ["render", gone, "-o", "x.bmp", "--section", "axial"], ["render", gone, "-o", "y.png", "--save-scene", "none/s.json"],
                 ["compare", "a.png", "b.png", "--diff", "x.bmp"], ["compare", "a.png", "b.png", "--diff", "none/d.png"],
                 ["convert", gone, "x.bmp"], ["convert", gone, "none/y.nrrd"], ["convert", gone, "none/y.stl"],
@@ -215,71 +215,6 @@ class Render(CliTest):
                            ("e.json", '{"velum": 1, "volume": {"source": {"path": "none.nrrd"}}}')):
             pathlib.Path(self.folder / name).write_text(text)
             self.refuse("render", name, "-o", "x.png", code=2)
-
-    def test_structures_are_pulled_out_one_after_the_other(self):
-        path = self.sample("torso", 40)
-        common = (path, "torso_labels.seg.nrrd", "--size", "48x48", "--set", "cuts.+.axis=0,-1,0", *FAST)
-        spares = ["--set", 'cuts.0.spares=[{"structure": 1, "distance": 30}, {"structure": 2, "distance": 40}]']
-        report = self.report("render", *common, *spares, "-o", "pull.png", "--frames", "5", "--animate", "pull")
-        pictures = [(self.folder / name).read_bytes() for name in report["outputs"]]
-        self.assertEqual(len(set(pictures)), 5)
-        # It begins with the plain cut, and ends with the scene itself.
-        self.run_batch("render", *common, "-o", "plain.png")
-        self.run_batch("render", *common, *spares, "-o", "all.png")
-        for name, end in (("plain.png", report["outputs"][0]), ("all.png", report["outputs"][-1])):
-            self.run_batch("compare", name, end, "--max-diff", "0", "--max-fraction", "0")
-        # A frame is a picture of its own scene.
-        self.run_batch("render", report["outputs"][2], "-o", "third.png", "--size", "48x48")
-        self.assertEqual((self.folder / "third.png").read_bytes(), pictures[2])
-        # Sections go along.
-        report = self.report("render", *common, *spares, "-o", "cut.png", "--frames", "3", "--animate", "pull", "--section", "axial")
-        self.assertGreater(len({(self.folder / name).read_bytes() for name in report["outputs"]}), 1)
-
-    def test_a_model_is_cut_open_instance_by_instance(self):
-        self.run_batch("sample", "virion", "-o", "v.cif")
-        common = ("v.cif", "--size", "48x48", "--view", "anterior", *FAST)
-        cuts = ["--set", 'cuts.+={"axis": [0, -1, 0], "model": {"spares": [{"type": "root.plasma", "share": 0.3}]}}']
-        report = self.report("render", *common, *cuts, "-o", "cut.png", "--frames", "5", "--animate", "cut")
-        self.assertEqual(len({(self.folder / name).read_bytes() for name in report["outputs"]}), 5)
-        # It begins without cuts, passes what the cuts take plainly, and ends with the scene itself.
-        self.run_batch("render", *common, "-o", "whole.png")
-        self.run_batch("render", *common, "--set", "cuts.+.axis=0,-1,0", "-o", "plain.png")
-        self.run_batch("render", *common, *cuts, "-o", "scene.png")
-        for name, frame in (("whole.png", 0), ("plain.png", 2), ("scene.png", 4)):
-            self.run_batch("compare", name, report["outputs"][frame], "--max-diff", "0", "--max-fraction", "0")
-        self.refuse("render", *common, "-o", "x.png", "--frames", "3", "--animate", "cut", code=1, words=["--animate cut", "no cut is on"])
-
-    def test_what_cannot_move_is_refused(self):
-        path = self.sample()
-        frames = ("-o", "x.png", "--frames", "3", "--size", "16x16")
-        self.refuse("render", path, *frames, "--animate", "pull", code=1, words=["--animate pull", "no structure"])
-        self.refuse("render", path, *frames, "--animate", "time", code=1, words=["--animate time", "no time steps"])
-        self.refuse("render", path, *frames, "--animate", "jump", code=1, words=["--animate jump", "turn", "pull"])
-        self.refuse("render", path, *frames, "--section", "axial", code=1, words=["--section", "time steps"])
-        self.refuse("render", path, "-o", "x.png", "--animate", "turn", code=1, words=["--animate", "--frames"])
-
-    def test_what_was_grown_stays_out_over_a_beat(self):
-        self.run_batch("sample", "heart", "-o", "heart.nrrd", "--voxels", "40", "--time-steps", "4")
-        grown = {"structure": 1, "seeds": [[0, 0, 0]], "low": 250, "high": 600, "timeStep": 0}
-        scene = ["--set", f"labels.growths=[{json.dumps(grown)}]", "--set", "cuts.+.axis=0,-1,0",
-                 "--set", 'cuts.0.spares=[{"structure": 1, "distance": 40}]']
-        report = self.report("render", "heart.nrrd", "-o", "beat.png", "--frames", "4", "--size", "64x64", *scene, *FAST)
-        # Each frame is what its time step gives by itself.
-        for t in (1, 3):
-            self.run_batch("render", "heart.nrrd", "-o", "one.png", "--size", "64x64", *scene, "--set", f"volume.timeStep={t}", *FAST)
-            self.run_batch("compare", "one.png", report["outputs"][t], "--max-diff", "0", "--max-fraction", "0")
-
-    def test_a_membrane_follows_through_time_steps(self):
-        self.run_batch("sample", "heart", "-o", "heart.nrrd", "--voxels", "40", "--time-steps", "4")
-        self.run_batch("membrane", "heart.nrrd", "--protect", "200,600", "--axis", "0,-1,0", "--position", "0.4",
-                       "--save-scene", "m.json")
-        active = ["--set", "cuts[Membrane].membrane.repositioning=active"]
-        report = self.report("render", "m.json", "-o", "beat.png", "--frames", "4", "--size", "64x64", *active, *FAST)
-        pictures = {(self.folder / name).read_bytes() for name in report["outputs"]}
-        self.assertEqual(len(pictures), 4)
-        # The first step is that of a passive sheet, later ones go on from it.
-        self.run_batch("render", "m.json", "-o", "first.png", "--size", "64x64", *FAST)
-        self.run_batch("compare", "first.png", report["outputs"][0])
 
     def test_bench_reports_times(self):
         report = self.report("bench", self.sample(), "--frames", "2", "--size", "48x32", "--set", "lighting.shaded=false")

@@ -91,7 +91,6 @@ class Usage(CliTest):
             self.refuse("render", path, "-o", "x.png", "--size", size, code=1, words=[size, "WIDTHxHEIGHT"])
         self.refuse("render", path, "-o", "x.png", "--section", "oblique", code=1, words=["oblique", "coronal"])
         self.refuse("render", path, "-o", "x.png", "--section", "axial", "--layers", code=1, words=["--layers"])
-        self.refuse("render", path, "-o", "x.png", "--section", "axial", "--frames", "3", code=1, words=["--frames"])
         self.refuse("render", path, "-o", "x.png", "--view", "front", code=1, words=["front", "anterior"])
         self.refuse("render", path, "-o", "x.png", "--preset", "bones", code=1, words=["bones", "ct-bone"])
 

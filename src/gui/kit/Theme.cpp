@@ -79,6 +79,7 @@ QPushButton:pressed, QPushButton:checked { background: @chosen; border-color: @c
 QPushButton:disabled { color: @faint; background: @buttonOff; border-color: @line; }
 QPushButton[role="main"] { background: @main; border-color: @chosenEdge; color: @onChosen; padding: 5px 20px; font-weight: 600; }
 QPushButton[role="main"]:hover { background: @mainHover; }
+QPushButton[role="main"]:disabled { color: @faint; background: @buttonOff; border-color: @line; }
 QPushButton[role="quiet"] { background: transparent; border: none; padding: 3px 8px; }
 QPushButton[role="quiet"]:checked { background: @hover; color: @text; }
 QPushButton[role="quiet"]:hover { background: @edge; }

@@ -5,6 +5,7 @@
 #include <QList>
 #include <QPainter>
 #include <QSignalBlocker>
+#include <QStyle>
 #include <algorithm>
 #include <cmath>
 
@@ -150,6 +151,13 @@ QFrame* makeLine(QWidget* parent) {
   auto* line = new QFrame(parent);
   line->setProperty("role", "line");
   return line;
+}
+
+void sayIn(QLabel& label, const QString& text, bool isAlarm) {
+  label.setProperty("role", isAlarm ? "alarm" : "muted");
+  label.style()->unpolish(&label);  // the style is chosen anew
+  label.style()->polish(&label);
+  label.setText(text);
 }
 
 }  // namespace velum::gui

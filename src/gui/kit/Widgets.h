@@ -64,5 +64,7 @@ void tabInLayoutOrder(QWidget* panel);
 
 QLabel* makeTitle(const QString& text, QWidget* parent);
 QFrame* makeLine(QWidget* parent);
+/// Shows a text in a label: in the colour of what stands in the way, or muted.
+void sayIn(QLabel& label, const QString& text, bool isAlarm);
 
 }  // namespace velum::gui

@@ -19,7 +19,6 @@ class ExportCommands : public Room {
   void addActions(QMenu* menu);
 
   void savePictureTo(const QString& path, const session::PictureOptions& options, const scene::Scene& scene);
-  /// Writes an animation as single frames, NAME-0000 and on.
   /// Writes the sheet of the selected membrane, or of the first membrane where none is selected, as the sheet rests.
   void exportSheetTo(const QString& path);
   /// Writes the volume without the parts that the cuts take away.

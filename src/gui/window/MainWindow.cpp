@@ -13,6 +13,7 @@
 #include "gui/service/KeyboardFocus.h"
 #include "gui/service/RecentFiles.h"
 #include "gui/service/WheelScrolls.h"
+#include "gui/window/FilmCommands.h"
 #include "gui/window/HelpCommands.h"
 #include "gui/window/HistoryCommands.h"
 #include "gui/window/StatusLine.h"
@@ -85,6 +86,9 @@ void MainWindow::buildRooms() {
   auto* time = add(new TimeCommands(parts, *mFrame.time));
   mTimeline = add(new TimelineRoom(parts, *mFrame.timeline));
   time->follow(*mTimeline);
+  mFilms = add(new FilmCommands(parts));
+  connect(mTimeline, &TimelineRoom::readyMadeAsked, mFilms, &FilmCommands::askReadyFilm);
+  connect(mTimeline, &TimelineRoom::saveAsked, mFilms, &FilmCommands::askSaveFilm);
   add(new HelpCommands(parts));
   add(new StatusLine(parts, *statusBar()));
   mFrame.bar->fill(mActions);

@@ -15,6 +15,8 @@
 
 namespace velum::gui {
 
+class FilmCommands;
+
 /// The window: a session, its views, and the rooms that bring everything else. The window makes the rooms and tells
 /// them of every change; what can be done is in the rooms.
 class MainWindow : public QMainWindow {
@@ -32,6 +34,7 @@ class MainWindow : public QMainWindow {
   void saveSceneTo(const QString& path) { mFiles->saveSceneTo(path); }
   void newScene() { mFiles->newScene(); }
   ExportCommands& exports() { return *mExports; }
+  FilmCommands& films() { return *mFilms; }
   /// Stops the load or the picture that is running; what is open stays.
   void cancelJob() { mJobs.cancel(); }
   /// Journals every change from now on, in a folder under this one. @param offers  true: also offers the work that dead
@@ -106,6 +109,7 @@ class MainWindow : public QMainWindow {
   FileLoads* mLoads = nullptr;
   LostWork* mLost = nullptr;
   ExportCommands* mExports = nullptr;
+  FilmCommands* mFilms = nullptr;
   FileCommands* mFiles = nullptr;
   PyramidCommands* mPyramids = nullptr;
   LookRoom* mLook = nullptr;

@@ -1,22 +1,19 @@
 #include "gui/window/SavePictureDialog.h"
 
 #include <QClipboard>
-#include <QCryptographicHash>
 #include <QDialogButtonBox>
-#include <QDir>
 #include <QGridLayout>
 #include <QGuiApplication>
 #include <QPainter>
 #include <QPushButton>
 #include <QSignalBlocker>
-#include <QStandardPaths>
 #include <cmath>
 #include <exception>
 
 #include "gui/kit/Preferences.h"
 #include "gui/rows/PictureList.h"
+#include "gui/service/KeepScene.h"
 #include "session/Session.h"
-#include "session/document/Open.h"
 
 namespace velum::gui {
 
@@ -197,18 +194,8 @@ QWidget* SavePictureDialog::makeQuality() {
   mBackground->addItems({tr("As in the view"), tr("Transparent"), tr("White"), tr("Black")});
   mBackground->setToolTip(tr("Transparent pictures have an alpha channel: for layouts"));
   if (mScene.background.transparent) mBackground->setCurrentIndex(1);
-  mQuality = new QComboBox(box);
-  mQuality->setObjectName("pictureQuality");
-  mQuality->setAccessibleName(tr("Quality"));
-  mQuality->addItems({tr("Draft (1 sample)"), tr("Good (4 samples)"), tr("Fine (16 samples)"),
-                      tr("Finest (64 samples)"), tr("Samples:")});
-  mQuality->setToolTip(tr("Pictures that are averaged: more are smoother and take longer"));
-  mSamples = new QSpinBox(box);
-  mSamples->setObjectName("pictureSamples");
-  mSamples->setAccessibleName(tr("Samples a pixel"));
-  mSamples->setRange(1, 256);
-  mSamples->setValue(std::max(4, mScene.rayCast.samplesPerPixel));
-  mSamples->setToolTip(tr("Samples a pixel, 1 to 256"));
+  mSamples = new SamplesRow("picture", box);
+  mSamples->setSamples(std::max(4, mScene.rayCast.samplesPerPixel));
   mLayers = new QCheckBox(tr("Layers: depth, normal, structure, position"), box);
   mLayers->setObjectName("pictureLayers");
   mLayers->setToolTip(
@@ -218,31 +205,16 @@ QWidget* SavePictureDialog::makeQuality() {
   grid->addWidget(new QLabel(tr("Background"), box), 0, 0);
   grid->addWidget(mBackground, 0, 1);
   grid->addWidget(new QLabel(tr("Quality"), box), 1, 0);
-  auto* quality = new QHBoxLayout;
-  quality->setSpacing(8);
-  quality->addWidget(mQuality, 1);
-  quality->addWidget(mSamples);
-  grid->addLayout(quality, 1, 1);
+  grid->addWidget(mSamples, 1, 1);
   grid->addWidget(mLayers, 2, 1);
   grid->setColumnStretch(1, 1);
-  // Words and number of samples say the same: each shows what the other has become.
-  static constexpr int kSamples[] = {1, 4, 16, 64};
-  auto showQuality = [this] {
-    int index = int(std::find(std::begin(kSamples), std::end(kSamples), mSamples->value()) - std::begin(kSamples));
-    const QSignalBlocker quiet(mQuality);
-    mQuality->setCurrentIndex(index);
-    updateText();
-  };
-  connect(mQuality, &QComboBox::currentIndexChanged, this, [this](int index) {
-    if (index < int(std::size(kSamples))) mSamples->setValue(kSamples[index]);
-  });
-  connect(mSamples, &QSpinBox::valueChanged, this, showQuality);
+  connect(mSamples, &SamplesRow::changed, this, &SavePictureDialog::updateText);
   connect(mBackground, &QComboBox::currentIndexChanged, this, [this] {
     updateText();
     mDrawTimer.start();
   });
   connect(mLayers, &QCheckBox::toggled, this, &SavePictureDialog::updateText);
-  showQuality();
+  updateText();
   return box;
 }
 
@@ -301,7 +273,7 @@ void SavePictureDialog::updateText() {
 }
 
 session::PictureOptions SavePictureDialog::options() const {
-  return {mPixels, mSamples->value(), mBackground->currentIndex() == 1, mLayers->isChecked(), double(mDpi->value())};
+  return {mPixels, mSamples->samples(), mBackground->currentIndex() == 1, mLayers->isChecked(), double(mDpi->value())};
 }
 
 scene::Scene SavePictureDialog::pictureScene() const {
@@ -334,17 +306,7 @@ void SavePictureDialog::drawPreview() {
 }
 
 QString SavePictureDialog::command() const {
-  scene::Scene scene = pictureScene();
-  QString folder = QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation) + "/velum/scenes";
-  QDir().mkpath(folder);
-  std::filesystem::path place(folder.toStdString());
-  std::string text = session::sceneTextFor(scene, place / "scene.json");
-  QByteArray hash =
-      QCryptographicHash::hash(QByteArray::fromStdString(text), QCryptographicHash::Sha256).toHex().left(12);
-  std::filesystem::path file = place / ("scene-" + hash.toStdString() + ".json");
-  session::saveScene(scene, file);
-  QString command = QString::fromStdString(session::pictureCommand(file, options(), "picture.png"));
-  return command;
+  return QString::fromStdString(session::pictureCommand(keepScene(pictureScene()), options(), "picture.png"));
 }
 
 void SavePictureDialog::copyCommand() {

@@ -10,6 +10,7 @@
 
 #include "gui/kit/NumberField.h"
 #include "gui/service/Job.h"
+#include "gui/window/SamplesRow.h"
 #include "session/picture/Picture.h"
 
 namespace velum::gui {
@@ -33,8 +34,7 @@ class SavePictureDialog : public QDialog {
   session::PictureOptions options() const;
   /// The scene with the background that is chosen.
   scene::Scene pictureScene() const;
-  /// The command line that makes this picture; the scene goes into a file of its own in velum's folder under
-  /// XDG_DATA_HOME, named after its contents, so that the command keeps giving this picture.
+  /// The command line that makes this picture, of a scene that keepScene() keeps.
   QString command() const;
   bool hasPreview() const { return mHasPreview; }
 
@@ -52,9 +52,10 @@ class SavePictureDialog : public QDialog {
   scene::Scene mScene;
   double mAspect;
   glm::ivec2 mPixels{1280, 720};
-  QComboBox *mUnit = nullptr, *mBackground = nullptr, *mQuality = nullptr;
+  QComboBox *mUnit = nullptr, *mBackground = nullptr;
   NumberField *mWidth = nullptr, *mHeight = nullptr;
-  QSpinBox *mDpi = nullptr, *mSamples = nullptr;
+  QSpinBox* mDpi = nullptr;
+  SamplesRow* mSamples = nullptr;
   QCheckBox *mKeepShape = nullptr, *mLayers = nullptr;
   QLabel *mPreview = nullptr, *mFacts = nullptr;
   QTimer mDrawTimer;

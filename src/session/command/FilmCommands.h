@@ -2,6 +2,7 @@
 #include <string>
 #include <string_view>
 
+#include "scene/Caption.h"
 #include "scene/Timeline.h"
 #include "session/command/CutCommands.h"
 #include "session/command/StructureCommands.h"
@@ -155,11 +156,11 @@ struct AddEqualizing {
 struct AddFlight {
   static constexpr std::string_view kName = "film.fly";
   std::string structure;
-  double seconds = 5.0, fill = 0.7, start = 0.0;
+  double seconds = 5.0, fill = 0.9, start = 0.0;
   static void fields(auto& o, auto& visit) {
     visit("structure", o.structure, FieldInfo{"", {}, "Its name or number."});
     visit("seconds", o.seconds, kFilmSecondsInfo);
-    visit("fill", o.fill, FieldInfo{"", {0.1, 1}, "How much of the picture's height it is to fill."});
+    visit("fill", o.fill, FieldInfo{"", {0.1, 1}, "How much of the picture's height the ball about it is to fill."});
     visit("start", o.start, kFilmStartInfo);
   }
 };
@@ -188,5 +189,19 @@ struct AddComparison {
 /// @throw ArgumentError, InputError; then nothing has changed
 void editKey(Document& document, const SetFilmKey& call);
 void editKey(Document& document, const RemoveFilmKey& call);
+
+struct AddTitle {
+  static constexpr std::string_view kName = "film.title";
+  std::string text;
+  double start = 0.0, seconds = 4.0, fade = 0.5;
+  scene::CaptionPlace place = scene::CaptionPlace::Bottom;
+  static void fields(auto& o, auto& visit) {
+    visit("text", o.text, FieldInfo{"", {}, "The words."});
+    visit("start", o.start, kFilmStartInfo);
+    visit("seconds", o.seconds, kFilmSecondsInfo);
+    visit("fade", o.fade, FieldInfo{"s", {0, 60}, "How long it takes to come, and to go."});
+    visit("place", o.place, FieldInfo{"", {}, "Where it stands."});
+  }
+};
 
 }  // namespace velum::session

@@ -134,6 +134,24 @@ std::string filmNote(const FilmOutput& output) {
   return io::isVideo(output.path) ? io::videoNote(output.path, videoOptionsOf(output)) : "";
 }
 
+std::string filmCommand(const std::filesystem::path& scene, const FilmOutput& output) {
+  std::string command = pictureCommand(scene, output.picture, output.path, "film");
+  const FilmOutput usual;
+  if (io::isVideo(output.path) && output.quality != usual.quality)
+    command += fmt::format(" --quality {}", output.quality);
+  if (output.blur != usual.blur) command += fmt::format(" --blur {}", output.blur);
+  if (output.shutter != usual.shutter) command += fmt::format(" --shutter {:g}", output.shutter);
+  return command;
+}
+
+std::string failedFrames(const FilmReport& report) {
+  if (report.failed.empty()) return {};
+  std::vector<int> frames;
+  for (const auto& [frame, why] : report.failed) frames.push_back(frame);
+  return fmt::format("{} of {} frames could not be drawn: {} ({})", frames.size(), report.frames, rangesOf(frames),
+                     report.failed.front().second);
+}
+
 FilmIdentity filmIdentity(const scene::Scene& scene, const FilmOutput& output, const std::string& renderer) {
   const PictureOptions& picture = output.picture;
   std::string text = sceneTextFor(sceneForPicture(scene, picture), FrameNames(output.path).frame(0));

@@ -51,11 +51,18 @@ struct FilmReport {
   bool isStopped = false;  ///< by Progress::cancel(): what was drawn until then is there, a video of so many frames
 };
 
+/// Which frames are missing and why, for people: "2 of 9 frames could not be drawn: 3 and 7 (why the first could not)";
+/// empty: none is.
+std::string failedFrames(const FilmReport& report);
+
 /// Checks, before any data is read, whether a film could be written so. @throw ArgumentError, InputError
 void expectFilmOutput(const FilmOutput& output);
 
 /// What the file cannot do of what is asked for, in a sentence for people; empty: it can do all.
 std::string filmNote(const FilmOutput& output);
+
+/// The command line that makes the film of a scene file without a window: the same bytes on the same driver.
+std::string filmCommand(const std::filesystem::path& scene, const FilmOutput& output);
 
 /// What the frames of a film depend on, for its manifest. @param scene  without what moves in it  @param renderer  the
 /// driver that draws, and the program's version

@@ -10,7 +10,6 @@
 #include "core/Task.h"
 #include "scene/Scene.h"
 #include "scene/Shown.h"
-#include "scene/timeline/Tracks.h"
 #include "session/extrusion/Extrusion.h"
 #include "session/extrusion/PulledEnd.h"
 #include "session/film/FilmKeys.h"
@@ -124,6 +123,7 @@ ReadyFilm usualFilm(const Scene& scene) { return timeStepsOf(scene) > 1 ? ReadyF
 std::string whyNoFilm(const Scene& scene, ReadyFilm film) {
   switch (film) {
     case ReadyFilm::Turn:
+    case ReadyFilm::Title:
       return {};
     case ReadyFilm::Time:
       return timeStepsOf(scene) > 1 ? "" : "the volume has no time steps";
@@ -162,11 +162,13 @@ void addReadyFilm(Scene& scene, ReadyFilm film, FilmSpan span) {
     case ReadyFilm::Equalize:
       return addEqualizing(scene, span, 0.0);
     case ReadyFilm::Fly:
-      return addFlight(scene, span, scene.labels.structures.front().id, 0.7);
+      return addFlight(scene, span, scene.labels.structures.front().id, 0.9);
     case ReadyFilm::Time:
       return addTimeSteps(scene, span, 1.0);
     case ReadyFilm::Compare:
       return addComparison(scene, span, 0.35);
+    case ReadyFilm::Title:
+      return addTitle(scene, span, "Title", 0.5, scene::CaptionPlace::Bottom);
   }
 }
 
@@ -252,7 +254,7 @@ void addFlight(Scene& scene, FilmSpan span, int structure, double fill) {
   Scene there = scene;
   glm::dvec3 middle = middleOfStructure(*scene.labels.data, structure, size);
   double radius = radiusOfStructure(*scene.labels.data, size);
-  there.camera = closeUp(scene.camera, middle, radius / fill, 1.0);
+  there.camera = closeUp(scene.camera, middle, radius, 1.0, fill);
   keys.clear("camera");
   keys.setAsIn(scene, "camera", keys.pictureAt(0.0), Ease::Smooth);
   keys.setAsIn(there, "camera", keys.pictureAt(0.85), Ease::Smooth);

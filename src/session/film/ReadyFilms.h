@@ -3,6 +3,7 @@
 #include <string_view>
 
 #include "core/Fields.h"
+#include "scene/Caption.h"
 #include "scene/SceneFwd.h"
 
 /// Ready-made films: each writes ordinary keys into the scene's timeline, in the place of keys that the same fields
@@ -13,8 +14,8 @@ namespace velum::session {
 /// Turn: the eye goes round the data. Cut: the cuts come in from where the data ends. Membrane: membranes sink in.
 /// Pull: structures come out of the cuts one after the other. Equalize: a model goes from whole over all that its cuts
 /// can take to what the cuts leave ([VE] fig. 4). Fly: the eye goes to a structure. Time: the volume goes through its
-/// time steps. Compare: whole, then cut open.
-enum class ReadyFilm { Turn, Cut, Membrane, Pull, Equalize, Fly, Time, Compare };
+/// time steps. Compare: whole, then cut open. Title: words come and go.
+enum class ReadyFilm { Turn, Cut, Membrane, Pull, Equalize, Fly, Time, Compare, Title };
 
 /// When a ready-made film is to play.
 struct FilmSpan {
@@ -46,17 +47,19 @@ void addSinking(scene::Scene& scene, FilmSpan span, int cut, bool back);
 void addPulling(scene::Scene& scene, FilmSpan span, double overlap, double hold);
 /// @param hold  share of the time in which nothing changes, at the beginning, the turning point and the end, 0..0.9
 void addEqualizing(scene::Scene& scene, FilmSpan span, double hold);
-/// @param structure  id  @param fill  how much of the picture's height it is to fill, 0.1..1
+/// @param structure  id  @param fill  how much of the picture's height the ball about its box fills, 0.1..1
 void addFlight(scene::Scene& scene, FilmSpan span, int structure, double fill);
 /// @param rounds  how often the volume goes through its time steps
 void addTimeSteps(scene::Scene& scene, FilmSpan span, double rounds);
 /// @param hold  share of the time that each of the two is seen, 0.1..0.9
 void addComparison(scene::Scene& scene, FilmSpan span, double hold);
+/// Adds a caption. @param fade  seconds that it takes to come, and to go; at most half of the time
+void addTitle(scene::Scene& scene, FilmSpan span, const std::string& text, double fade, scene::CaptionPlace place);
 
 }  // namespace velum::session
 
 template <>
 struct velum::EnumNames<velum::session::ReadyFilm> {
-  static constexpr std::string_view kNames[] = {"turn",     "cut", "membrane", "pull",
-                                                "equalize", "fly", "time",     "compare"};
+  static constexpr std::string_view kNames[] = {"turn", "cut",  "membrane", "pull", "equalize",
+                                                "fly",  "time", "compare",  "title"};
 };

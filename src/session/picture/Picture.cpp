@@ -87,8 +87,8 @@ std::string quoted(const std::string& text) {
 }  // namespace
 
 std::string pictureCommand(const std::filesystem::path& scene, const PictureOptions& options,
-                           const std::filesystem::path& output) {
-  std::string command = fmt::format("velum-batch render {} -o {} --size {}x{}", quoted(scene.string()),
+                           const std::filesystem::path& output, std::string_view verb) {
+  std::string command = fmt::format("velum-batch {} {} -o {} --size {}x{}", verb, quoted(scene.string()),
                                     quoted(output.string()), options.size.x, options.size.y);
   if (options.samples > 0) command += fmt::format(" --samples {}", options.samples);
   if (options.dpi > 0) command += fmt::format(" --dpi {:g}", options.dpi);

@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <glm/glm.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/Image.h"
@@ -31,8 +32,9 @@ struct PictureOptions {
 glm::ivec2 parsePictureSize(const std::string& text, double dpi);
 
 /// The command line that makes a picture of a scene file without a window: the same bytes on the same driver.
+/// @param verb  "render", or "film" for the beginning of a film's command line
 std::string pictureCommand(const std::filesystem::path& scene, const PictureOptions& options,
-                           const std::filesystem::path& output);
+                           const std::filesystem::path& output, std::string_view verb = "render");
 
 /// The scene with the options applied: as it is drawn, and as it is saved in the picture.
 scene::Scene sceneForPicture(const scene::Scene& scene, const PictureOptions& options);

@@ -13,7 +13,6 @@ namespace {
 
 constexpr int kBrick = LabelVolume::kBrickSize;
 /// A structure fills this share of the picture's height in a close-up, so that its surroundings are seen, too.
-constexpr double kCloseUpShare = 0.55;
 /// Voxels that are looked at to find a place inside a structure: a few milliseconds.
 constexpr double kSearchVoxels = 2e6;
 
@@ -108,8 +107,8 @@ double radiusOfStructure(const LabelVolume& labels, const StructureSize& size) {
   return longest;
 }
 
-scene::Camera closeUp(scene::Camera camera, glm::dvec3 middle, double radius, double aspect) {
-  double halfHeight = std::max(radius, 1e-6) / kCloseUpShare / std::min(1.0, aspect);
+scene::Camera closeUp(scene::Camera camera, glm::dvec3 middle, double radius, double aspect, double share) {
+  double halfHeight = std::max(radius, 1e-6) / share / std::min(1.0, aspect);
   glm::dvec3 arm = camera.eye - camera.target;
   double length = glm::length(arm);
   glm::dvec3 toEye = length > 1e-12 ? arm / length : glm::dvec3(0, -1, 0);

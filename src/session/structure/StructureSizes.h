@@ -33,8 +33,11 @@ glm::dvec3 middleOfStructure(const LabelVolume& labels, int structure, const Str
 /// Radius of the ball about the structure's box, scene units.
 double radiusOfStructure(const LabelVolume& labels, const StructureSize& size);
 
+/// How much of a close-up's smaller side a ball fills, unless it is said.
+inline constexpr double kCloseUpShare = 0.55;
 /// The camera brought near to a ball, looking from the same side as before. @param aspect  width / height of the
-/// picture
-scene::Camera closeUp(scene::Camera camera, glm::dvec3 middle, double radius, double aspect);
+/// picture  @param share  how much of its smaller side the ball fills
+scene::Camera closeUp(scene::Camera camera, glm::dvec3 middle, double radius, double aspect,
+                      double share = kCloseUpShare);
 
 }  // namespace velum::session

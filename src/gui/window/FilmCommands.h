@@ -1,0 +1,34 @@
+#pragma once
+#include <QHash>
+
+#include "gui/view/Room.h"
+#include "session/film/MakeFilm.h"
+#include "session/film/ReadyFilms.h"
+
+namespace velum::gui {
+
+/// The commands that make films: ready-made ones, and the film of the scene as a file.
+class FilmCommands : public Room {
+  Q_OBJECT
+ public:
+  explicit FilmCommands(const WindowParts& parts);
+  void refresh(const session::Session& session) override;
+  /// Draws the film of a scene in the background and writes it; what becomes of it is told in the message bar. A film
+  /// that is cancelled keeps what has been drawn.
+  void saveFilmTo(const session::FilmOutput& output, const scene::Scene& scene);
+
+ public slots:
+  /// Asks for the numbers of a ready-made film, and adds it. @param kind  a name of session::ReadyFilm
+  void askReadyFilm(const QString& kind);
+  void askSaveFilm() { askSave(false); }
+
+ private:
+  void askReady(session::ReadyFilm film);
+  void askSave(bool asMp4);
+  void tell(const session::FilmReport& report, const session::FilmOutput& output);
+
+  QHash<QString, QAction*> mReady;  ///< by the name of the film
+  QAction* mClear;
+};
+
+}  // namespace velum::gui

@@ -33,7 +33,6 @@ TimelineRoom::TimelineRoom(const WindowParts& parts, TimelineStrip& strip)
   connect(&mPlayer, &FilmPlayer::playingChanged, this, [this](bool playing) {
     mParts.actions.find("time.play")->setIcon(makeIcon(playing ? "film.pause" : "time.play"));
   });
-  connect(&strip, &TimelineStrip::readyMadeAsked, this, &TimelineRoom::readyMadeAsked);
   connect(&strip, &TimelineStrip::saveAsked, this, &TimelineRoom::saveAsked);
   connect(&parts.views.viewport(), &Viewport::menuAskedAt, this, &TimelineRoom::showMenu);
 }
@@ -63,7 +62,7 @@ void TimelineRoom::addCommands() {
   addSwitches(menu);
   mStrip.addCommand(mRecord)->setProperty("role", "record");
   for (QAction* action : {mKeyCamera, mLoop, mSnap}) mStrip.addCommand(action);
-  mStrip.finishRow();
+  mStrip.finishRow(*mParts.menu(MenuId::Film));
 }
 
 void TimelineRoom::addSwitches(QMenu* menu) {

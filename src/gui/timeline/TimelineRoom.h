@@ -28,7 +28,6 @@ class TimelineRoom : public Room {
 
  signals:
   /// As of TimelineStrip.
-  void readyMadeAsked(const QString& command);
   void saveAsked();
 
  private:

@@ -24,19 +24,6 @@ namespace {
 constexpr int kStripRow = 38, kFirstStrip = 190, kLeastStrip = 110, kStripEdge = 5;
 constexpr const char* kHeightKey = "film/height";
 
-/// The commands of ready-made films with what the menu calls them.
-struct ReadyMade {
-  const char *command, *title;
-};
-constexpr ReadyMade kReadyMade[] = {{"film.turn", "Turn round"},
-                                    {"film.cut", "Cut comes in"},
-                                    {"film.membrane", "Membrane sinks in"},
-                                    {"film.pull", "Structures come out"},
-                                    {"film.equalize", "Model thins out"},
-                                    {"film.fly", "Fly to a structure"},
-                                    {"film.time", "Time steps"},
-                                    {"film.compare", "Whole, then cut open"}};
-
 }  // namespace
 
 TimelineStrip::TimelineStrip(session::Document& document, QWidget* parent)
@@ -104,7 +91,7 @@ NumberField* TimelineStrip::addNumber(const char* object, const QString& name, c
   return field;
 }
 
-void TimelineStrip::finishRow() {
+void TimelineStrip::finishRow(QMenu& films) {
   addGap(6);
   mTime = addNumber("filmTime", tr("Time"), tr("Where the playhead is, in seconds"), 2);
   mTime->setSuffix(tr(" s"));
@@ -128,7 +115,7 @@ void TimelineStrip::finishRow() {
   addGap(6);
   addFilmNumbers();
   addGap(6);
-  addReadyMade();
+  addReadyMade(films);
   auto* save = addButton(tr("Save film..."), tr("Save film"), tr("Write the film as a video or as pictures"));
   save->setObjectName("saveFilm");
   connect(save, &QToolButton::clicked, this, &TimelineStrip::saveAsked);
@@ -148,19 +135,11 @@ void TimelineStrip::resizeEvent(QResizeEvent* event) {
   QFrame::resizeEvent(event);
 }
 
-void TimelineStrip::addReadyMade() {
+void TimelineStrip::addReadyMade(QMenu& films) {
   auto* button = addButton(tr("Add film"), tr("Add film"), tr("Add a film that is ready-made, to be changed then"));
   button->setObjectName("addFilm");
   button->setPopupMode(QToolButton::InstantPopup);
-  auto* menu = new QMenu(button);
-  menu->setToolTipsVisible(true);
-  for (const ReadyMade& row : kReadyMade) {
-    QString name = row.command;
-    QAction* entry = menu->addAction(tr(row.title), this, [this, name] { emit readyMadeAsked(name); });
-    entry->setObjectName(name);
-    entry->setToolTip(toText(session::findCommand(row.command).doc));
-  }
-  button->setMenu(menu);
+  button->setMenu(&films);
 }
 
 void TimelineStrip::addFilmNumbers() {

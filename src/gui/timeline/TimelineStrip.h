@@ -18,14 +18,13 @@ class TimelineStrip : public QFrame {
   /// Adds a button of a command to the row: in the order of the calls, from the left.
   QToolButton* addCommand(QAction* action);
   /// Adds what is not of a command: zoom, the ready-made films, the numbers. Called once, after the commands.
-  void finishRow();
+  /// @param films  the menu of films
+  void finishRow(QMenu& films);
   /// To be called after every change of the document.
   void refresh();
   TrackCanvas& canvas() { return *mCanvas; }
 
  signals:
-  /// A ready-made film is to be added. @param command  its name: "film.turn"
-  void readyMadeAsked(const QString& command);
   /// The film is to be saved.
   void saveAsked();
 
@@ -40,7 +39,7 @@ class TimelineStrip : public QFrame {
   QToolButton* addButton(const QString& text, const QString& name, const QString& tip);
   void addGap(int pixels);
   void foldRow();
-  void addReadyMade();
+  void addReadyMade(QMenu& films);
   void addFilmNumbers();
   void setFilm(const char* field, double value, const QString& step);
 

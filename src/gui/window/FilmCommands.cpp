@@ -49,11 +49,6 @@ void FilmCommands::refresh(const session::Session& session) {
   mClear->setEnabled(isOpen && !scene.timeline.tracks.empty());
 }
 
-void FilmCommands::askReadyFilm(const QString& kind) {
-  // What the menu does not offer is not asked for.
-  if (QAction* action = mReady.value(kind); action && action->isEnabled()) action->trigger();
-}
-
 void FilmCommands::askReady(ReadyFilm film) {
   session::Document& document = mParts.document();
   ReadyFilmDialog dialog(document.scene(), film, document.playhead().value_or(0.0), &mParts.window);

@@ -18,8 +18,6 @@ class FilmCommands : public Room {
   void saveFilmTo(const session::FilmOutput& output, const scene::Scene& scene);
 
  public slots:
-  /// Asks for the numbers of a ready-made film, and adds it. @param kind  a name of session::ReadyFilm
-  void askReadyFilm(const QString& kind);
   void askSaveFilm() { askSave(false); }
 
  private:

@@ -87,7 +87,6 @@ void MainWindow::buildRooms() {
   mTimeline = add(new TimelineRoom(parts, *mFrame.timeline));
   time->follow(*mTimeline);
   mFilms = add(new FilmCommands(parts));
-  connect(mTimeline, &TimelineRoom::readyMadeAsked, mFilms, &FilmCommands::askReadyFilm);
   connect(mTimeline, &TimelineRoom::saveAsked, mFilms, &FilmCommands::askSaveFilm);
   add(new HelpCommands(parts));
   add(new StatusLine(parts, *statusBar()));

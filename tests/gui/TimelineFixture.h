@@ -2,6 +2,7 @@
 #include <QContextMenuEvent>
 #include <QElapsedTimer>
 #include <QMenu>
+#include <QScrollArea>
 #include <QTimer>
 #include <QToolButton>
 #include <QWheelEvent>

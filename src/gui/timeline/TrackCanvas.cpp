@@ -208,7 +208,7 @@ KeyNames TrackCanvas::allKeys() const {
   return all;
 }
 
-void TrackCanvas::change(const QString& step, Tracks changed, bool merge) {
+void TrackCanvas::change(const QString& step, const Tracks& changed, bool merge) {
   auto take = [&changed](scene::Scene& scene) { scene.timeline.tracks = changed; };
   session::editByHand(mDocument, step.toStdString(), take, merge);
 }

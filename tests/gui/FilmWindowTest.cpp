@@ -95,6 +95,9 @@ TEST_F(Timelines, AControlMakesAKeyOfItsFieldAndShowsIt) {
   document().setPlayhead(3.0);
   QTest::mouseClick(mark, Qt::LeftButton);
   EXPECT_EQ(timesOf("finish.contours"), (std::vector<double>{0.0, 3.0}));
+  for (QWidget* above = mark; above; above = above->parentWidget())
+    if (auto* page = qobject_cast<QScrollArea*>(above)) page->ensureWidgetVisible(mark);
+  ASSERT_TRUE(settle());
   takeShot(*mWindow, "timeline-marks");
   QTest::mouseClick(mark, Qt::LeftButton);
   EXPECT_EQ(timesOf("finish.contours"), std::vector<double>{0.0});

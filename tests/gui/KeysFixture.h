@@ -174,6 +174,7 @@ class Keys : public Window {
   int idOf(int place) { return scene().labels.structures[std::size_t(place)].id; }
 
   static std::map<QString, Check> checks();
+  static std::map<QString, Check> filmChecks();
   static QJsonObject keyTable() { return QJsonDocument::fromJson(bytesOf(":/velum/keys.json")).object(); }
 };
 

@@ -8,6 +8,7 @@ namespace velum::gui {
 
 TEST_F(Keys, EachDoesWhatTheGuideSays) {
   auto known = checks();
+  known.merge(filmChecks());
   QJsonObject table = keyTable();
   ASSERT_GT(table.size(), 40);
   for (auto row = table.begin(); row != table.end(); ++row) {
@@ -45,6 +46,12 @@ TEST_F(Keys, AreThoseOfTheGuide) {
       {"time.play", "%1 plays and pauses"},
       {"time.next", "step with %1 and "},
       {"time.previous", "and %1 (full stop and comma)"},
+      {"film.timeline", "*Time > Timeline* (%1)"},
+      {"film.start", "%1 goes to the beginning"},
+      {"film.previousKey", "%1 and Ctrl+Right go to the key before"},
+      {"film.nextKey", "Ctrl+Left and %1 go to the key before and to the next one"},
+      {"film.record", "*Record* (%1)"},
+      {"film.keyCamera", "*Key camera* (%1)"},
       {"help.guide", "%1 opens this guide"},
       {"help.find", "%1 finds by a few letters"},
       {"view.anterior", "| %1 | look from anterior |"},

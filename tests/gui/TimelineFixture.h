@@ -2,6 +2,7 @@
 #include <QContextMenuEvent>
 #include <QElapsedTimer>
 #include <QMenu>
+#include <QScrollArea>
 #include <QTimer>
 #include <QToolButton>
 #include <QWheelEvent>
@@ -61,7 +62,7 @@ class Timelines : public Window {
     QTimer::singleShot(100, [text] {
       auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
       ASSERT_TRUE(menu);
-      takeShot(*menu, "timeline-menu");
+      takeShot(*menu, "timeline-menu-" + text);
       for (QAction* entry : menu->actions())
         if (entry->text() == text) {
           menu->setActiveAction(entry);

@@ -125,10 +125,10 @@ TEST_F(Timelines, AnEyeSwitchesATrackOff) {
 
 TEST_F(Timelines, TheEndsOfTheRangeAreDragged) {
   makeFilm();
-  QPoint end(canvas().onRuler(film().duration).toPoint().x(), 22), start(canvas().onRuler(0.0).toPoint().x(), 22);
-  drag(tracks(), end, {canvas().onRuler(5.0).toPoint().x(), 22});
+  QPoint end(canvas().onRuler(film().duration).toPoint().x(), 26), start(canvas().onRuler(0.0).toPoint().x(), 26);
+  drag(tracks(), end, {canvas().onRuler(5.0).toPoint().x(), 26});
   EXPECT_NEAR(film().rangeEnd, 5.0, 0.1);
-  drag(tracks(), start, {canvas().onRuler(1.0).toPoint().x(), 22});
+  drag(tracks(), start, {canvas().onRuler(1.0).toPoint().x(), 26});
   EXPECT_NEAR(film().rangeStart, 1.0, 0.1);
   document().undo();
   EXPECT_EQ(film().rangeStart, 0.0) << "a drag is a step";

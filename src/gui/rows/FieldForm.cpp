@@ -19,7 +19,7 @@ namespace {
 using scene::FieldKind;
 
 /// Pixels between label and control; and how many of them the mark of a key may take.
-constexpr int kLabelGap = 11, kMarkRoom = 10;
+constexpr int kLabelGap = 12, kMarkRoom = 11;
 
 /// Numbers of a text as fields have it: "1,2,3".
 std::vector<double> numbersIn(std::string_view text) {

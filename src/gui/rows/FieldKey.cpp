@@ -99,7 +99,7 @@ void FieldKey::showMenu(QWidget& control, QPoint globalPlace) {
 void FieldKey::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
-  painter.translate(QRectF(rect()).center());
+  painter.translate(5.5, 0.5 * height());
   double r = underMouse() ? 5.2 : 4.4;
   QColor accent = palette().color(QPalette::Link);
   painter.setPen(QPen(accent, 1.3));

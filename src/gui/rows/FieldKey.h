@@ -26,7 +26,7 @@ class FieldKey : public QAbstractButton {
   void watch(QWidget* control);
   /// @param isShown  the field's row is shown
   void refresh(bool isShown);
-  QSize sizeHint() const override { return {10, 15}; }
+  QSize sizeHint() const override { return {12, 15}; }
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;

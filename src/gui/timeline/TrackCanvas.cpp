@@ -78,7 +78,9 @@ TrackCanvas::Hit TrackCanvas::hitAt(QPointF place) const {
     double toStart = std::abs(place.x() - mScale.xOf(timeline().rangeStart));
     double toEnd = std::abs(place.x() - mScale.xOf(rangeEnd()));
     bool isLow = place.y() > 0.6 * kRulerHeight;  // where the handles are
-    if (isLow && std::min(toStart, toEnd) <= kFlagReach)
+    auto playhead = mDocument.playhead();
+    bool isPlayhead = playhead && std::abs(place.x() - mScale.xOf(*playhead)) <= kFlagReach;
+    if (isLow && !isPlayhead && std::min(toStart, toEnd) <= kFlagReach)
       return {toStart < toEnd ? Part::RangeStart : Part::RangeEnd, 0, {}};
     return {Part::Ruler, 0, {}};
   }
@@ -208,7 +210,7 @@ KeyNames TrackCanvas::allKeys() const {
   return all;
 }
 
-void TrackCanvas::change(const QString& step, Tracks changed, bool merge) {
+void TrackCanvas::change(const QString& step, const Tracks& changed, bool merge) {
   auto take = [&changed](scene::Scene& scene) { scene.timeline.tracks = changed; };
   session::editByHand(mDocument, step.toStdString(), take, merge);
 }

@@ -91,7 +91,7 @@ class TrackCanvas : public QAbstractScrollArea {
   void selectRow(std::size_t row);
   bool isSelected(const KeyName& key) const;
   KeyNames allKeys() const;
-  void change(const QString& step, Tracks tracks, bool merge = false);
+  void change(const QString& step, const Tracks& tracks, bool merge = false);
   void toggle(std::size_t row);
   void paste();
   void fillKeyMenu(QMenu& menu);

@@ -234,7 +234,7 @@ void TrackCanvas::fillRowMenu(QMenu& menu, std::size_t row) {
   menu.addAction(tr("Remove track"), this, [this, path = track.path] {
     Tracks left = tracks();
     std::erase_if(left, [&](const scene::Track& one) { return one.path == path; });
-    change(tr("Remove track"), std::move(left));
+    change(tr("Remove track"), left);
   });
 }
 
@@ -242,7 +242,7 @@ void TrackCanvas::toggle(std::size_t row) {
   Tracks next = tracks();
   if (row >= next.size()) return;
   next[row].enabled = !next[row].enabled;
-  change(next[row].enabled ? tr("Enable track") : tr("Disable track"), std::move(next));
+  change(next[row].enabled ? tr("Enable track") : tr("Disable track"), next);
 }
 
 void TrackCanvas::paste() {

@@ -26,10 +26,15 @@ static_assert(std::size(kEases) == std::size(EnumNames<scene::Ease>::kNames), "e
 
 QString sayOfEase(const char* text) { return QCoreApplication::translate("KeyPaint", text); }
 
-/// A number at keys 0, 1/2 and 1, which are 0, 1/2 and 1, with an ease between.
+/// The keys of a picture: smooth passes one.
+std::vector<double> keysOf(scene::Ease ease) {
+  return ease == scene::Ease::Smooth ? std::vector{0.0, 0.5, 1.0} : std::vector{0.0, 1.0};
+}
+
+/// A number that is each key's own time, on the way between them.
 double onTheWay(scene::Ease ease, double t) {
   scene::Scene scene;
-  for (double key : {0.0, 0.5, 1.0})
+  for (double key : keysOf(ease))
     scene::setKey(scene.timeline, scene::kOrbitPath, key, {std::to_string(key)}).ease = ease;
   return scene::orbitAt(scene, t);
 }
@@ -80,7 +85,7 @@ QIcon easeIcon(scene::Ease ease, const QPalette& palette) {
   painter.drawPath(way);
   painter.setPen(Qt::NoPen);
   painter.setBrush(palette.color(QPalette::Link));
-  for (double t : {0.0, 0.5, 1.0}) painter.drawEllipse(place(t), 1.9, 1.9);
+  for (double t : keysOf(ease)) painter.drawEllipse(place(t), 1.6, 1.6);
   painter.end();
   return picture;
 }

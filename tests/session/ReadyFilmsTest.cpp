@@ -174,8 +174,13 @@ TEST(CutsComeIn, AndGoOutAgainWhereThatIsAsked) {
 }
 
 TEST(ReadyFilms, StructuresComeOutOneAfterTheOther) {
-  scene::Scene scene = boneScene();
-  scene::addCut(scene, planeOf({0, 0, 5}, {0, 0, 1}));
+  scene::Scene scene = boxScene({400, 300});
+  for (glm::dvec3 axis : {glm::dvec3(0, -1, 0), glm::dvec3(0, 0, 1)}) {
+    scene::Cut plane;
+    plane.centre = {45, 95, 145};
+    plane.axis = axis;
+    scene::addCut(scene, plane);
+  }
   scene.cuts[0].spares = {{2, 7.5}, {3, scene::Spare::kEndless}, {5, 3.25}, {6, 0.0}};
   scene.cuts[1].spares = {{2, 11.0}};
   ASSERT_EQ(extrusionsOf(scene).size(), 3u);

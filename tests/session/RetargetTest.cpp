@@ -31,8 +31,8 @@ class Retarget : public testing::Test {
     sample.labels.read({0, 0, 0}, dims, ids);
     for (auto& id : ids) id = id == 0 ? 0 : id + 10;
     labels.write({0, 0, 0}, dims, ids);
-    labels.names = {};
-    for (const auto& [id, name] : sample.labels.names) labels.names[id + 10] = name;
+    labels.table = sample.labels.table;
+    for (auto& info : labels.table) info.id = std::uint16_t(info.id + 10);
     sample.labels = std::move(labels);
     write(sample, "two");
     scene::Source source;
@@ -87,7 +87,9 @@ TEST_F(Retarget, StructuresAreFoundByTheirNames) {
   int before = mScene.labels.structures[1].id, after = before + 10;
   EXPECT_EQ(other.cuts[0].spares.at(0).structure, after);
   for (const auto& structure : other.labels.structures)
-    if (structure.id == after) EXPECT_EQ(structure.color, glm::vec3(0.1f, 0.2f, 0.3f));
+    if (structure.id == after) {
+      EXPECT_EQ(structure.color, glm::vec3(0.1f, 0.2f, 0.3f));
+    }
   EXPECT_TRUE(scene::tracksThatDoNotFit(other).empty());
   EXPECT_EQ(other.timeline.tracks[1].path, fmt("labels.structures[#{}].opacity", mScene.labels.structures[0].id + 10));
 }

@@ -24,7 +24,7 @@ scene::Scene Document::changedBy(const Change& change) const {
 
 /// What of a scene that is to be shown goes into the scene that is saved: all but what tracks say, which becomes keys
 /// where changes are recorded.
-scene::Scene Document::kept(const scene::Scene& next) const {
+scene::Scene Document::kept(const scene::Scene& next, bool records) const {
   scene::Scene out = next;
   if (!mShown) return out;
   double orbit = glm::radians(scene::orbitAt(mScene, *mPlayhead));
@@ -34,7 +34,7 @@ scene::Scene Document::kept(const scene::Scene& next) const {
   };
   out.camera = next.camera == mShown->camera ? mScene.camera : unturned(next).camera;
   if (next.timeline.orbitDeg == 0.0) out.timeline.orbitDeg = mScene.timeline.orbitDeg;
-  if (isRecording()) {
+  if (records) {
     scene::Timeline recorded = scene::recorded(unturned(*mShown), unturned(next), *mPlayhead);
     out.timeline.tracks = std::move(recorded.tracks);
   }
@@ -65,7 +65,7 @@ void Document::setPlayhead(std::optional<double> seconds) {
 void Document::edit(const std::string& label, const Change& change, bool merge, const std::string& command) {
   scene::Scene seen = changedBy(change);  // may throw: nothing has changed yet
   if (seen == shown()) return;
-  scene::Scene next = kept(seen);
+  scene::Scene next = kept(seen, isRecording());
   if (next == mScene) {  // of a field that a track sets
     mShown = std::move(seen);
     return notify();
@@ -86,7 +86,7 @@ void Document::view(const Change& change) {
   if (isRecording()) return edit(kRecordView, change, true);
   scene::Scene seen = changedBy(change);
   if (seen == shown()) return;
-  scene::Scene next = kept(seen);
+  scene::Scene next = kept(seen, isRecording());
   if (next == mScene) {
     mShown = std::move(seen);
     return notify();
@@ -105,9 +105,8 @@ void Document::view(const Change& change) {
 void Document::complete(const Change& change) {
   scene::Scene seen = changedBy(change);
   if (seen == shown()) return;
-  scene::Scene next = mShown ? seen : std::move(seen);
+  scene::Scene next = kept(seen, false);
   if (mShown) {
-    scene::keepTracked(next, mScene);
     scene::keepRests(next, mScene);
     mShown = std::move(seen);
   }

@@ -100,7 +100,7 @@ class Document {
     std::string command;  ///< as of edit()
   };
   scene::Scene changedBy(const Change& change) const;
-  scene::Scene kept(const scene::Scene& next) const;
+  scene::Scene kept(const scene::Scene& next, bool records) const;
   void take(scene::Scene next, scene::Scene seen);
   static std::vector<std::string> labelsOf(const std::vector<Step>& steps);
   void push(Step step);

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Draws the pictures of the guide and of the README that show volumes; `./dev guide` calls it.
+"""Draws the pictures of the guide and of the README that show volumes, and a film; `./dev guide` calls it.
 
 Each picture is a plate of panels, each panel one call of `velum-batch render` or `film`, mounted by oiiotool (Debian package
 openimageio-tools). The scans are those of the Debian packages invesalius-examples and mricron-data; all else is
@@ -243,6 +243,22 @@ def turn(_):
     return [([WELCOME, *near(28), "--frames", "4", "--animate", "turn"], ("-0000", "-0001", "-0002", "-0003"))]
 
 
+def films(folder):
+    """Five frames of a film each: a membrane sinks into a head, structures come out of a trunk, a virion is opened and filled again."""
+    frames = tuple(f"-{i:04}" for i in range(5))
+    pulled, spikes = first_plate(folder)[1], first_virus(folder)[1]
+    return [(words, frames) for words in (
+        [WELCOME, *near(28), "--frames", "5", "--animate", "membrane"],
+        [*pulled, "--frames", "5", "--animate", "pull overlap=0 hold=0"],
+        [*spikes, *near(21), "--frames", "5", "--animate", "equalize hold=0"])]
+
+
+def head_film(_):
+    """A head is cut open, its skull comes out of the cut, the eye goes round."""
+    return [*SKULL_OUT, "--fps", "25", "--animate", "cut seconds=2.5", "--animate", "pull start=2.5 seconds=2.5 hold=0.1",
+            "--animate", "turn start=4.5 seconds=5.5 gently=true"]
+
+
 def models(folder):
     """A virion in its looks; below a membrane about the capsid, a cut that leaves shares, and the inside from near."""
     virion = [folder / "virion.cif", "--view", "anterior"]
@@ -378,6 +394,7 @@ PLATES = {
     "situations": (4, (300, 240), DARK, situations),
     "layers": (4, (400, 340), WHITE, layers),
     "turn": (4, (360, 300), DARK, turn),
+    "films": (5, (260, 220), DARK, films),
     "models": (3, (400, 340), WHITE, models),
     "equalizer": (3, (400, 340), WHITE, equalizer),
     "sheet": (3, (480, 400), DARK, sheet),
@@ -387,8 +404,10 @@ PLATES = {
     "first-virus": (3, (400, 340), WHITE, first_virus),
     "brain-cells": (1, (1200, 800), DARK, brain_cells),
 }
+# name: (size, what gives the film: the arguments of `velum-batch film`).
+FILMS = {"head": ((480, 400), head_film)}
 BY_NAME_ONLY = {"brain-cells"}  # they take too long
-PHANTOMS = {"systems": ("virion",), "first-plate": ("torso",), "first-ct": ("torso",), "first-virus": ("virion",), "models": ("virion",), "equalizer": ("virion",), "situations": ("torso", "two-spheres", "seismic", "vessels"), "membrane": ("torso", "heart"), "pull": ("hand",), "cross-sections": ("torso", "hand", "foot"), "sheet": ("torso", "vessels", "neurons", "seismic")}
+PHANTOMS = {"systems": ("virion",), "first-plate": ("torso",), "first-ct": ("torso",), "first-virus": ("virion",), "films": ("torso", "virion"), "models": ("virion",), "equalizer": ("virion",), "situations": ("torso", "two-spheres", "seismic", "vessels"), "membrane": ("torso", "heart"), "pull": ("hand",), "cross-sections": ("torso", "hand", "foot"), "sheet": ("torso", "vessels", "neurons", "seismic")}
 
 
 def run(*command):
@@ -430,20 +449,25 @@ def draw_plate(batch, name, folder, out):
     mount(panels, columns, size, ground, out / f"{name}.jpg")
 
 
+def draw_film(batch, name, folder, out):
+    size, describe = FILMS[name]
+    run(batch, "film", *describe(folder), "-o", out / f"{name}.mp4", "--size", f"{size[0]}x{size[1]}", "--samples", 4, "--quality", 50)
+
+
 def main():
     if len(sys.argv) < 3:
         sys.exit(__doc__)
     batch, out = sys.argv[1], pathlib.Path(sys.argv[2])
-    names = sys.argv[3:] or [name for name in PLATES if name not in BY_NAME_ONLY]
-    if unknown := set(names) - set(PLATES):
-        sys.exit(f"pictures: no picture is called {', '.join(unknown)}; there are {', '.join(PLATES)}")
+    names = sys.argv[3:] or [name for name in (*PLATES, *FILMS) if name not in BY_NAME_ONLY]
+    if unknown := set(names) - set(PLATES) - set(FILMS):
+        sys.exit(f"pictures: no picture is called {', '.join(unknown)}; there are {', '.join((*PLATES, *FILMS))}")
     with tempfile.TemporaryDirectory() as place:
         folder = pathlib.Path(place)
         for name in names:
             for phantom_name in PHANTOMS.get(name, ()):
                 ending = "cif" if phantom_name == "virion" else "nrrd"
                 run(batch, "sample", phantom_name, "-o", folder / f"{phantom_name}.{ending}")
-            draw_plate(batch, name, folder, out)
+            (draw_film if name in FILMS else draw_plate)(batch, name, folder, out)
 
 
 if __name__ == "__main__":

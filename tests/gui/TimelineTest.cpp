@@ -1,4 +1,6 @@
 // The tracks and keys of a film under the hand.
+#include <cmath>
+
 #include "TimelineFixture.h"
 
 namespace velum::gui {
@@ -128,6 +130,10 @@ TEST_F(Timelines, TheEndsOfTheRangeAreDragged) {
   QPoint end(canvas().onRuler(film().duration).toPoint().x(), 26), start(canvas().onRuler(0.0).toPoint().x(), 26);
   drag(tracks(), end, {canvas().onRuler(5.0).toPoint().x(), 26});
   EXPECT_NEAR(film().rangeEnd, 5.0, 0.1);
+  drag(tracks(), start, {canvas().onRuler(2.0).toPoint().x(), 26});
+  // The playhead, which stands on the range's start, comes first.
+  ASSERT_TRUE(QTest::qWaitFor([&] { return std::abs(document().playhead().value() - 2.0) < 0.1; }, 2000));
+  EXPECT_EQ(film().rangeStart, 0.0);
   drag(tracks(), start, {canvas().onRuler(1.0).toPoint().x(), 26});
   EXPECT_NEAR(film().rangeStart, 1.0, 0.1);
   document().undo();

@@ -76,8 +76,9 @@ void comeIn(Scene& scene, FilmKeys& keys, int id, bool onlyMembranes, double fro
     Scene out = scene;
     std::string path = takenOut(out, *scene::findCut(out, cut.id));
     keys.clear(path);
-    keys.setAsIn(out, path, from, Ease::Both);
-    keys.setAsIn(scene, path, to, Ease::Both);
+    // Fast where there is still air, slowly where it cuts.
+    keys.setAsIn(out, path, from, Ease::Out);
+    keys.setAsIn(scene, path, to, Ease::In);
     if (back > to) keys.setAsIn(out, path, back, Ease::Both);
     isAny = true;
   }

@@ -120,6 +120,15 @@ TEST_F(Playhead, RemovingATrackKeepsWhatIsSeen) {
   EXPECT_DOUBLE_EQ(document.scene().cuts[0].faceOpacity, 0.75);
 }
 
+TEST_F(Playhead, WithACutItsTracksGo) {
+  document.setPlayhead(1.0);
+  run("cut.remove Front");
+  ASSERT_EQ(document.scene().timeline.tracks.size(), 1u);
+  EXPECT_EQ(document.scene().timeline.tracks[0].path, "timeline.orbitDeg");
+  document.undo();
+  EXPECT_EQ(document.scene().timeline.tracks.size(), 2u);
+}
+
 TEST_F(Playhead, CommandsEditTheFilm) {
   run("film.key sections.crosshair 1 1,2,3");
   run("film.key sections.crosshair 5 4,5,6");

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "scene/timeline/Tracks.h"
 #include "session/command/CommandRow.h"
 #include "session/cut/CutEdit.h"
 #include "session/extrusion/Pull.h"
@@ -108,6 +109,7 @@ std::vector<Command> cutCommands() {
                          [](Scene& scene, const RemoveCut& a) {
                            int place = scene::cutPlace(scene, cutOf(std::as_const(scene), a.cut).id);
                            scene.cuts.erase(scene.cuts.begin() + place);
+                           scene::dropLostTracks(scene);
                          }),
       editRow<DuplicateCut>("Adds a copy of a cut, right behind it.", "cut.duplicate \"Plane 1\"", "Duplicate cut",
                             duplicate),

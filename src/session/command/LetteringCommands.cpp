@@ -1,6 +1,7 @@
 #include "session/command/LetteringCommands.h"
 
 #include "scene/Scene.h"
+#include "scene/timeline/Tracks.h"
 #include "session/command/CommandRow.h"
 #include "session/structure/StructureEdit.h"
 
@@ -70,6 +71,7 @@ std::vector<Command> letteringCommands() {
                                auto& all = scene.lettering.captions;
                                std::size_t place = scene::detail::findByKey(all, a.caption, "lettering.captions");
                                all.erase(all.begin() + std::ptrdiff_t(place));
+                               scene::dropLostTracks(scene);
                              }),
   };
 }

@@ -125,6 +125,8 @@ int addCut(Scene& scene, Cut cut) {
 }
 
 void completeItems(Scene& scene) {
+  for (Track& track : scene.timeline.tracks)
+    if (!std::ranges::is_sorted(track.keys, {}, &Key::time)) std::ranges::stable_sort(track.keys, {}, &Key::time);
   completeIds(scene.cuts);
   completeIds(scene.lettering.captions);
   for (auto& cut : scene.cuts) {

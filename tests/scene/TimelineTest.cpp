@@ -222,6 +222,13 @@ TEST(Timeline, FilesKeepItAsItIs) {
   EXPECT_EQ(getField(scene, "timeline.tracks[cuts[#3].centre].keys.0.time"), "1");
 }
 
+TEST(Timeline, KeysOfAFileThatStandInNoOrderAreBroughtIntoIt) {
+  Scene scene = withNumbers("camera.fieldOfViewDeg", {{3.0, 60.0}, {1.0, 20.0}}, Ease::Linear);
+  Scene back = fromJson(toJson(scene));
+  EXPECT_EQ(back.timeline.tracks[0].keys[0].time, 1.0);
+  EXPECT_EQ(sceneAt(back, 2.0).camera.fieldOfViewDeg, 40.0);
+}
+
 TEST(Timeline, RecordingMakesKeysOfWhatChanges) {
   Scene before;
   before.cuts.emplace_back();

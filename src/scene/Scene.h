@@ -180,8 +180,8 @@ int cutPlace(const Scene& scene, int id);
 int nextCutId(const Scene& scene);
 /// Appends a cut under a new id, whatever id it had. @return the new id
 int addCut(Scene& scene, Cut cut);
-/// For scenes from outside: cuts and captions without an id, or with one before's, get a new one, cuts of shape Membrane
-/// and no others a Cut::membrane, and keys of tracks come into the order of time.
+/// For scenes from outside: cuts and captions without an id of their own get one, cuts of shape Membrane and no others
+/// a Cut::membrane, and keys of tracks come into the order of time.
 void completeItems(Scene& scene);
 
 /// The rigid transform from a cut's local frame, in which z is the cut's axis, to the world.

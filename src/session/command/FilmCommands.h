@@ -104,32 +104,24 @@ struct AddTurn {
   }
 };
 
-struct AddCutting {
-  static constexpr std::string_view kName = "film.cut";
+/// Of films in which cuts come in.
+struct CutFilm {
   double seconds = 6.0;
   std::string cut;
   bool back = false;
   double start = 0.0;
   static void fields(auto& o, auto& visit) {
     visit("seconds", o.seconds, kFilmSecondsInfo);
-    visit("cut", o.cut, FieldInfo{"", {}, "Cut that comes in; nothing: all that are on."});
+    visit("cut", o.cut, FieldInfo{"", {}, "Which one comes in; nothing: all that are on."});
     visit("back", o.back, FieldInfo{"", {}, "Goes out again in the second half."});
     visit("start", o.start, kFilmStartInfo);
   }
 };
-
-struct AddSinking {
+struct AddCutting : CutFilm {
+  static constexpr std::string_view kName = "film.cut";
+};
+struct AddSinking : CutFilm {
   static constexpr std::string_view kName = "film.membrane";
-  double seconds = 6.0;
-  std::string cut;
-  bool back = false;
-  double start = 0.0;
-  static void fields(auto& o, auto& visit) {
-    visit("seconds", o.seconds, kFilmSecondsInfo);
-    visit("cut", o.cut, FieldInfo{"", {}, "Membrane that sinks in; nothing: all that are on."});
-    visit("back", o.back, FieldInfo{"", {}, "Comes out again in the second half."});
-    visit("start", o.start, kFilmStartInfo);
-  }
 };
 
 struct AddPulling {

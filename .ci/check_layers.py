@@ -14,9 +14,10 @@ MAY_USE = {  # module: modules it may include (its own is implied)
     "model": "core scene gpu",
     "growth": "core scene",
     "render": "core scene gpu membrane model",
-    "session": "core scene gpu io membrane model growth render",
-    "app": "core scene gpu io growth render session",
-    "gui": "core scene gpu growth render session",
+    "vector": "core",
+    "session": "core scene gpu io membrane model growth render vector",
+    "app": "core scene gpu io growth render session vector",
+    "gui": "core scene gpu growth render session vector",
 }
 ROOMS = {  # module: {room: rooms of the module it may include (its own is implied); "." is the module's own folder}
     # A module's own folder may include each room unless it is listed.

@@ -129,6 +129,7 @@ void completeItems(Scene& scene) {
     if (!std::ranges::is_sorted(track.keys, {}, &Key::time)) std::ranges::stable_sort(track.keys, {}, &Key::time);
   completeIds(scene.cuts);
   completeIds(scene.lettering.captions);
+  completeIds(scene.lettering.marks);
   for (auto& cut : scene.cuts) {
     if (!isMembrane(cut))
       cut.membrane.reset();

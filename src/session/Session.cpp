@@ -182,7 +182,8 @@ Image Session::picture(const PictureOptions& options, Progress& progress) {
 void Session::savePicture(const PictureOptions& options, std::optional<scene::SectionKind> section,
                           const std::filesystem::path& path, Progress& progress) {
   if (path != "-") expectPictureFile(path);
-  Image image = section ? drawSectionPicture(settled(progress), *section, options) : picture(options, progress);
+  Image image =
+      section ? drawSectionPicture(settled(progress), *section, options, progress) : picture(options, progress);
   session::savePicture(image, shown(), options, path);
 }
 
@@ -196,7 +197,7 @@ FilmReport Session::film(FilmOutput output, Progress& progress) {
   auto draw = [&](int frame, double share, Progress& heard) {
     if (needsContext) bindContext();
     Film::Frame at = film.at(frame, share, heard);
-    Image image = output.section ? drawSectionPicture(at.drawn, *output.section, output.picture)
+    Image image = output.section ? drawSectionPicture(at.drawn, *output.section, output.picture, heard)
                                  : drawPicture(*mRenderer, at.drawn, output.picture, mContext->limits(), heard);
     return FilmFrame{std::move(image), std::move(at.scene)};
   };

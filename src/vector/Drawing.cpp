@@ -6,6 +6,10 @@
 
 namespace velum::vector {
 
+namespace {
+constexpr double kArm = 0.5522847498307936;  // a quarter of a circle within 0.03 % of its radius
+}
+
 bool isStraight(glm::dvec2 from, const Curve& curve) {
   glm::dvec2 chord = curve.end - from;
   double length = glm::length(chord), most = 1e-9 * (1.0 + length);
@@ -26,7 +30,6 @@ Outline outlineThrough(const std::vector<glm::dvec2>& points, bool isClosed) {
 }
 
 Outline circle(glm::dvec2 middle, double radius) {
-  constexpr double kArm = 0.5522847498307936;  // a quarter of a circle within 0.03 % of its radius
   Outline out{middle + glm::dvec2(radius, 0.0), {}, true};
   glm::dvec2 x(radius, 0.0), y(0.0, radius);
   for (int quarter = 0; quarter < 4; ++quarter) {
@@ -35,6 +38,28 @@ Outline circle(glm::dvec2 middle, double radius) {
     x = y;
     y = next;
   }
+  return out;
+}
+
+Outline rectangle(glm::dvec2 low, glm::dvec2 high, double left, double right) {
+  Outline out{{low.x + left, low.y}, {}, true};
+  glm::dvec2 at = out.start;
+  auto side = [&](glm::dvec2 to) {
+    if (to != at) out.curves.push_back(straight(at, to));
+    at = to;
+  };
+  auto corner = [&](glm::dvec2 corner, glm::dvec2 to) {
+    if (to != at) out.curves.push_back({glm::mix(at, corner, kArm), glm::mix(to, corner, kArm), to});
+    at = to;
+  };
+  side({high.x - right, low.y});
+  corner({high.x, low.y}, {high.x, low.y + right});
+  side({high.x, high.y - right});
+  corner(high, {high.x - right, high.y});
+  side({low.x + left, high.y});
+  corner({low.x, high.y}, {low.x, high.y - left});
+  side({low.x, low.y + left});
+  corner(low, out.start);
   return out;
 }
 

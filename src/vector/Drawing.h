@@ -35,6 +35,11 @@ bool isStraight(glm::dvec2 from, const Curve& curve);
 Outline outlineThrough(const std::vector<glm::dvec2>& points, bool isClosed);
 /// A circle of four pieces.
 Outline circle(glm::dvec2 middle, double radius);
+/// A rectangle with round corners. @param left, right  radii of the corners there
+Outline rectangle(glm::dvec2 low, glm::dvec2 high, double left, double right);
+inline Outline rectangle(glm::dvec2 low, glm::dvec2 high, double radius) {
+  return rectangle(low, high, radius, radius);
+}
 
 /// How a line is drawn; with round ends and joins.
 struct Pen {

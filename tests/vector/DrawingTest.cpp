@@ -34,5 +34,21 @@ TEST(Drawing, LinesThroughPointsAreStraightAndEndAtThem) {
   EXPECT_FALSE(isStraight({0, 0}, {{-1, 0}, {2, 0}, {3, 0}}));
 }
 
+TEST(Drawing, ARectanglesCornersAreRoundAndItsEndsMeet) {
+  for (double radius : {0.0, 2.0}) {
+    Outline outline = rectangle({1, 2}, {11, 8}, radius);
+    glm::dvec2 from = outline.start;
+    for (const Curve& curve : outline.curves) {
+      for (double t = 0.0; t <= 1.0; t += 0.125) {
+        glm::dvec2 outside = glm::abs(at(from, curve, t) - glm::dvec2(6, 5)) - (glm::dvec2(5, 3) - radius);
+        double distance = glm::length(glm::max(outside, 0.0)) + std::min(std::max(outside.x, outside.y), 0.0);
+        EXPECT_NEAR(distance, radius, 1e-3);
+      }
+      from = curve.end;
+    }
+    EXPECT_EQ(from, outline.start);
+  }
+}
+
 }  // namespace
 }  // namespace velum::vector

@@ -8,18 +8,23 @@ namespace velum::gui {
 
 namespace {
 
-QImage imageOf(const session::Mark& mark) {
-  QImage image(mark.size.x, mark.size.y, QImage::Format_ARGB32_Premultiplied);
-  glm::vec3 color = glm::clamp(mark.color, 0.0f, 1.0f);
-  for (int y = 0; y < mark.size.y; ++y) {
-    auto* line = reinterpret_cast<QRgb*>(image.scanLine(y));
-    for (int x = 0; x < mark.size.x; ++x) {
-      int covers = mark.covers[std::size_t(y) * std::size_t(mark.size.x) + std::size_t(x)];
-      glm::ivec3 part(glm::round(color * float(covers)));
-      line[x] = qRgba(part.r, part.g, part.b, covers);
-    }
+void paintBlocks(QPainter& painter, const std::vector<session::LetteringBlock>& blocks, double ratio) {
+  for (const session::LetteringBlock& block : blocks) {
+    vector::Raster raster = session::stampOf(block);
+    QImage image(raster.rgba.data(), raster.size.x, raster.size.y, 4 * raster.size.x,
+                 QImage::Format_RGBA8888_Premultiplied);
+    image.setDevicePixelRatio(ratio);
+    painter.drawImage(QPointF(raster.corner.x, raster.corner.y) / ratio, image);
   }
-  return image;
+}
+
+/// The space of a view in pixels of the screen.
+session::ViewSpace finer(const session::ViewSpace& space, glm::dvec2 size, double ratio) {
+  if (!space.section()) return {space.camera(), size};
+  scene::SectionPlane plane = *space.section();
+  plane.size = size;
+  plane.lengthPerPixel /= ratio;
+  return session::ViewSpace(plane);
 }
 
 }  // namespace
@@ -49,14 +54,14 @@ std::vector<QString> LetteringOverlay::names() const {
 }
 
 void LetteringOverlay::paint(ViewPainter& over) const {
-  if (&over.view != &mViewport) return;
   double ratio = over.painter.device()->devicePixelRatioF();
   glm::ivec2 size(glm::round(glm::dvec2(over.size.width(), over.size.height()) * ratio));
-  for (const session::Mark& mark : session::letteringMarks(mDocument.shown(), size, pixels())) {
-    QImage image = imageOf(mark);
-    image.setDevicePixelRatio(ratio);
-    over.painter.drawImage(QPointF(mark.corner.x, mark.corner.y) / ratio, image);
-  }
+  const scene::Scene& scene = mDocument.shown();
+  session::Seen seen{pixels(), mMeasured};
+  if (&over.view == &mViewport)
+    paintBlocks(over.painter, session::letteringBlocks(scene, size, seen), ratio);
+  else
+    paintBlocks(over.painter, session::markBlocks(scene, finer(over.space, glm::dvec2(size), ratio), seen), ratio);
 }
 
 }  // namespace velum::gui

@@ -1,5 +1,7 @@
 #pragma once
 #include <QString>
+#include <map>
+#include <utility>
 #include <vector>
 
 #include "core/Model.h"
@@ -11,7 +13,7 @@
 
 namespace velum::gui {
 
-/// What is written over the 3D view (scene::Lettering): the marks that are laid over pictures of the view's size.
+/// What is written over the 3D view (scene::Lettering), as over pictures of the view's size, and marks over sections.
 class LetteringOverlay : public Manipulator {
  public:
   LetteringOverlay(const session::Document& document, Viewport& viewport) : mDocument(document), mViewport(viewport) {}
@@ -22,6 +24,9 @@ class LetteringOverlay : public Manipulator {
   /// What the legend names, from its top.
   std::vector<QString> names() const;
 
+  /// What marks measure that are not measured at once, by their ids.
+  void setMeasured(std::map<int, session::Measured> measured) { mMeasured = std::move(measured); }
+
   void paint(ViewPainter& over) const override;
 
  private:
@@ -30,6 +35,7 @@ class LetteringOverlay : public Manipulator {
   const session::Document& mDocument;
   Viewport& mViewport;
   session::TypePixels mPixels;
+  std::map<int, session::Measured> mMeasured;
   Shared<Model> mModel;  ///< the model whose types were counted
 };
 

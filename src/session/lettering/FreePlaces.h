@@ -15,6 +15,9 @@ class FreePlaces {
   /// and to other rectangles, pixels  @return its top left corner; none: there is no such place, and none was taken
   std::optional<glm::dvec2> take(glm::dvec2 size, glm::dvec2 wanted, double margin, double gap);
 
+  /// Takes a rectangle wherever it lies.
+  void add(glm::dvec2 low, glm::dvec2 size, double gap) { mTaken.push_back({low, low + size, gap}); }
+
  private:
   struct Taken {
     glm::dvec2 low, high;

@@ -7,6 +7,7 @@
 #include "scene/SectionPlane.h"
 #include "scene/Units.h"
 #include "session/lettering/LetteringLayout.h"
+#include "session/lettering/MarkLayout.h"
 #include "session/section/SectionTool.h"
 
 namespace velum::session {
@@ -26,18 +27,25 @@ std::optional<ScaleBar> barOf(const scene::Scene& scene, double perPixel, int wi
 }
 
 bool hasLettering(const scene::Lettering& lettering) {
-  return lettering.legend || lettering.scaleBar || lettering.timeStamp || !lettering.captions.empty();
+  return lettering.legend || lettering.scaleBar || lettering.timeStamp || !lettering.captions.empty() ||
+         !lettering.marks.empty();
 }
 
 /// What always stands there goes before what comes and goes, so that it keeps its place.
-std::vector<Mark> marksOf(LetteringLayout& layout, const scene::Scene& scene, const std::optional<ScaleBar>& bar,
-                          const std::vector<LegendEntry>& entries) {
+std::vector<LetteringBlock> blocksOf(LetteringLayout& layout, const MarkView& view, glm::vec3 ground,
+                                     const std::optional<ScaleBar>& bar, const std::vector<LegendEntry>& entries,
+                                     const Seen& seen) {
+  const scene::Scene& scene = view.scene();
   if (bar) layout.addScaleBar(*bar);
   auto stamp = scene.lettering.timeStamp ? timeStampOf(scene) : std::nullopt;
   if (stamp) layout.addTimeStamp(*stamp);
   layout.addLegend(entries);
   layout.addCaptions();
-  return std::move(layout).marks();
+  MarkLayout marks(view, seen.measured, ground, layout.places());
+  for (const scene::Mark& mark : scene.lettering.marks) marks.add(mark);
+  std::vector<LetteringBlock> all = std::move(marks).blocks();
+  for (LetteringBlock& block : std::move(layout).blocks()) all.push_back(std::move(block));
+  return all;
 }
 
 }  // namespace
@@ -50,20 +58,40 @@ std::optional<ScaleBar> scaleBarOf(const scene::Scene& scene, scene::SectionKind
   return barOf(scene, scene::makeSectionPlane(scene, kind, glm::dvec2(size)).lengthPerPixel, size.x);
 }
 
-std::vector<Mark> letteringMarks(const scene::Scene& scene, glm::ivec2 size, const TypePixels& pixels) {
-  if (!hasLettering(scene.lettering)) return {};
-  LetteringLayout layout(scene, size);
-  auto bar = scene.lettering.scaleBar ? scaleBarOf(scene, size) : std::nullopt;
-  return marksOf(layout, scene, bar,
-                 scene.lettering.legend ? legendEntries(scene, pixels) : std::vector<LegendEntry>());
+std::map<int, Measured> measuredMarks(const scene::Scene& scene, Progress& progress) {
+  std::map<int, Measured> all;
+  for (const scene::Mark& mark : scene.lettering.marks)
+    if (mark.visible && !isMeasuredAtOnce(mark)) all.emplace(mark.id, measure(scene, mark, progress));
+  return all;
 }
 
-std::vector<Mark> letteringMarks(const scene::Scene& scene, scene::SectionKind kind, glm::ivec2 size) {
+std::vector<LetteringBlock> letteringBlocks(const scene::Scene& scene, glm::ivec2 size, const Seen& seen) {
+  if (!hasLettering(scene.lettering)) return {};
+  LetteringLayout layout(scene, size);
+  MarkView view(scene, ViewSpace(scene.camera, glm::dvec2(size)));
+  auto bar = scene.lettering.scaleBar ? scaleBarOf(scene, size) : std::nullopt;
+  return blocksOf(layout, view, groundOf(scene, scene::CaptionPlace::Centre), bar,
+                  scene.lettering.legend ? legendEntries(scene, seen.pixels) : std::vector<LegendEntry>(), seen);
+}
+
+std::vector<LetteringBlock> letteringBlocks(const scene::Scene& scene, scene::SectionKind kind, glm::ivec2 size,
+                                            const Seen& seen) {
   if (!hasLettering(scene.lettering)) return {};
   // Beyond the data's end a section shows the background's lower colour.
   LetteringLayout layout(scene, size, scene.background.bottom);
+  MarkView view(scene, ViewSpace(scene::makeSectionPlane(scene, kind, glm::dvec2(size))));
   auto bar = scene.lettering.scaleBar ? scaleBarOf(scene, kind, size) : std::nullopt;
-  return marksOf(layout, scene, bar, {});
+  return blocksOf(layout, view, scene.background.bottom, bar, {}, seen);
+}
+
+std::vector<LetteringBlock> markBlocks(const scene::Scene& scene, const ViewSpace& space, const Seen& seen) {
+  if (scene.lettering.marks.empty()) return {};
+  FreePlaces places(space.size());
+  MarkView view(scene, space);
+  glm::vec3 ground = space.section() ? scene.background.bottom : groundOf(scene, scene::CaptionPlace::Centre);
+  MarkLayout marks(view, seen.measured, ground, places);
+  for (const scene::Mark& mark : scene.lettering.marks) marks.add(mark);
+  return std::move(marks).blocks();
 }
 
 }  // namespace velum::session

@@ -1,15 +1,18 @@
 #pragma once
 #include <glm/glm.hpp>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "scene/SceneFwd.h"
 #include "scene/Sections.h"
+#include "session/ViewSpace.h"
 #include "session/lettering/Legend.h"
-#include "session/lettering/Mark.h"
+#include "session/lettering/LetteringBlock.h"
+#include "session/measure/Measure.h"
 
-/// What is written over pictures (scene::Lettering): legend, scale bar, time and captions.
+/// What is written over pictures (scene::Lettering): legend, scale bar, time, captions and marks.
 namespace velum::session {
 
 /// A bar that says how long things are: at the camera's target, in an orthographic picture everywhere.
@@ -23,10 +26,22 @@ std::optional<ScaleBar> scaleBarOf(const scene::Scene& scene, glm::ivec2 size);
 /// The bar for a picture of a section, in which it holds everywhere.
 std::optional<ScaleBar> scaleBarOf(const scene::Scene& scene, scene::SectionKind kind, glm::ivec2 size);
 
+/// What is known of a picture that is written over.
+struct Seen {
+  TypePixels pixels;                 ///< for the legend
+  std::map<int, Measured> measured;  ///< by the ids of marks, see measuredMarks()
+};
+/// What the visible marks of a scene measure, of those that are not measured at once. @param scene  settled: with the
+/// shapes of its sheets  @throw as measure(). Any thread.
+std::map<int, Measured> measuredMarks(const scene::Scene& scene, Progress& progress);
+
 /// What is to be laid over a picture of so many pixels: dark on a light ground, light on a dark one, each letter on a
-/// little of the ground's colour. Sizes go with the picture's rows.
-std::vector<Mark> letteringMarks(const scene::Scene& scene, glm::ivec2 size, const TypePixels& pixels);
+/// little of the ground's colour. Sizes go with the picture's rows, or with its page.
+std::vector<LetteringBlock> letteringBlocks(const scene::Scene& scene, glm::ivec2 size, const Seen& seen);
 /// The same for a picture of a section: it has no legend.
-std::vector<Mark> letteringMarks(const scene::Scene& scene, scene::SectionKind kind, glm::ivec2 size);
+std::vector<LetteringBlock> letteringBlocks(const scene::Scene& scene, scene::SectionKind kind, glm::ivec2 size,
+                                            const Seen& seen);
+/// The marks alone, for a view. @param space  what the pixels of the view mean
+std::vector<LetteringBlock> markBlocks(const scene::Scene& scene, const ViewSpace& space, const Seen& seen);
 
 }  // namespace velum::session

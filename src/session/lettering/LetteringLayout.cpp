@@ -14,16 +14,14 @@ namespace {
 
 // Lengths, in ems.
 constexpr double kMargin = 1.3, kLine = 1.5, kSwatch = 0.82, kSwatchGap = 0.5, kCapHeight = 0.72, kCorner = 0.16;
-constexpr double kBarThickness = 0.22, kBarGap = 0.42, kGlow = 0.75, kBlockGap = 0.6;
+constexpr double kBarThickness = 0.22, kBarGap = 0.42, kBlockGap = 0.6;
 constexpr double kWidestName = 0.36;                        // of the picture's width
 constexpr double kOutline = 0.05, kOutlineShare = 0.4;      // line around a colour that is near the ground's
-constexpr double kLeastEm = 8.0, kSmallestEm = 5.0;         // pixels; of captions that find no other room
+constexpr double kSmallestEm = 5.0;                         // pixels; of captions that find no other room
 constexpr double kCaptionLine = 1.3, kReach = 0.35;         // how far letters reach below and above capitals, at most
 constexpr double kWidestMiddle = 0.86, kWidestSide = 0.46;  // of the picture's width
 constexpr double kShrink = 0.87;
 constexpr std::size_t kMostBytes = 1000;  // of a caption
-
-const glm::vec3 kDarkInk(0.08f, 0.09f, 0.11f), kLightInk(0.96f, 0.97f, 0.98f);
 
 using scene::CaptionPlace;
 
@@ -32,23 +30,8 @@ CaptionPlace placeOf(scene::Corner corner) {
                                       CaptionPlace::BottomRight};
   return kPlaces[int(corner)];
 }
-/// Column and row of a place, 0..2: left, middle, right; top, middle, bottom.
-glm::ivec2 cellOf(CaptionPlace place) { return {int(place) % 3, int(place) / 3}; }
+}  // namespace
 
-/// The colour before which things stand at a place of the picture.
-glm::vec3 groundOf(const scene::Scene& scene, CaptionPlace place) {
-  if (scene.finish.paper != scene::Paper::None) return scene.finish.paperColor;
-  return glm::mix(scene.background.top, scene.background.bottom, 0.5f * float(cellOf(place).y));
-}
-
-bool isLight(glm::vec3 color) {
-  // As light as the eye takes it: middle grey is 0.18 of white's light.
-  glm::vec3 light = glm::pow(glm::clamp(color, 0.0f, 1.0f), glm::vec3(2.2f));
-  return glm::dot(light, glm::vec3(0.2126f, 0.7152f, 0.0722f)) > 0.18f;
-}
-glm::vec3 inkOn(glm::vec3 ground) { return isLight(ground) ? kDarkInk : kLightInk; }
-
-/// A text that letters can be drawn of: no longer than anybody reads, and without what is no letter.
 std::string drawable(std::string_view text) {
   std::size_t end = std::min(text.size(), kMostBytes);
   while (end < text.size() && (static_cast<unsigned char>(text[end]) & 0xc0u) == 0x80u) ++end;
@@ -59,26 +42,17 @@ std::string drawable(std::string_view text) {
   return std::string(trimmed(out));
 }
 
-/// The marks of a part, with room for its glow.
-Block blockAt(glm::dvec2 corner, glm::dvec2 room, double em) {
-  glm::dvec2 glow(kGlow * em);
-  glm::ivec2 low(glm::floor(corner - glow)), high(glm::ceil(corner + room + glow));
-  return {low, high - low};
-}
-
-}  // namespace
-
 /// A caption as it is laid out at one size.
 struct LetteringLayout::LaidCaption {
   const scene::Caption* caption;
-  Letters letters;
+  vector::Letters letters;
   std::vector<std::string> lines;
   bool breaksWords = false;
   glm::dvec2 size{0.0};  ///< from the tops of the first line's capitals to the last base line, pixels
 
   /// @param widest  pixels
-  LaidCaption(const scene::Caption& of, double em, double widest)
-      : caption(&of), letters(em), lines(letters.lines(drawable(of.text), widest)) {
+  LaidCaption(const scene::Caption& of, vector::Font font, double em, double widest)
+      : caption(&of), letters(font, em), lines(letters.lines(drawable(of.text), widest)) {
     std::size_t words = 0;
     for (const std::string& line : lines) {
       size.x = std::max(size.x, letters.width(line));
@@ -90,11 +64,12 @@ struct LetteringLayout::LaidCaption {
 };
 
 LetteringLayout::LetteringLayout(const scene::Scene& scene, glm::ivec2 size, std::optional<glm::vec3> ground)
-    : mScene(scene), mSize(size), mGround(ground), mLetters(emOf(1.0)), mPlaces(mSize) {}
-
-double LetteringLayout::emOf(double size) const {
-  return std::max(kLeastEm, size * mScene.lettering.textSize * mSize.y / 1000.0);
-}
+    : mScene(scene),
+      mSize(size),
+      mGround(ground),
+      mStyle(scene.lettering, size),
+      mLetters(mStyle.font(), mStyle.em()),
+      mPlaces(mSize) {}
 
 glm::vec3 LetteringLayout::ground(CaptionPlace place) const { return mGround ? *mGround : groundOf(mScene, place); }
 
@@ -104,9 +79,8 @@ std::optional<glm::dvec2> LetteringLayout::place(CaptionPlace place, glm::dvec2 
   return mPlaces.take(room, wanted, margin, kBlockGap * em);
 }
 
-void LetteringLayout::finish(const Block& block, CaptionPlace place) {
-  std::vector<Mark> marks = block.onGlow(ground(place), mLetters.em());
-  mMarks.insert(mMarks.end(), marks.begin(), marks.end());
+LetteringBlock& LetteringLayout::add(const char* layer, glm::vec3 ground, double em) {
+  return mBlocks.emplace_back(LetteringBlock{layer, {}, ground, em, mScene.lettering.halo, 1.0});
 }
 
 void LetteringLayout::addLegend(const std::vector<LegendEntry>& entries) {
@@ -118,34 +92,30 @@ void LetteringLayout::addLegend(const std::vector<LegendEntry>& entries) {
     double room = 0.0;
     for (const std::string& name : names) room = std::max(room, mLetters.width(name));
     glm::dvec2 size((kSwatch + kSwatchGap) * em + room, kLine * em * double(rows));
-    if (auto at = place(placeOf(mScene.lettering.legendCorner), size, em))
-      return addLegendRows(entries, names, *at, size);
+    if (auto at = place(placeOf(mScene.lettering.legendCorner), size, em)) return addLegendRows(entries, names, *at);
   }
 }
 
 void LetteringLayout::addLegendRows(const std::vector<LegendEntry>& entries, const std::vector<std::string>& names,
-                                    glm::dvec2 at, glm::dvec2 size) {
+                                    glm::dvec2 at) {
   double em = mLetters.em(), line = kLine * em, swatch = kSwatch * em, before = swatch + kSwatchGap * em;
-  CaptionPlace place = placeOf(mScene.lettering.legendCorner);
-  Block block = blockAt(at, size, em);
-  glm::vec3 ink = inkOn(ground(place));
+  glm::vec3 ground = this->ground(placeOf(mScene.lettering.legendCorner)), ink = mStyle.inkOn(ground);
+  LetteringBlock& block = add("legend", LetteringStyle::glowOf(ink, ground), em);
   for (std::size_t i = 0; i < names.size(); ++i) {
     const std::vector<glm::vec3>& colors = entries[i].colors;
     glm::dvec2 low(at.x, at.y + line * double(i) + 0.5 * (line - swatch)), high = low + swatch;
-    Mark& edge = block.add(ink, low - 1.0 - kOutline * em, high + 1.0 + kOutline * em);
-    addRectangle(edge, low - kOutline * em, high + kOutline * em, (kCorner + kOutline) * em, -1e9, 1e9);
-    for (std::uint8_t& covers : edge.covers) covers = std::uint8_t(std::lround(kOutlineShare * covers));
+    vector::Outline edge = vector::rectangle(low - kOutline * em, high + kOutline * em, (kCorner + kOutline) * em);
+    block.items.push_back(vector::Shape{names[i], {edge}, {}, vector::Fill{ink, kOutlineShare}});
+    // Each band lies over the right part of those before it.
     for (std::size_t c = 0; c < colors.size(); ++c) {
-      double band = swatch / double(colors.size());
-      double from = low.x + band * double(c), to = from + band;
-      Mark& mark = block.add(colors[c], {from, low.y}, {to, high.y});
-      addRectangle(mark, low, high, kCorner * em, from, to);
+      double from = low.x + swatch * double(c) / double(colors.size());
+      vector::Outline band = vector::rectangle({from, low.y}, high, c == 0 ? kCorner * em : 0.0, kCorner * em);
+      block.items.push_back(vector::Shape{names[i], {band}, {}, vector::Fill{colors[c], 1.0}});
     }
   }
-  Mark& text = block.add(ink);
   for (std::size_t i = 0; i < names.size(); ++i)
-    mLetters.draw(names[i], {at.x + before, at.y + line * double(i) + 0.5 * (line + kCapHeight * em)}, text);
-  finish(block, place);
+    block.items.push_back(
+        mLetters.words(names[i], {at.x + before, at.y + line * double(i) + 0.5 * (line + kCapHeight * em)}, ink));
 }
 
 void LetteringLayout::addScaleBar(const ScaleBar& bar) {
@@ -154,15 +124,14 @@ void LetteringLayout::addScaleBar(const ScaleBar& bar) {
   CaptionPlace corner = placeOf(mScene.lettering.scaleBarCorner);
   auto at = place(corner, size, em);
   if (!at) return;
-  Block block = blockAt(*at, size, em);
-  Mark& mark = block.add(inkOn(ground(corner)));
+  glm::vec3 ground = this->ground(corner), ink = mStyle.inkOn(ground);
+  LetteringBlock& block = add("scale bar", LetteringStyle::glowOf(ink, ground), em);
   double middle = cellOf(corner).x == 0 ? at->x + 0.5 * bar.pixels : at->x + size.x - 0.5 * bar.pixels;
   glm::dvec2 low(middle - 0.5 * bar.pixels, at->y + (kCapHeight + kBarGap) * em),
       high(low.x + bar.pixels, at->y + size.y);
-  addRectangle(mark, low, high, 0.0, low.x, high.x);
-  mLetters.draw(bar.text, {std::clamp(middle - 0.5 * text, at->x, at->x + size.x - text), at->y + kCapHeight * em},
-                mark);
-  finish(block, corner);
+  block.items.push_back(vector::Shape{"scale bar", {vector::rectangle(low, high, 0.0)}, {}, vector::Fill{ink, 1.0}});
+  block.items.push_back(mLetters.words(
+      bar.text, {std::clamp(middle - 0.5 * text, at->x, at->x + size.x - text), at->y + kCapHeight * em}, ink));
 }
 
 /// The unit stays where it is, whatever the time.
@@ -172,9 +141,9 @@ void LetteringLayout::addTimeStamp(const TimeStamp& stamp) {
   CaptionPlace corner = placeOf(mScene.lettering.timeStampCorner);
   auto at = place(corner, size, em);
   if (!at) return;
-  Block block = blockAt(*at, size, em);
-  mLetters.draw(stamp.text, *at + size - glm::dvec2(mLetters.width(stamp.text), 0.0), block.add(inkOn(ground(corner))));
-  finish(block, corner);
+  glm::vec3 ground = this->ground(corner), ink = mStyle.inkOn(ground);
+  LetteringBlock& block = add("time", LetteringStyle::glowOf(ink, ground), em);
+  block.items.push_back(mLetters.words(stamp.text, *at + size - glm::dvec2(mLetters.width(stamp.text), 0.0), ink));
 }
 
 void LetteringLayout::addCaptions() {
@@ -196,7 +165,8 @@ void LetteringLayout::addCaptionsAt(CaptionPlace at, const std::vector<const sce
     largest = 0.0;
     bool breaksWords = false;
     for (const scene::Caption* caption : captions) {
-      const LaidCaption& laid = all.emplace_back(*caption, std::max(kSmallestEm, shrink * emOf(caption->size)), widest);
+      const LaidCaption& laid =
+          all.emplace_back(*caption, mStyle.font(), std::max(kSmallestEm, shrink * mStyle.em(caption->size)), widest);
       largest = std::max(largest, laid.letters.em());
       breaksWords |= laid.breaksWords;
     }
@@ -217,17 +187,14 @@ void LetteringLayout::addCaptionsAt(CaptionPlace at, const std::vector<const sce
 void LetteringLayout::addCaption(const LaidCaption& laid, glm::dvec2 at) {
   const scene::Caption& caption = *laid.caption;
   double em = laid.letters.em(), share = 0.5 * cellOf(caption.place).x;
-  Block block = blockAt(at, laid.size, em);
-  glm::vec3 glow = ground(caption.place), ink = caption.color.value_or(inkOn(glow));
-  if (isLight(ink) == isLight(glow)) glow = inkOn(ink);  // letters of a colour near the ground's
-  Mark& mark = block.add(ink);
+  glm::vec3 ground = this->ground(caption.place), ink = caption.color.value_or(mStyle.inkOn(ground));
+  LetteringBlock& block = add("captions", LetteringStyle::glowOf(ink, ground), em);
+  block.opacity = caption.opacity;
   for (std::size_t i = 0; i < laid.lines.size(); ++i) {
     double indent = share * (laid.size.x - laid.letters.width(laid.lines[i]));
-    laid.letters.draw(laid.lines[i], at + glm::dvec2(indent, (kCapHeight + kCaptionLine * double(i)) * em), mark);
+    block.items.push_back(
+        laid.letters.words(laid.lines[i], at + glm::dvec2(indent, (kCapHeight + kCaptionLine * double(i)) * em), ink));
   }
-  std::vector<Mark> marks = block.onGlow(glow, em);
-  if (caption.opacity < 1.0) fade(marks, caption.opacity);
-  mMarks.insert(mMarks.end(), marks.begin(), marks.end());
 }
 
 }  // namespace velum::session

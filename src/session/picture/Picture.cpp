@@ -120,7 +120,7 @@ Image drawPicture(render::Renderer& renderer, const scene::Scene& scene, const P
   int window = std::min(4096, limits.texture2d);
   Image image = render::renderPicture(renderer, frame, layers, window, progress);
   TypePixels types = hasTypes ? countPixels(image, scene.model.data->types.size()) : TypePixels{};
-  layMarks(letteringMarks(frame.scene, options.size, types), image);
+  layOver(letteringBlocks(frame.scene, options.size, {types, measuredMarks(scene, progress)}), image);
   if (hasTypes && !options.layers) {
     std::vector<std::string> asked = image.channels;
     std::erase(asked, "type");
@@ -138,13 +138,14 @@ Image drawPicture(render::Renderer& renderer, const scene::Scene& scene, const P
   return image;
 }
 
-Image drawSectionPicture(const scene::Scene& scene, scene::SectionKind kind, const PictureOptions& options) {
+Image drawSectionPicture(const scene::Scene& scene, scene::SectionKind kind, const PictureOptions& options,
+                         Progress& progress) {
   render::SectionImage section = render::drawSection(sceneForPicture(scene, options), kind, options.size);
   Image image{section.size.x, section.size.y, {"R", "G", "B", "A"}, {}};
   image.pixels.reserve(section.pixels.size() * 4);
   for (std::uint32_t pixel : section.pixels)
     for (int shift : {16, 8, 0, 24}) image.pixels.push_back(float(pixel >> shift & 255u) / 255.0f);
-  layMarks(letteringMarks(scene, kind, options.size), image);
+  layOver(letteringBlocks(scene, kind, options.size, {{}, measuredMarks(scene, progress)}), image);
   return image;
 }
 

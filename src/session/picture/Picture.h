@@ -45,8 +45,9 @@ scene::Scene sceneForPicture(const scene::Scene& scene, const PictureOptions& op
 Image drawPicture(render::Renderer& renderer, const scene::Scene& scene, const PictureOptions& options,
                   const gpu::Limits& limits, Progress& progress);
 
-/// A section view as a picture: R, G, B, A. Without a graphics context. Any thread.
-Image drawSectionPicture(const scene::Scene& scene, scene::SectionKind kind, const PictureOptions& options);
+/// A section view as a picture: R, G, B, A. Without a graphics context. @throw Cancelled. Any thread.
+Image drawSectionPicture(const scene::Scene& scene, scene::SectionKind kind, const PictureOptions& options,
+                         Progress& progress);
 
 /// Checks before a picture is drawn whether it could be written to a path. @throw InputError for an unknown format, no
 /// folder

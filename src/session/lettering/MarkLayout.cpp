@@ -1,0 +1,299 @@
+#include "session/lettering/MarkLayout.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "scene/Scene.h"
+#include "session/lettering/LetteringLayout.h"
+
+namespace velum::session {
+
+namespace {
+
+// Lengths, in ems.
+constexpr double kTick = 0.42, kDot = 0.17, kHeadLength = 0.95, kHeadWidth = 0.62, kMarkLine = 1.25, kMarkCap = 0.72;
+constexpr double kAside = 1.0, kMarkGap = 0.35, kMarkMargin = 0.6, kLeaderGap = 0.35, kShortestLeader = 0.9;
+constexpr double kArc = 0.32, kLargestArc = 3.2;  // radius of an angle's arc: of the shorter arm; at most, ems
+constexpr double kAreaFill = 0.14;
+constexpr int kArcPieces = 24;
+
+glm::dvec2 unitOr(glm::dvec2 v, glm::dvec2 other) {
+  double length = glm::length(v);
+  return length > 1e-9 ? v / length : other;
+}
+glm::dvec2 across(glm::dvec2 v) { return {v.y, -v.x}; }
+
+glm::dvec2 meanOf(const std::vector<glm::dvec2>& points) {
+  glm::dvec2 sum(0.0);
+  for (glm::dvec2 point : points) sum += point;
+  return sum / double(points.size());
+}
+
+/// The direction across a line that points up, or to the right where the line is upright.
+glm::dvec2 upFrom(glm::dvec2 along) {
+  glm::dvec2 out = across(unitOr(along, {1, 0}));
+  return out.y > 1e-3 || (std::abs(out.y) <= 1e-3 && out.x < 0.0) ? -out : out;
+}
+
+}  // namespace
+
+std::string nameOf(const scene::Scene& scene, const scene::Mark& mark) {
+  if (!mark.text.empty()) return mark.text;
+  for (const scene::Structure& structure : scene.labels.structures)
+    if (mark.structure != 0 && structure.id == mark.structure) return structure.name;
+  if (mark.type.empty() || !scene.model.data) return {};
+  const Model& model = *scene.model.data;
+  for (const auto& type : model.types)
+    if (pathOf(model, type) == mark.type) return scene::shownName(scene.model, mark.type, type.name);
+  for (std::uint32_t i = 0; i < model.compartments.size(); ++i)
+    if (compartmentPath(model, i) == mark.type)
+      return scene::shownName(scene.model, mark.type, model.compartments[i].name);
+  return {};
+}
+
+MarkLayout::MarkLayout(const MarkView& view, const std::map<int, Measured>& measured, glm::vec3 ground,
+                       FreePlaces& places)
+    : mView(view),
+      mMeasured(measured),
+      mGround(ground),
+      mPlaces(places),
+      mStyle(view.scene().lettering, glm::ivec2(view.space().size())),
+      mLetters(mStyle.font(), mStyle.em()) {}
+
+void MarkLayout::add(const scene::Mark& mark) {
+  double opacity = mView.opacityOf(mark);
+  auto at = mView.pixels(mark.points);
+  scene::MarkPoints count = scene::markPoints(mark.kind);
+  if (opacity <= 0.0 || !at || at->size() < std::max<std::size_t>(count.least, 1) || at->size() > count.most) return;
+  glm::vec3 ink = mark.color.value_or(mStyle.inkOn(mGround));
+  mPen = {ink, mStyle.lineWidth(), 1.0, {}};
+  mLines = {"marks", {}, LetteringStyle::glowOf(ink, mGround), mStyle.em(), mView.scene().lettering.halo, opacity};
+  Measured measured;
+  if (auto known = mMeasured.find(mark.id); known != mMeasured.end()) {
+    measured = known->second;
+  } else if (isMeasuredAtOnce(mark)) {
+    Progress progress;
+    measured = measure(mView.scene(), mark, progress);
+  }
+  using enum scene::MarkKind;
+  switch (mark.kind) {
+    case Distance:
+      addDistance(mark, *at, measured);
+      break;
+    case Angle:
+      addAngle(mark, *at, measured);
+      break;
+    case Path:
+      addPath(mark, *at, measured);
+      break;
+    case Area:
+      addArea(mark, *at, measured);
+      break;
+    case Arrow:
+      addArrow(mark, *at);
+      break;
+    case Label:
+    case Name:
+      addLabel(mark, at->front());
+      break;
+    case Circle:
+      addBall(mark, measured);
+      break;
+    case Box:
+      addBox(mark, measured);
+      break;
+    case Profile:
+      addProfile(mark, *at, measured);
+      break;
+    case Region:
+      break;  // stands beside the structure that it measures, see addNames()
+  }
+  if (!mLines.items.empty()) mBlocks.push_back(std::move(mLines));
+}
+
+std::vector<std::string> MarkLayout::linesOf(const scene::Mark& mark, const Measured& measured) const {
+  std::string text = measured.text;
+  if (std::string name = nameOf(mView.scene(), mark); !name.empty())
+    text = name + (text.empty() ? "" : text.find('\n') == text.npos ? "  " + text : "\n" + text);
+  std::string drawn = drawable(text);
+  return drawn.empty() ? std::vector<std::string>() : mLetters.lines(drawn, 0.4 * mView.space().size().x);
+}
+
+MarkLayout::Pixels MarkLayout::wayOf(const Pixels& at, const Measured& measured) const {
+  if (measured.way.size() < 2) return at;
+  return mView.pixels(measured.way).value_or(at);
+}
+
+void MarkLayout::addOutline(vector::Outline outline, double fill) {
+  vector::Shape shape{{}, {std::move(outline)}, mPen, {}};
+  if (fill > 0.0) shape.fill = vector::Fill{mPen.color, fill};
+  mLines.items.push_back(std::move(shape));
+}
+
+void MarkLayout::addLine(const Pixels& points, bool isClosed, double fill) {
+  addOutline(vector::outlineThrough(points, isClosed), fill);
+}
+
+void MarkLayout::addTick(glm::dvec2 end, glm::dvec2 from) {
+  glm::dvec2 side = 0.5 * kTick * mStyle.em() * across(unitOr(end - from, {1, 0}));
+  addLine({end - side, end + side}, false);
+}
+
+void MarkLayout::addDot(glm::dvec2 at) {
+  mLines.items.push_back(vector::Shape{
+      {}, {vector::circle(at, std::max(kDot * mStyle.em(), mPen.width))}, {}, vector::Fill{mPen.color, 1}});
+}
+
+void MarkLayout::addWords(const scene::Mark& mark, Words words) {
+  if (words.lines.empty()) return;
+  double em = mStyle.em(), widest = 0.0;
+  for (const std::string& line : words.lines) widest = std::max(widest, mLetters.width(line));
+  glm::dvec2 size(widest, (kMarkCap + kMarkLine * double(words.lines.size() - 1)) * em);
+  glm::dvec2 low;
+  if (mark.wordsAt) {
+    low = words.at + *mark.wordsAt * mView.space().size().y - 0.5 * size;
+    mPlaces.add(low, size, kMarkGap * em);
+  } else {
+    // As far aside as the words reach in that direction.
+    glm::dvec2 way = unitOr(words.aside, {0, -1});
+    double reach = 0.5 * std::abs(way.x) * size.x + 0.5 * std::abs(way.y) * size.y + glm::length(words.aside);
+    glm::dvec2 wanted = words.at + way * reach - 0.5 * size, most = mView.space().size() - kMarkMargin * em - size;
+    wanted = glm::max(glm::min(wanted, most), glm::dvec2(kMarkMargin * em));
+    auto free = mPlaces.take(size, wanted, kMarkMargin * em, kMarkGap * em);
+    if (!free) return;
+    low = *free;
+  }
+  glm::dvec2 nearest = glm::clamp(words.at, low - kLeaderGap * em, low + size + kLeaderGap * em);
+  if (words.hasLeader || (mark.wordsAt && glm::distance(nearest, words.at) > kShortestLeader * em)) {
+    LetteringBlock leader = mLines;
+    leader.layer = "leaders";
+    leader.items = {vector::Shape{{}, {vector::outlineThrough({nearest, words.at}, false)}, mPen, {}}};
+    mBlocks.push_back(std::move(leader));
+  }
+  LetteringBlock block = mLines;
+  bool isName = mark.kind == scene::MarkKind::Label || mark.kind == scene::MarkKind::Name;
+  block.layer = isName ? "labels" : "marks";
+  block.items.clear();
+  for (std::size_t i = 0; i < words.lines.size(); ++i) {
+    double indent = 0.5 * (size.x - mLetters.width(words.lines[i]));
+    if (isName && low.x > words.at.x) indent = 0.0;
+    block.items.push_back(
+        mLetters.words(words.lines[i], low + glm::dvec2(indent, (kMarkCap + kMarkLine * double(i)) * em), mPen.color));
+  }
+  mBlocks.push_back(std::move(block));
+}
+
+void MarkLayout::addDistance(const scene::Mark& mark, const Pixels& at, const Measured& measured) {
+  Pixels way = wayOf(at, measured);
+  addLine(way, false);
+  addTick(way.front(), way[1]);
+  addTick(way.back(), way[way.size() - 2]);
+  glm::dvec2 middle = way.size() == 2 ? 0.5 * (at[0] + at[1]) : way[way.size() / 2];
+  addWords(mark, {linesOf(mark, measured), middle, kMarkGap * mStyle.em() * upFrom(at[1] - at[0])});
+}
+
+/// The arc lies in the plane of the arms.
+void MarkLayout::addAngle(const scene::Mark& mark, const Pixels& at, const Measured& measured) {
+  addLine(at, false);
+  glm::dvec3 vertex = mark.points[1], a = mark.points[0] - vertex, b = mark.points[2] - vertex;
+  double la = glm::length(a), lb = glm::length(b);
+  if (la <= 0.0 || lb <= 0.0) return;
+  a /= la, b /= lb;
+  double radius = std::min(kArc * std::min(la, lb), kLargestArc * mStyle.em() * mView.space().lengthPerPixel(vertex));
+  double angle = std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
+  glm::dvec3 side = b - a * glm::dot(a, b);
+  std::vector<glm::dvec3> arc;
+  for (int i = 0; i <= kArcPieces && glm::length(side) > 1e-9; ++i) {
+    double t = angle * i / kArcPieces;
+    arc.push_back(vertex + radius * (a * std::cos(t) + glm::normalize(side) * std::sin(t)));
+  }
+  auto pixels = mView.pixels(arc);
+  glm::dvec2 middle = at[1], out(0, -1);
+  if (pixels && !pixels->empty()) {
+    addLine(*pixels, false);
+    middle = (*pixels)[pixels->size() / 2];
+    out = unitOr(middle - at[1], out);
+  }
+  addWords(mark, {linesOf(mark, measured), middle, kMarkGap * mStyle.em() * out});
+}
+
+void MarkLayout::addPath(const scene::Mark& mark, const Pixels& at, const Measured& measured) {
+  Pixels way = wayOf(at, measured);
+  addLine(way, false);
+  for (glm::dvec2 point : at) addDot(point);
+  glm::dvec2 out = unitOr(at.back() - at[at.size() - 2], {1, 0});
+  addWords(mark, {linesOf(mark, measured), at.back(), kAside * mStyle.em() * out});
+}
+
+void MarkLayout::addArea(const scene::Mark& mark, const Pixels& at, const Measured& measured) {
+  addLine(at, true, kAreaFill);
+  addWords(mark, {linesOf(mark, measured), meanOf(at), {}});
+}
+
+void MarkLayout::addArrow(const scene::Mark& mark, const Pixels& at) {
+  double em = mStyle.em(), length = glm::distance(at[0], at[1]);
+  glm::dvec2 along = unitOr(at[1] - at[0], {1, 0}), side = 0.5 * kHeadWidth * em * across(along);
+  glm::dvec2 neck = at[1] - along * std::min(kHeadLength * em, length);
+  addLine({at[0], neck}, false);
+  vector::Shape head{{}, {vector::outlineThrough({at[1], neck + side, neck - side}, true)}, {}, {}};
+  head.fill = vector::Fill{mPen.color, 1.0};
+  mLines.items.push_back(std::move(head));
+  addWords(mark, {linesOf(mark, {}), at[0], -kMarkGap * em * along});
+}
+
+void MarkLayout::addLabel(const scene::Mark& mark, glm::dvec2 at) {
+  addDot(at);
+  // Away from the picture's middle, where the subject is.
+  glm::dvec2 out = unitOr((at - 0.5 * mView.space().size()) * glm::dvec2(1.0, 0.6), {1, 0});
+  addWords(mark, {linesOf(mark, {}), at, 3.0 * kAside * mStyle.em() * out, true});
+}
+
+void MarkLayout::addBall(const scene::Mark& mark, const Measured& measured) {
+  auto seen = mView.space().circleOfBall(mark.points[0], glm::distance(mark.points[0], mark.points[1]));
+  if (!seen || seen->radius <= 0.0) return;
+  addOutline(vector::circle(seen->middle, seen->radius));
+  glm::dvec2 out = glm::normalize(glm::dvec2(1.0, -0.55));
+  addWords(mark, {linesOf(mark, measured), seen->middle + seen->radius * out, kMarkGap * mStyle.em() * out});
+}
+
+/// Its twelve edges, or where the section cuts it.
+void MarkLayout::addBox(const scene::Mark& mark, const Measured& measured) {
+  std::vector<glm::dvec3> corners = boxCorners(mView.scene(), mark);
+  auto at = mView.pixels(corners);
+  if (!at) return;
+  Pixels outline;
+  for (int corner = 0; corner < 8; ++corner)
+    for (int axis = 1; axis < 8; axis *= 2) {
+      if (corner & axis) continue;
+      std::size_t from = std::size_t(corner), to = std::size_t(corner | axis);
+      if (!mView.isSection()) {
+        addLine({(*at)[from], (*at)[to]}, false);
+        continue;
+      }
+      double a = mView.height(corners[from]), b = mView.height(corners[to]);
+      if ((a < 0.0) != (b < 0.0)) outline.push_back(glm::mix((*at)[from], (*at)[to], a / (a - b)));
+    }
+  // A box that lies in the section, or just beside it, is seen as its face.
+  if (mView.isSection() && outline.size() < 3) outline = *at;
+  glm::dvec2 middle = meanOf(*at), high(-1e9), low(1e9);
+  if (mView.isSection()) {
+    middle = meanOf(outline);
+    auto angleOf = [&](glm::dvec2 point) { return std::atan2(point.y - middle.y, point.x - middle.x); };
+    std::ranges::sort(outline, {}, angleOf);
+    std::erase_if(outline,
+                  [&](const glm::dvec2& point) { return &point != &outline.front() && point == *(&point - 1); });
+    addLine(outline, true);
+  }
+  for (glm::dvec2 point : mView.isSection() ? outline : *at) high = glm::max(high, point), low = glm::min(low, point);
+  addWords(mark, {linesOf(mark, measured), {high.x, 0.5 * (low.y + high.y)}, {kMarkGap * mStyle.em(), 0.0}});
+}
+
+void MarkLayout::addProfile(const scene::Mark& mark, const Pixels& at, const Measured& measured) {
+  addLine(at, false);
+  addTick(at[0], at[1]);
+  addDot(at[1]);
+  addPlot(mark, at[1], measured);
+}
+
+}  // namespace velum::session

@@ -47,7 +47,7 @@ ONLY_IN = {  # library header: modules that may name it
     r"<(tbb|oneapi)/": "core",
     r"<GLFW/": "app",
     r"<CLI/": "app",
-    r"<(ft2build|freetype)": "session",
+    r"<(ft2build|freetype)": "session vector",
 }
 
 

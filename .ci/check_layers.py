@@ -31,6 +31,7 @@ ROOMS = {  # module: {room: rooms of the module it may include (its own is impli
     "render": {"upload": ".", "kept": ". upload", "residency": ". upload", "passes": ". upload residency", "section": ". kept residency"},
     "session": {"bar": "", "lettering": ". measure model section", "command": ". cut document extrusion growth look membrane model picture section structure film", "document": "growth model", "model": ". bar cut", "growth": ".", "section": "", "structure": "", "measure": "structure", "cut": ".", "look": "document",
                 "extrusion": ". bar cut growth look structure", "membrane": ". cut look model structure",
+                "plate": ". document lettering model picture",
                 "picture": ". document extrusion growth lettering membrane model",
                 "film": ". document extrusion growth lettering membrane model picture structure"},
     # A membrane is a cut: the panel of cuts holds its form.

@@ -11,7 +11,6 @@
 #include "core/Clock.h"
 #include "core/Error.h"
 #include "core/Log.h"
-#include "io/images/ImageFile.h"
 #include "render/Renderer.h"
 #include "session/command/DocumentCommands.h"
 #include "session/command/FilmCommands.h"
@@ -41,7 +40,7 @@ void expectOutputs(const RenderOptions& options) {
   bool isFromStandardInput = std::find(inputs.begin(), inputs.end(), kStandardInput) != inputs.end();
   if (isFromStandardInput && !options.saveScene.empty())
     throw ArgumentError("--save-scene: data from standard input has no file that a scene could name; give its path");
-  expectOutput(options.output, io::expectImageFormat);
+  expectOutput(options.output, session::expectPictureFormat);
   expectOutput(options.saveScene);
 }
 
@@ -109,7 +108,7 @@ int run(const RenderOptions& options) {
                                   options.layers, options.dpi,     options.bits};
   std::optional<scene::SectionKind> section;
   if (isSection) section = sectionKind(options.section);
-  session.savePicture(picture, section, options.output, progress);
+  for (const std::string& note : session.savePicture(picture, section, options.output, progress)) log::warning(note);
   double ms = msSince(start);
   bool isEmpty = !isSection && session::cutsTakeAll(session.settled(progress), progress);
   if (isEmpty) log::warning(session::kNothingLeft);
@@ -133,7 +132,8 @@ Run registerRender(CLI::App& verb) {
   auto options = std::make_shared<RenderOptions>();
   addCommon(verb, options->common);
   addInput(verb, options->input, true);
-  verb.add_option("-o,--output", options->output, "picture to write: .png, .tif, .exr; - writes PNG to stdout")
+  verb.add_option("-o,--output", options->output,
+                  "picture to write: .png, .tif, .exr; with lines and letters .svg, .pdf; - writes PNG to stdout")
       ->required();
   verb.add_option("--size", options->size, "WIDTHxHEIGHT in pixels, or with a unit: 12x8cm, 120x80mm, 5x3in")
       ->capture_default_str();

@@ -127,14 +127,16 @@ Pick Gbuffer::pick(const FrameData& data, glm::ivec2 pixel) const {
   return pick;
 }
 
-std::vector<std::int32_t> Gbuffer::typesOfPixels(const FrameData& data) const {
-  if (!data.frame.scene.model.data) return {};
+PixelIds Gbuffer::idsOfPixels(const FrameData& data) const {
   std::vector<glm::uvec2> ids(std::size_t(size().x) * std::size_t(size().y));
   mIds.read(ids.data(), ids.size() * sizeof(ids[0]));
-  std::vector<std::int32_t> types;
-  types.reserve(ids.size());
-  for (const glm::uvec2& id : ids) types.push_back(typeOf(data, {glm::vec4(0.0f), id}));
-  return types;
+  PixelIds out;
+  for (const glm::uvec2& id : ids) {
+    int type = typeOf(data, {glm::vec4(0.0f), id});
+    out.structures.push_back(type < 0 && id.x > 0 ? std::int32_t(id.x) : -1);
+    if (data.frame.scene.model.data) out.types.push_back(type);
+  }
+  return out;
 }
 
 }  // namespace velum::render

@@ -37,8 +37,8 @@ class Gbuffer {
   void appendLayers(const FrameData& data, const Layers& layers, Image& image) const;
   /// What a pixel shows. Waits for the GPU.
   Pick pick(const FrameData& data, glm::ivec2 pixel) const;
-  /// The type of the model that each pixel shows; -1: none. Waits for the GPU.
-  std::vector<std::int32_t> typesOfPixels(const FrameData& data) const;
+  /// What each pixel shows. Waits for the GPU.
+  PixelIds idsOfPixels(const FrameData& data) const;
 
  private:
   gpu::Texture mColor;    ///< Premultiplied, the sum of the samples so far.

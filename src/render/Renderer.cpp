@@ -292,8 +292,6 @@ Pick Renderer::pick(glm::ivec2 pixel) const {
 
 std::optional<InstanceBits> Renderer::bits(bool waits) { return mImpl->counts.take(waits); }
 
-std::vector<std::int32_t> Renderer::typesOfPixels() const {
-  return mImpl->gbuffer ? mImpl->gbuffer.typesOfPixels(mImpl->data) : std::vector<std::int32_t>();
-}
+PixelIds Renderer::idsOfPixels() const { return mImpl->gbuffer ? mImpl->gbuffer.idsOfPixels(mImpl->data) : PixelIds(); }
 
 }  // namespace velum::render

@@ -44,6 +44,12 @@ struct Pick {
   double value = 0;                 ///< Data value there (nearest voxel).
 };
 
+/// Which structures and types of the scene's model are seen, row by row from the top; -1: none.
+struct PixelIds {
+  std::vector<std::int32_t> structures;
+  std::vector<std::int32_t> types;  ///< empty without a model
+};
+
 /// Which layers to read back, and how finely.
 struct Layers {
   bool position = false;
@@ -86,9 +92,8 @@ class Renderer {
   /// What the last frame shows at a pixel of its window. From the drawn layers, so it agrees with the picture.
   Pick pick(glm::ivec2 pixel) const;
 
-  /// The type of the scene's model that each pixel of the last frame's window shows, row by row from the top; -1 where
-  /// no instance is seen. Empty without a model. Reads the whole window back.
-  std::vector<std::int32_t> typesOfPixels() const;
+  /// What each pixel of the last frame's window shows. Reads the whole window back.
+  PixelIds idsOfPixels() const;
 
   /// What became of the instances in the newest frame, among those with Frame::countsInstances, for which the answer
   /// has arrived from the GPU. Each frame's answer is given once, at most two frames after the frame was complete,

@@ -16,6 +16,7 @@
 #include "session/film/Film.h"
 #include "session/film/MakeFilm.h"
 #include "session/picture/Picture.h"
+#include "session/plate/Plate.h"
 
 namespace velum::session {
 
@@ -179,12 +180,26 @@ Image Session::picture(const PictureOptions& options, Progress& progress) {
   return drawPicture(draws, drawn, options, mContext->limits(), progress);
 }
 
-void Session::savePicture(const PictureOptions& options, std::optional<scene::SectionKind> section,
-                          const std::filesystem::path& path, Progress& progress) {
+vector::Drawing Session::plate(const PictureOptions& options, std::optional<scene::SectionKind> section,
+                               Progress& progress) {
+  scene::Scene drawn = settled(progress);
+  if (section) return drawSectionPlate(drawn, *section, options, progress);
+  render::Renderer& draws = renderer();
+  return drawPlate(draws, drawn, options, mContext->limits(), progress);
+}
+
+std::vector<std::string> Session::savePicture(const PictureOptions& options, std::optional<scene::SectionKind> section,
+                                              const std::filesystem::path& path, Progress& progress) {
   if (path != "-") expectPictureFile(path);
+  if (isDrawing(path)) {
+    vector::Drawing drawing = plate(options, section, progress);
+    savePlate(drawing, shown(), path);
+    return shown().lettering.pageWidth > 0.0 || options.dpi > 0.0 ? journalNotes(drawing) : std::vector<std::string>();
+  }
   Image image =
       section ? drawSectionPicture(settled(progress), *section, options, progress) : picture(options, progress);
   session::savePicture(image, shown(), options, path);
+  return {};
 }
 
 FilmReport Session::film(FilmOutput output, Progress& progress) {

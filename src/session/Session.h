@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "core/Image.h"
@@ -17,6 +18,10 @@
 #include "session/membrane/Membranes.h"
 #include "session/model/LevelWorker.h"
 #include "session/model/PictureCounter.h"
+
+namespace velum::vector {
+struct Drawing;
+}
 
 namespace velum::session {
 
@@ -99,10 +104,13 @@ class Session {
   scene::Scene settled(Progress& progress);
   /// A picture of the scene with everything at rest, drawn as by drawPicture(). @throw Cancelled, gpu::GpuError
   Image picture(const PictureOptions& options, Progress& progress);
+  /// A picture of the scene with everything at rest as a drawing, see drawPlate(). @param section  none: the 3D picture
+  /// @throw Cancelled, gpu::GpuError
+  vector::Drawing plate(const PictureOptions& options, std::optional<scene::SectionKind> section, Progress& progress);
   /// Draws and writes a picture of what is shown, at rest, with its scene in it. @param path  "-": standard output
-  /// @param section  none: the 3D picture
+  /// @param section  none: the 3D picture  @return of a drawing for a page what journals refuse, see journalNotes()
   /// @throw Cancelled, gpu::GpuError, InputError when the disk refuses
-  void savePicture(const PictureOptions& options, std::optional<scene::SectionKind> section,
+  std::vector<std::string> savePicture(const PictureOptions& options, std::optional<scene::SectionKind> section,
                    const std::filesystem::path& path, Progress& progress);
   /// Draws and writes the film of the scene's timeline, see makeFilm(): each frame at rest, with its scene in it, and
   /// drawn of all of its data. The rate is the timeline's.

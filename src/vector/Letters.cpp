@@ -19,7 +19,7 @@ std::size_t nextLetter(std::string_view text, std::size_t at) {
 
 }  // namespace
 
-Letters::Letters(Font font, double em) : mFace(std::make_unique<Typeface>(font)), mEm(em) {}
+Letters::Letters(Font font, double em) : mFace(std::make_unique<Typeface>(font)), mFont(font), mEm(em) {}
 
 Letters::~Letters() = default;
 
@@ -90,6 +90,10 @@ std::vector<std::string> Letters::lines(std::string_view text, double most) cons
     begin = end + 1;
   }
   return all;
+}
+
+Words Letters::words(std::string text, glm::dvec2 start, glm::vec3 color) const {
+  return {std::move(text), start, mEm, mFont, color, 1.0, {}};
 }
 
 std::vector<Glyph> Letters::glyphs(std::string_view text) const {

@@ -43,6 +43,8 @@ class Letters {
   std::vector<std::string> lines(std::string_view text, double most) const;
   /// The glyphs of a text, one for each of its letters, with their places in pixels.
   std::vector<Glyph> glyphs(std::string_view text) const;
+  /// A text as an item of a drawing. @param start  of the base line, pixels  @param color  sRGB
+  Words words(std::string text, glm::dvec2 start, glm::vec3 color) const;
   /// The outlines of a text; they are filled by the non-zero rule. @param start  of the base line, pixels
   std::vector<Outline> outlines(std::string_view text, glm::dvec2 start) const;
 
@@ -50,6 +52,7 @@ class Letters {
   std::vector<std::string> filled(const std::vector<std::string>& words, double most) const;
 
   std::unique_ptr<Typeface> mFace;
+  Font mFont;
   double mEm;
 };
 

@@ -251,7 +251,7 @@ TEST_F(EqualizerWindow, TheRowUnderThePointerIsSeenInThePicture) {
   openModel();
   ASSERT_TRUE(settle());
   int pixels = 0;
-  for (std::int32_t type : viewport().typesOfPixels().types) pixels += type == 2;
+  for (std::int32_t type : viewport().idsOfPixels().types) pixels += type == 2;
   ASSERT_GT(pixels, 0);
   emit list().hovered({2});
   EXPECT_EQ(mWindow->models().highlight().pixels(), pixels);

@@ -9,7 +9,7 @@ class Highlight : public ModelWindow {
  protected:
   TypeHighlight& highlight() { return mWindow->models().highlight(); }
   int pixelsOf(std::int32_t type) {
-    auto types = viewport().typesOfPixels().types;
+    auto types = viewport().idsOfPixels().types;
     return int(std::count(types.begin(), types.end(), type));
   }
   void pointAt(int type) {

@@ -154,7 +154,7 @@ TEST_F(ModelWindow, TheLegendNamesWhatIsSeenMost) {
   ASSERT_TRUE(settle());
   EXPECT_EQ(mWindow->models().lettering().names().size(), 5u);
   std::map<std::int32_t, int> pixels;
-  for (std::int32_t type : viewport().typesOfPixels().types)
+  for (std::int32_t type : viewport().idsOfPixels().types)
     if (type >= 0) --pixels[type];
   std::vector<std::pair<int, std::int32_t>> mostFirst;
   for (auto [type, count] : pixels) mostFirst.emplace_back(count, type);

@@ -18,7 +18,7 @@
 #include "session/document/Document.h"
 #include "session/lettering/FreePlaces.h"
 #include "session/lettering/Lettering.h"
-#include "session/lettering/Letters.h"
+#include "vector/Letters.h"
 
 namespace velum::session {
 
@@ -29,22 +29,19 @@ using scene::CaptionPlace;
 
 constexpr int kPlaces = int(std::size(EnumNames<CaptionPlace>::kNames));
 
-/// The parts of a lettering: each begins with its glow. A part as how far it covers the pixels of a picture.
-std::vector<std::vector<std::uint8_t>> partsOf(const std::vector<Mark>& marks, glm::ivec2 size) {
+/// How far each block of a lettering covers the pixels of a picture, without its glow.
+std::vector<std::vector<std::uint8_t>> partsOf(const std::vector<LetteringBlock>& blocks, glm::ivec2 size) {
   std::vector<std::vector<std::uint8_t>> parts;
-  for (const Mark& mark : marks) {
-    if (mark.color == glm::vec3(1.0f)) {
-      parts.emplace_back(std::size_t(size.x) * std::size_t(size.y));
-      continue;
-    }
-    for (std::size_t i = 0; i < mark.covers.size(); ++i) {
-      if (mark.covers[i] == 0) continue;
-      glm::ivec2 at = mark.corner + glm::ivec2(int(i) % mark.size.x, int(i) / mark.size.x);
+  for (const LetteringBlock& block : blocks) {
+    std::vector<std::uint8_t>& part = parts.emplace_back(std::size_t(size.x) * std::size_t(size.y));
+    vector::Raster raster = rasterOf(block, size);
+    for (std::size_t i = 0; 4 * i < raster.rgba.size(); ++i) {
+      if (raster.rgba[4 * i + 3] == 0) continue;
+      glm::ivec2 at = raster.corner + glm::ivec2(int(i) % raster.size.x, int(i) / raster.size.x);
       bool isInside = glm::all(glm::greaterThanEqual(at, glm::ivec2(0))) && glm::all(glm::lessThan(at, size));
       EXPECT_TRUE(isInside) << at.x << " " << at.y << " is cut off";
       if (!isInside) return parts;
-      std::uint8_t& covers = parts.back()[std::size_t(at.y) * std::size_t(size.x) + std::size_t(at.x)];
-      covers = std::max(covers, mark.covers[i]);
+      part[std::size_t(at.y) * std::size_t(size.x) + std::size_t(at.x)] = raster.rgba[4 * i + 3];
     }
   }
   return parts;
@@ -52,14 +49,8 @@ std::vector<std::vector<std::uint8_t>> partsOf(const std::vector<Mark>& marks, g
 
 std::vector<float> pictureOf(const scene::Scene& scene, glm::ivec2 size) {
   Image image{size.x, size.y, {"R", "G", "B"}, std::vector<float>(std::size_t(3 * size.x * size.y), 0.4f)};
-  layMarks(letteringMarks(scene, size, kPixels), image);
+  layOver(letteringBlocks(scene, size, {kPixels, {}}), image);
   return image.pixels;
-}
-
-bool areSame(const std::vector<Mark>& a, const std::vector<Mark>& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Mark& x, const Mark& y) {
-    return x.corner == y.corner && x.size == y.size && x.color == y.color && x.covers == y.covers;
-  });
 }
 
 }  // namespace
@@ -84,7 +75,7 @@ TEST(Captions, NothingCoversAnythingElseAndNothingIsCutOff) {
     scene.lettering.legendCorner = scene::Corner(pick(4));
     scene.lettering.scaleBarCorner = scene::Corner(pick(4));
     scene.lettering.timeStampCorner = scene::Corner(pick(4));
-    auto parts = partsOf(letteringMarks(scene, size, kPixels), size);
+    auto parts = partsOf(letteringBlocks(scene, size, {kPixels, {}}), size);
     EXPECT_EQ(parts.size(), 3 + captions.size()) << "trial " << trial << " leaves something out";
     for (std::size_t pixel = 0; pixel < parts[0].size(); ++pixel) {
       int covering = 0;
@@ -98,7 +89,7 @@ TEST(Captions, EachStandsAtItsPlaceWithEqualMargins) {
   glm::ivec2 size(901, 601);
   for (int place = 0; place < kPlaces; ++place) {
     auto part = partsOf(
-        letteringMarks(captioned({{.text = "HHH\nHHH", .place = CaptionPlace(place), .size = 2}}), size, {}), size)[0];
+        letteringBlocks(captioned({{.text = "HHH\nHHH", .place = CaptionPlace(place), .size = 2}}), size, {}), size)[0];
     glm::ivec2 low = size, high(-1);
     for (int y = 0; y < size.y; ++y)
       for (int x = 0; x < size.x; ++x)
@@ -116,11 +107,10 @@ TEST(Captions, OfNoOpacityThereIsNoMarkAndOthersStandAsWithoutIt) {
   glm::ivec2 size(640, 360);
   Caption one{.text = "One"}, other{.text = "Other", .color = glm::vec3(1, 0.5f, 0)}, hidden{.text = "Hidden"};
   hidden.opacity = 0.0;
-  EXPECT_TRUE(letteringMarks(captioned({hidden}), size, {}).empty());
-  EXPECT_TRUE(areSame(letteringMarks(captioned({one, hidden, other}), size, {}),
-                      letteringMarks(captioned({one, other}), size, {})));
+  EXPECT_TRUE(letteringBlocks(captioned({hidden}), size, {}).empty());
+  EXPECT_EQ(pictureOf(captioned({one, hidden, other}), size), pictureOf(captioned({one, other}), size));
   Caption blank{.text = " \n "};
-  EXPECT_TRUE(letteringMarks(captioned({blank}), size, {}).empty());
+  EXPECT_TRUE(letteringBlocks(captioned({blank}), size, {}).empty());
 }
 
 TEST(Captions, HalfTheOpacityIsHalfTheWay) {
@@ -137,23 +127,23 @@ TEST(Captions, HalfTheOpacityIsHalfTheWay) {
 
 TEST(Captions, AColourOfItsOwnStandsOnWhatItIsReadOn) {
   Caption white{.text = "White", .color = glm::vec3(1.0f)};
-  auto marks = letteringMarks(captioned({white}), {640, 360}, {});
-  ASSERT_EQ(marks.size(), 2u);
-  EXPECT_LT(marks[0].color.g, 0.2f) << "the ground is white, too";
-  EXPECT_EQ(marks[1].color, glm::vec3(1.0f));
+  auto blocks = letteringBlocks(captioned({white}), {640, 360}, {});
+  ASSERT_EQ(blocks.size(), 1u);
+  EXPECT_LT(blocks[0].ground.g, 0.2f) << "the ground is white, too";
+  EXPECT_EQ(std::get<vector::Words>(blocks[0].items[0]).color, glm::vec3(1.0f));
   white.color = glm::vec3(0.5f, 0.0f, 0.0f);
-  EXPECT_EQ(letteringMarks(captioned({white}), {640, 360}, {})[0].color, glm::vec3(1.0f));
+  EXPECT_EQ(letteringBlocks(captioned({white}), {640, 360}, {})[0].ground, glm::vec3(1.0f));
 }
 
 TEST(Captions, SectionsHaveThem) {
   scene::Scene scene = captioned({{.text = "One"}, {.text = "Two", .place = CaptionPlace::Top}});
   scene.lettering.timeStamp = true;
-  EXPECT_EQ(letteringMarks(scene, scene::SectionKind::Axial, {640, 360}).size(), 6u);
+  EXPECT_EQ(letteringBlocks(scene, scene::SectionKind::Axial, {640, 360}, {}).size(), 3u);
 }
 
 /// Against all ways to break a text.
 TEST(Captions, LinesAreFewAndThenAsEvenAsWordsLetThemBe) {
-  Letters letters(20.0);
+  vector::Letters letters(vector::Font::Sans, 20.0);
   std::vector<std::string> words = wordsOf("as even as the words of a sentence let them be");
   std::string text = "as even as the words of a sentence let them be";
   for (double most : {90.0, 130.0, 170.0, 230.0, 300.0, 600.0}) {
@@ -184,7 +174,7 @@ TEST(Captions, LinesAreFewAndThenAsEvenAsWordsLetThemBe) {
 }
 
 TEST(Captions, LettersStandAsCloseAsTheFontSaysAndDigitsInColumns) {
-  Letters letters(40.0);
+  vector::Letters letters(vector::Font::Sans, 40.0);
   EXPECT_LT(letters.width("AV"), letters.width("A") + letters.width("V") - 1.0);
   EXPECT_EQ(letters.width("HH"), 2 * letters.width("H"));
   EXPECT_DOUBLE_EQ(letters.width("11.11"), letters.width("00.00"));
@@ -231,7 +221,7 @@ TEST(Captions, WhateverATextHoldsAndHoweverSmallThePictureNothingBreaks) {
   for (const std::string& text : {control, mixed, endless, sentence})
     for (glm::ivec2 size : {glm::ivec2(1, 1), glm::ivec2(8, 8), glm::ivec2(30, 500), glm::ivec2(640, 360)})
       for (double large : {0.2, 1.0, 20.0})
-        partsOf(letteringMarks(captioned({{.text = text, .size = large}, {.text = "x" + text}}), size, {}), size);
+        partsOf(letteringBlocks(captioned({{.text = text, .size = large}, {.text = "x" + text}}), size, {}), size);
 }
 
 TEST(Captions, IdsAreUniqueWhateverAFileSays) {

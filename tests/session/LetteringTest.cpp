@@ -18,10 +18,10 @@
 #include "session/command/DocumentCommands.h"
 #include "session/command/LetteringCommands.h"
 #include "session/command/ModelCommands.h"
-#include "session/lettering/Letters.h"
 #include "session/model/CountFiles.h"
 #include "session/model/LegendLacks.h"
 #include "session/model/ModelEdit.h"
+#include "vector/Letters.h"
 
 namespace velum::session {
 
@@ -36,7 +36,7 @@ Image blank(glm::ivec2 size, glm::vec3 ground) {
 
 Image letteredPicture(const scene::Scene& scene, glm::ivec2 size) {
   Image image = blank(size, scene.background.top);
-  layMarks(letteringMarks(scene, size, kPixels), image);
+  layOver(letteringBlocks(scene, size, {kPixels, {}}), image);
   return image;
 }
 
@@ -104,10 +104,10 @@ TEST(Lettering, ASectionsBarIsAsLongAsItSaysInItsPicture) {
     scene::SectionPlane plane = scene::makeSectionPlane(scene, kind, glm::dvec2(size));
     EXPECT_NEAR(bar->pixels * plane.lengthPerPixel, bar->length, 1e-9);
     EXPECT_TRUE(bar->text.ends_with(" mm")) << bar->text;
-    EXPECT_TRUE(letteringMarks(scene, kind, size).empty()) << "nobody asked for it";
+    EXPECT_TRUE(letteringBlocks(scene, kind, size, {}).empty()) << "nobody asked for it";
     scene.lettering.scaleBar = true;
     Image image = blank(size, glm::vec3(0.0f));
-    layMarks(letteringMarks(scene, kind, size), image);
+    layOver(letteringBlocks(scene, kind, size, {}), image);
     double widest = 0.0;
     for (int y = 0; y < size.y; ++y) {
       double ink = 0.0, most = 0.0;
@@ -163,14 +163,19 @@ TEST(Lettering, ItIsDarkOnLightAndLightOnDarkAndItsGlowIsTheGrounds) {
   scene::Scene scene = lettered(glm::vec3(0.0f));
   scene.finish.paper = scene::Paper::Smooth;
   scene.finish.paperColor = glm::vec3(1.0f);
-  for (const Mark& mark : letteringMarks(scene, {900, 600}, {}))
-    EXPECT_TRUE(mark.color == glm::vec3(1.0f) || mark.color.r < 0.2f) << "on light paper";
+  for (const LetteringBlock& block : letteringBlocks(scene, {900, 600}, {})) {
+    EXPECT_EQ(block.ground, glm::vec3(1.0f)) << "on light paper";
+    for (const vector::Item& item : block.items)
+      if (const auto* words = std::get_if<vector::Words>(&item)) {
+        EXPECT_LT(words->color.r, 0.2f);
+      }
+  }
 }
 
 TEST(Lettering, WhereTheSceneAsksForNoneThereIsNoMark) {
   scene::Scene scene = lettered(glm::vec3(1.0f));
   scene.lettering = {};
-  EXPECT_TRUE(letteringMarks(scene, {600, 400}, kPixels).empty());
+  EXPECT_TRUE(letteringBlocks(scene, {600, 400}, {kPixels, {}}).empty());
 }
 
 TEST(Lettering, PartsInOneCornerStandBesideEachOtherWithinThePicture) {
@@ -188,15 +193,16 @@ TEST(Lettering, PartsInOneCornerStandBesideEachOtherWithinThePicture) {
       return ink;
     };
     EXPECT_NEAR(inkOf(both), inkOf(legend) + inkOf(bar), 0.02 * inkOf(both)) << enumName(corner);
-    for (const Mark& mark : letteringMarks(both, size, kPixels)) {
-      EXPECT_TRUE(glm::all(glm::greaterThanEqual(mark.corner, glm::ivec2(0))));
-      EXPECT_TRUE(glm::all(glm::lessThanEqual(mark.corner + mark.size, size)));
+    for (const LetteringBlock& block : letteringBlocks(both, size, {kPixels, {}})) {
+      vector::Raster raster = rasterOf(block, size);
+      EXPECT_TRUE(glm::all(glm::greaterThanEqual(raster.corner, glm::ivec2(0))));
+      EXPECT_TRUE(glm::all(glm::lessThanEqual(raster.corner + raster.size, size)));
     }
   }
 }
 
 TEST(Lettering, LettersOfTwiceTheSizeAreTwiceAsWideAndLongTextsAreShortenedBetweenLetters) {
-  Letters small(10.0), large(20.0);
+  vector::Letters small(vector::Font::Sans, 10.0), large(vector::Font::Sans, 20.0);
   std::string text = "\u03b1-synuclein, \u00b5m \u2013 Gr\u00f6\u00dfe";
   EXPECT_NEAR(large.width(text), 2.0 * small.width(text), 1e-9);
   EXPECT_EQ(small.fitted(text, 1000.0), text);

@@ -7,6 +7,7 @@
 #include "scene/Scene.h"
 #include "session/command/Command.h"
 #include "session/lettering/Legend.h"
+#include "session/lettering/LetteringBlock.h"
 
 namespace velum::session {
 
@@ -39,6 +40,24 @@ inline std::vector<std::string> namesOf(const scene::Scene& scene, const TypePix
   std::vector<std::string> names;
   for (const LegendEntry& entry : legendEntries(scene, pixels)) names.push_back(entry.name);
   return names;
+}
+
+/// The pixels of a block without its glow, also where they are beyond the picture.
+inline vector::Raster rasterOf(const LetteringBlock& block, glm::ivec2 size) {
+  constexpr int kBeyond = 200;
+  std::vector<vector::Item> items = block.items;
+  for (vector::Item& item : items) {
+    if (auto* words = std::get_if<vector::Words>(&item)) words->start += kBeyond;
+    if (auto* shape = std::get_if<vector::Shape>(&item))
+      for (vector::Outline& outline : shape->outlines) {
+        outline.start += kBeyond;
+        for (vector::Curve& curve : outline.curves)
+          curve.control1 += kBeyond, curve.control2 += kBeyond, curve.end += kBeyond;
+      }
+  }
+  vector::Raster raster = vector::rasterOf(items, size + 2 * kBeyond);
+  raster.corner -= kBeyond;
+  return raster;
 }
 
 inline scene::Scene after(const scene::Scene& scene, const Call& call) {

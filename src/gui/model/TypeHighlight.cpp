@@ -28,7 +28,7 @@ bool TypeHighlight::look() {
   bool was = takeAway();
   mIsStill = true;
   if (mTypes.empty()) return was;
-  Viewport::TypePixels picture = mViewport.typesOfPixels();
+  Viewport::PixelIds picture = mViewport.idsOfPixels();
   if (picture.types.empty()) return was;
   std::vector<bool> isIn;
   for (std::uint32_t type : mTypes) {

@@ -8,9 +8,9 @@ namespace velum::gui {
 
 namespace {
 
-void paintBlocks(QPainter& painter, const std::vector<session::LetteringBlock>& blocks, double ratio) {
+void paintBlocks(QPainter& painter, const std::vector<session::LetteringBlock>& blocks, glm::ivec2 size, double ratio) {
   for (const session::LetteringBlock& block : blocks) {
-    vector::Raster raster = session::stampOf(block);
+    vector::Raster raster = session::stampOf(block, size);
     QImage image(raster.rgba.data(), raster.size.x, raster.size.y, 4 * raster.size.x,
                  QImage::Format_RGBA8888_Premultiplied);
     image.setDevicePixelRatio(ratio);
@@ -32,7 +32,7 @@ session::ViewSpace finer(const session::ViewSpace& space, glm::dvec2 size, doubl
 bool LetteringOverlay::count() {
   const scene::Scene& scene = mDocument.shown();
   if (!scene.lettering.legend || !scene.model.data) return false;
-  Viewport::TypePixels picture = mViewport.typesOfPixels();
+  Viewport::PixelIds picture = mViewport.idsOfPixels();
   if (picture.types.empty()) return false;
   std::vector<QString> before = names();
   mPixels = session::countPixels(picture.types, scene.model.data->types.size());
@@ -59,9 +59,10 @@ void LetteringOverlay::paint(ViewPainter& over) const {
   const scene::Scene& scene = mDocument.shown();
   session::Seen seen{pixels(), mMeasured};
   if (&over.view == &mViewport)
-    paintBlocks(over.painter, session::letteringBlocks(scene, size, seen), ratio);
+    paintBlocks(over.painter, session::letteringBlocks(scene, size, seen), size, ratio);
   else
-    paintBlocks(over.painter, session::markBlocks(scene, finer(over.space, glm::dvec2(size), ratio), seen), ratio);
+    paintBlocks(over.painter, session::markBlocks(scene, finer(over.space, glm::dvec2(size), ratio), seen), size,
+                ratio);
 }
 
 }  // namespace velum::gui

@@ -319,9 +319,9 @@ std::optional<render::Pick> Viewport::pickAt(QPointF place) {
   return mRenderer->pick(glm::ivec2(glm::floor(share * glm::dvec2(mFrame.pictureSize))));
 }
 
-Viewport::TypePixels Viewport::typesOfPixels() {
+Viewport::PixelIds Viewport::idsOfPixels() {
   if (!mHasPicture || !bindContext()) return {};
-  return {mFrame.pictureSize, mRenderer->typesOfPixels()};
+  return {mRenderer->idsOfPixels(), mFrame.pictureSize};
 }
 
 void Viewport::pickUnderPointer() {

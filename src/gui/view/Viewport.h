@@ -55,12 +55,11 @@ class Viewport : public QOpenGLWidget, public ToolView {
   QWidget& widget() override { return *this; }
   session::ViewSpace space() const override { return {mDocument.shown().camera, logicalSize()}; }
   std::optional<render::Pick> pickAt(QPointF place) override;
-  /// The type of the model that each pixel of the picture shows, row by row from the top; -1: none.
-  struct TypePixels {
-    glm::ivec2 size{0};
-    std::vector<std::int32_t> types;  ///< empty while there is no picture of a model
+  /// What each pixel of the picture shows.
+  struct PixelIds : render::PixelIds {
+    glm::ivec2 size{0};  ///< 0: there is no picture
   };
-  TypePixels typesOfPixels();
+  PixelIds idsOfPixels();
   bool showsHandles() const override { return true; }
   Qt::CursorShape restCursor() const override { return Qt::ArrowCursor; }
 

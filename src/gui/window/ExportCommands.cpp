@@ -61,19 +61,21 @@ void ExportCommands::askSavePicture() {
   QString start = (pictures.isEmpty() ? QString() : pictures + "/") +
                   QFileInfo(QString::fromStdString(mParts.session.file().path())).baseName() +
                   (dialog.options().layers ? ".exr" : ".png");
-  QString path = askSavePath(&mParts.window, tr("Save picture"), start, saveFilters(io::FileKind::Picture));
+  QString path = askSavePath(&mParts.window, tr("Save picture"), start,
+                             saveFilters(io::FileKind::Picture) + tr(";;Drawing of lines and letters (*.svg *.pdf)"));
   if (path.isEmpty()) return;
   savePictureTo(path, dialog.options(), dialog.pictureScene());
 }
 
 void ExportCommands::savePictureTo(const QString& path, const session::PictureOptions& options,
                                    const scene::Scene& scene) {
+  auto notes = std::make_shared<std::vector<std::string>>();
   mParts.jobs.start(
       tr("Drawing %1").arg(QFileInfo(path).fileName()),
-      [scene, options, path = path.toStdString()](Progress& progress) {
-        session::Session(scene).savePicture(options, {}, path, progress);
+      [scene, options, notes, path = path.toStdString()](Progress& progress) {
+        *notes = session::Session(scene).savePicture(options, {}, path, progress);
       },
-      [this, path] { mParts.messages.showNote(tr("Saved %1").arg(path)); });
+      [this, notes, path] { mParts.messages.showNote(tr("Saved %1").arg(path), *notes); });
 }
 
 // Sheets, and what they leave.

@@ -50,8 +50,7 @@ Lines addFile(Session& session, const AddFile& arguments, Progress& progress) {
 }
 
 Lines makePicture(Session& session, const MakePicture& arguments, Progress& progress) {
-  session.savePicture(optionsOf(arguments), {}, wholePath(arguments.path), progress);
-  return {};
+  return session.savePicture(optionsOf(arguments), {}, wholePath(arguments.path), progress);
 }
 
 Command answering(Command row) {

@@ -83,7 +83,7 @@ struct MakePicture {
   double dpi = 0.0;
   static void fields(auto& o, auto& visit) {
     visit("size", o.size, FieldInfo{"", {}, "WIDTHxHEIGHT in pixels, or with a unit: 12x8cm."});
-    visit("path", o.path, FieldInfo{"", {}, "The file: .png, .tif, .exr."});
+    visit("path", o.path, FieldInfo{"", {}, "The file: .png, .tif, .exr, .svg, .pdf."});
     visit("samples", o.samples, FieldInfo{"", {0, 256}, "Pictures that are averaged; 0: as the scene says."});
     visit("transparent", o.transparent, FieldInfo{"", {}, "No background, with alpha."});
     visit("layers", o.layers, FieldInfo{"", {}, "Also depth, normal, structure id and others."});

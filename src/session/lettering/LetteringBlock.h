@@ -21,8 +21,8 @@ struct LetteringBlock {
   double opacity = 1.0;             ///< of all of it, 0..1
 };
 
-/// A block as pixels: its items over their glow. O(pixels of the block).
-vector::Raster stampOf(const LetteringBlock& block);
+/// A block as pixels, as far as it lies in a picture of so many: its items over their glow. O(pixels of the block).
+vector::Raster stampOf(const LetteringBlock& block, glm::ivec2 picture);
 
 /// Lays blocks over the channels R, G and B of a picture, and over A where it has that.
 void layOver(const std::vector<LetteringBlock>& blocks, Image& image);

@@ -6,6 +6,7 @@
 
 #include "scene/Scene.h"
 #include "session/lettering/LetteringLayout.h"
+#include "session/model/ModelEdit.h"
 
 namespace velum::session {
 

@@ -149,8 +149,22 @@ Image drawSectionPicture(const scene::Scene& scene, scene::SectionKind kind, con
   return image;
 }
 
+bool isDrawing(const std::filesystem::path& path) {
+  std::string ending = lowerExtension(path);
+  return ending == ".svg" || ending == ".pdf";
+}
+
+void expectPictureFormat(const std::filesystem::path& path) {
+  if (isDrawing(path)) return;
+  try {
+    io::expectImageFormat(path);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}; with lines and letters as .svg or .pdf", error.what()));
+  }
+}
+
 void expectPictureFile(const std::filesystem::path& path) {
-  io::expectImageFormat(path);
+  expectPictureFormat(path);
   expectReplaceable(path);
 }
 

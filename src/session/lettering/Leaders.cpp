@@ -1,0 +1,76 @@
+#include "session/lettering/Leaders.h"
+
+#include <algorithm>
+
+namespace velum::session {
+
+namespace {
+
+/// Over 0: c lies to the one side of the line from a to b, below 0: to the other.
+double sideOf(glm::dvec2 a, glm::dvec2 b, glm::dvec2 c) {
+  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+bool areBoxesApart(const Segment& a, const Segment& b) {
+  return glm::any(glm::lessThan(glm::max(a.from, a.to), glm::min(b.from, b.to))) ||
+         glm::any(glm::lessThan(glm::max(b.from, b.to), glm::min(a.from, a.to)));
+}
+
+Segment segmentOf(const NamePlace& place) { return {place.leader.front(), place.leader.back()}; }
+
+}  // namespace
+
+bool isCrossing(const Segment& a, const Segment& b) {
+  if (areBoxesApart(a, b)) return false;
+  auto isBetween = [](double one, double other) {
+    return (one <= 0.0 && other >= 0.0) || (one >= 0.0 && other <= 0.0);
+  };
+  return isBetween(sideOf(a.from, a.to, b.from), sideOf(a.from, a.to, b.to)) &&
+         isBetween(sideOf(b.from, b.to, a.from), sideOf(b.from, b.to, a.to));
+}
+
+bool isCrossing(const Segment& segment, const Rectangle& rectangle) {
+  // The stretch of the segment that is between the rectangle's sides, along x and along y.
+  double first = 0.0, last = 1.0;
+  for (int axis = 0; axis < 2; ++axis) {
+    double from = segment.from[axis], way = segment.to[axis] - from;
+    if (way == 0.0) {
+      if (from <= rectangle.low[axis] || from >= rectangle.high[axis]) return false;
+      continue;
+    }
+    double a = (rectangle.low[axis] - from) / way, b = (rectangle.high[axis] - from) / way;
+    first = std::max(first, std::min(a, b));
+    last = std::min(last, std::max(a, b));
+  }
+  return first < last;
+}
+
+bool isCrossing(const Rectangle& a, const Rectangle& b) {
+  return glm::all(glm::lessThan(a.low, b.high)) && glm::all(glm::lessThan(b.low, a.high));
+}
+
+Rectangle grown(const Rectangle& rectangle, double by) { return {rectangle.low - by, rectangle.high + by}; }
+
+Segment leaderOf(const Rectangle& block, glm::dvec2 anchor, double away) {
+  glm::dvec2 middle = (block.low + block.high) * 0.5;
+  if (anchor.x > block.high.x) return {{block.high.x + away, middle.y}, anchor};
+  if (anchor.x < block.low.x) return {{block.low.x - away, middle.y}, anchor};
+  return {{anchor.x, anchor.y < middle.y ? block.low.y - away : block.high.y + away}, anchor};
+}
+
+NamePlace placeAt(const NameToPlace& name, glm::dvec2 low, double em) {
+  Rectangle block{low, low + name.size};
+  // A leader begins no farther from its words than its anchor is.
+  glm::dvec2 outside = glm::max(glm::max(block.low - name.anchor, name.anchor - block.high), glm::dvec2(0));
+  Segment leader = leaderOf(block, name.anchor, std::min(kLeaderGap * em, std::max(outside.x, outside.y) * 0.5));
+  return {name.key, block, {leader.from, leader.to}};
+}
+
+bool areInTheWay(const NamePlace& a, const NamePlace& b, double em) {
+  constexpr double kRounding = 1e-6;
+  double gap = kNameGap * em - kRounding, near = gap * 0.5;
+  return isCrossing(grown(a.block, gap), b.block) || isCrossing(segmentOf(a), grown(b.block, near)) ||
+         isCrossing(segmentOf(b), grown(a.block, near)) || isCrossing(segmentOf(a), segmentOf(b));
+}
+
+}  // namespace velum::session

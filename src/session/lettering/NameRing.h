@@ -1,0 +1,11 @@
+#pragma once
+#include "session/lettering/NameColumns.h"
+
+namespace velum::session {
+
+/// Where names would stand around the subject, as columnPlaces() says it: blocks touch an ellipse around it, in the
+/// order of their anchors, as near to the directions of these as others let them
+/// ([ILLUSTRATIONS]).
+std::vector<std::optional<glm::dvec2>> ringPlaces(const WaitingNames& waiting, const NameRoom& room);
+
+}  // namespace velum::session

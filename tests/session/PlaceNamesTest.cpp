@@ -1,0 +1,244 @@
+// Where names stand beside a picture.
+#include "session/lettering/PlaceNames.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cmath>
+#include <numeric>
+
+#include "namedScene.h"
+
+namespace velum::session {
+
+namespace {
+
+using Points = std::vector<glm::dvec2>;
+
+/// True where two pieces of lines meet: their lines' parameters, solved for.
+bool doMeet(glm::dvec2 a, glm::dvec2 b, glm::dvec2 c, glm::dvec2 d) {
+  glm::dvec2 u = b - a, v = d - c, w = c - a;
+  double det = u.x * v.y - u.y * v.x;
+  if (std::abs(det) < 1e-12) return false;
+  double s = (w.x * v.y - w.y * v.x) / det, t = (w.x * u.y - w.y * u.x) / det;
+  return s > 1e-9 && s < 1 - 1e-9 && t > 1e-9 && t < 1 - 1e-9;
+}
+
+bool isInside(glm::dvec2 p, const Rectangle& r) {
+  return p.x > r.low.x + 1e-6 && p.y > r.low.y + 1e-6 && p.x < r.high.x - 1e-6 && p.y < r.high.y - 1e-6;
+}
+
+/// True where a leader is in a rectangle: by many points on it.
+bool doesEnter(const Points& leader, const Rectangle& r) {
+  for (int i = 0; i <= 2000; ++i)
+    if (isInside(glm::mix(leader.front(), leader.back(), i / 2000.0), r)) return true;
+  return false;
+}
+
+bool doOverlap(const Rectangle& a, const Rectangle& b) {
+  return std::min(a.high.x, b.high.x) - std::max(a.low.x, b.low.x) > 1e-6 &&
+         std::min(a.high.y, b.high.y) - std::max(a.low.y, b.low.y) > 1e-6;
+}
+
+const NameToPlace& nameOf(const NamedScene& scene, int key) {
+  return *std::find_if(scene.names.begin(), scene.names.end(), [&](const NameToPlace& n) { return n.key == key; });
+}
+
+/// All that must hold of places; of what was fixed by hand only what others owe to it.
+void expectLaws(const NamedScene& scene, const std::vector<NamePlace>& places) {
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const NamePlace& a = places[i];
+    const NameToPlace& name = nameOf(scene, a.key);
+    ASSERT_GE(a.leader.size(), 2u);
+    EXPECT_EQ(a.leader.back(), name.anchor);
+    EXPECT_NEAR(glm::distance(a.block.high - a.block.low, name.size), 0.0, 1e-9);
+    if (name.fixed) {
+      EXPECT_EQ(a.block.low, *name.fixed);
+    }
+    for (std::size_t j = 0; j < i; ++j) {
+      const NamePlace& b = places[j];
+      if (name.fixed && nameOf(scene, b.key).fixed) continue;
+      EXPECT_FALSE(doOverlap(a.block, b.block));
+      EXPECT_FALSE(doMeet(a.leader[0], a.leader[1], b.leader[0], b.leader[1])) << a.key << " " << b.key;
+      EXPECT_FALSE(doesEnter(a.leader, b.block)) << a.key << " " << b.key;
+      EXPECT_FALSE(doesEnter(b.leader, a.block)) << a.key << " " << b.key;
+    }
+    if (name.fixed) continue;
+    EXPECT_FALSE(doesEnter(a.leader, a.block));
+    EXPECT_GE(std::min(a.block.low.x, a.block.low.y), 0.0);
+    EXPECT_TRUE(glm::all(glm::lessThanEqual(a.block.high, scene.room.size)));
+    for (const Rectangle& taken : scene.room.taken) {
+      EXPECT_FALSE(doOverlap(a.block, taken));
+      EXPECT_FALSE(doesEnter(a.leader, taken));
+    }
+  }
+}
+
+double leaderLength(const std::vector<NamePlace>& places) {
+  double sum = 0.0;
+  for (const NamePlace& place : places) sum += glm::distance(place.leader.front(), place.leader.back());
+  return sum;
+}
+
+}  // namespace
+
+TEST(PlaceNames, NothingCrossesOrCoversAnythingInHundredsOfScenes) {
+  std::mt19937 random(11);
+  std::size_t wanted = 0, placed = 0;
+  for (int round = 0; round < 400; ++round) {
+    auto order = round % 2 == 0 ? scene::NameOrder::Columns : scene::NameOrder::Around;
+    double share = 0.3 + 0.1 * (round % 9);
+    NamedScene scene = namedScene(random, 1 + round % 40, {share * 0.6, share}, order);
+    if (round % 3 == 0) scene.room.taken = {{{10, 10}, {200, 150}}, {{1000, 660}, {1270, 710}}};
+    if (round % 5 == 0) scene.names[0].fixed = glm::dvec2(300, 300);
+    auto places = placeNames(scene.names, scene.room);
+    expectLaws(scene, places);
+    wanted += scene.names.size();
+    placed += places.size();
+    if (HasFailure()) FAIL() << "round " << round;
+  }
+  std::printf("%zu of %zu names placed\n", placed, wanted);
+  EXPECT_GT(double(placed), 0.93 * double(wanted));
+}
+
+TEST(PlaceNames, TwentyNamesBesideASubjectAllFindRoomInBothOrders) {
+  std::mt19937 random(13);
+  for (int round = 0; round < 60; ++round) {
+    auto order = round % 2 == 0 ? scene::NameOrder::Columns : scene::NameOrder::Around;
+    NamedScene scene = namedScene(random, 20, {0.5, 0.8}, order);
+    EXPECT_EQ(placeNames(scene.names, scene.room).size(), 20u) << round;
+  }
+}
+
+TEST(PlaceNames, ColumnsAreFlushAndStandClearOfTheSubjectOnBothSides) {
+  std::mt19937 random(17);
+  for (int round = 0; round < 40; ++round) {
+    NamedScene scene = namedScene(random, 24, {0.5, 0.9}, scene::NameOrder::Columns);
+    int left = 0, right = 0;
+    for (const NamePlace& place : placeNames(scene.names, scene.room)) {
+      bool isLeft = place.block.high.x < 640;
+      (isLeft ? left : right) += 1;
+      if (isLeft) {
+        EXPECT_NEAR(place.block.high.x, 320 - 1.6 * 16, 1.0);
+      }
+      if (!isLeft) {
+        EXPECT_NEAR(place.block.low.x, 960 + 1.6 * 16, 1.0);
+      }
+    }
+    EXPECT_LE(std::abs(left - right), 12);
+  }
+}
+
+TEST(PlaceNames, WhereTheSubjectFillsThePictureNamesStandOverItAndStillCoverNothing) {
+  std::mt19937 random(19);
+  std::size_t placed = 0;
+  for (int round = 0; round < 60; ++round) {
+    auto order = round % 2 == 0 ? scene::NameOrder::Columns : scene::NameOrder::Around;
+    NamedScene scene = namedScene(random, 20, {1.5, 1.5}, order);
+    auto places = placeNames(scene.names, scene.room);
+    expectLaws(scene, places);
+    placed += places.size();
+  }
+  std::printf("%zu of 1200 names placed over subjects that fill the picture\n", placed);
+  EXPECT_GT(placed, 1000u);
+}
+
+TEST(PlaceNames, WhatWeighsLeastIsLeftOutFirst) {
+  std::mt19937 random(23);
+  for (int round = 0; round < 10; ++round) {
+    NamedScene scene = namedScene(random, 60, {0.4, 0.7}, scene::NameOrder::Columns, {1000, 420});
+    auto places = placeNames(scene.names, scene.room);
+    ASSERT_LT(places.size(), 60u);
+    double weights = 0.0, all = 0.0;
+    for (const NamePlace& place : places) weights += nameOf(scene, place.key).weight;
+    for (const NameToPlace& name : scene.names) all += name.weight;
+    EXPECT_GT(weights / double(places.size()), all / 60.0 * 1.15);
+    auto heaviest = std::max_element(scene.names.begin(), scene.names.end(),
+                                     [](const auto& a, const auto& b) { return a.weight < b.weight; });
+    EXPECT_TRUE(std::any_of(places.begin(), places.end(), [&](const auto& p) { return p.key == heaviest->key; }));
+  }
+}
+
+TEST(PlaceNames, LeadersAreNearlyAsShortAsTheShortestOfAllColumns) {
+  std::mt19937 random(29);
+  double worst = 1.0;
+  for (int round = 0; round < 40; ++round) {
+    int count = 2 + round % 5;
+    NamedScene scene = namedScene(random, count, {0.4, 0.7}, scene::NameOrder::Columns);
+    for (NameToPlace& name : scene.names) name.size.y = 120.0;  // so that they are in each other's way
+    double ours = leaderLength(placeNames(scene.names, scene.room)), shortest = 1e30;
+    // Each name left or right, in each order, at each height of a lattice, as far up as the one above lets it.
+    double left = 640 - 256 - 1.6 * 16 + 0.3 * 16, right = 640 + 256 + 1.6 * 16 - 0.3 * 16, gap = 0.3 * 16;
+    std::vector<double> heights;
+    for (double y = 70; y <= 650; y += 10) heights.push_back(y);
+    auto shortestOf = [&](std::vector<std::size_t> side, double x) {
+      std::sort(side.begin(), side.end());
+      double best = side.empty() ? 0.0 : 1e30;
+      do {
+        std::vector<double> sums(heights.size(), 0.0);
+        for (std::size_t k = 0; k < side.size(); ++k) {
+          std::vector<double> next(heights.size(), 1e30);
+          for (std::size_t h = 0; h < heights.size(); ++h) {
+            double before = k == 0 ? 0.0 : 1e30;
+            for (std::size_t g = 0; k > 0 && g < h; ++g)
+              if (heights[h] - heights[g] >= 120.0 + gap) before = std::min(before, sums[g]);
+            next[h] = before + glm::distance(glm::dvec2(x, heights[h]), scene.names[side[k]].anchor);
+          }
+          sums = next;
+        }
+        if (!side.empty()) best = std::min(best, *std::min_element(sums.begin(), sums.end()));
+      } while (std::next_permutation(side.begin(), side.end()));
+      return best;
+    };
+    for (unsigned sides = 0; sides < 1u << count; ++sides) {
+      std::vector<std::size_t> on[2];
+      for (std::size_t i = 0; i < std::size_t(count); ++i) on[sides >> i & 1u].push_back(i);
+      shortest = std::min(shortest, shortestOf(on[0], left) + shortestOf(on[1], right));
+    }
+    worst = std::max(worst, ours / shortest);
+    EXPECT_LT(ours, 1.25 * shortest) << round;
+  }
+  std::printf("leaders at worst %.3f of the shortest\n", worst);
+}
+
+TEST(PlaceNames, WhatIsFixedByHandStaysAndOthersAvoidIt) {
+  std::mt19937 random(31);
+  for (int round = 0; round < 30; ++round) {
+    NamedScene scene =
+        namedScene(random, 16, {0.5, 0.8}, round % 2 ? scene::NameOrder::Columns : scene::NameOrder::Around);
+    scene.names[3].fixed = glm::dvec2(150 + 10 * round, 80 + 17 * round);
+    scene.names[7].fixed = glm::dvec2(1250, 700);
+    auto places = placeNames(scene.names, scene.room);
+    expectLaws(scene, places);
+    for (int key : {3, 7})
+      EXPECT_TRUE(std::any_of(places.begin(), places.end(), [&](const auto& p) { return p.key == key; }));
+  }
+}
+
+TEST(PlaceNames, APictureWithoutRoomOrNamesHasNoPlaces) {
+  NameRoom room{{40, 30}, {}, {}, scene::NameOrder::Columns, 16.0};
+  for (auto order : {scene::NameOrder::Columns, scene::NameOrder::Around}) {
+    room.order = order;
+    EXPECT_TRUE(placeNames({}, room).empty());
+    EXPECT_TRUE(placeNames({{1, {60, 20}, {20, 15}, 1.0, {}}}, room).empty());
+  }
+}
+
+TEST(PlaceNames, FortyNamesTakeAFewMilliseconds) {
+  std::mt19937 random(37);
+  for (auto order : {scene::NameOrder::Columns, scene::NameOrder::Around}) {
+    double worst = 0.0, sum = 0.0;
+    for (int round = 0; round < 20; ++round) {
+      NamedScene scene = namedScene(random, 40, {0.5, 0.9}, order);
+      auto start = std::chrono::steady_clock::now();
+      placeNames(scene.names, scene.room);
+      double ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+      worst = std::max(worst, ms);
+      sum += ms;
+    }
+    std::printf("40 names: %.2f ms, at worst %.2f\n", sum / 20, worst);
+    EXPECT_LT(sum / 20, 500.0) << "a generous bound: others may hold the machine";
+  }
+}
+
+}  // namespace velum::session

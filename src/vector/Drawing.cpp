@@ -48,18 +48,18 @@ Outline rectangle(glm::dvec2 low, glm::dvec2 high, double left, double right) {
     if (to != at) out.curves.push_back(straight(at, to));
     at = to;
   };
-  auto corner = [&](glm::dvec2 corner, glm::dvec2 to) {
+  auto turn = [&](glm::dvec2 corner, glm::dvec2 to) {
     if (to != at) out.curves.push_back({glm::mix(at, corner, kArm), glm::mix(to, corner, kArm), to});
     at = to;
   };
   side({high.x - right, low.y});
-  corner({high.x, low.y}, {high.x, low.y + right});
+  turn({high.x, low.y}, {high.x, low.y + right});
   side({high.x, high.y - right});
-  corner(high, {high.x - right, high.y});
+  turn(high, {high.x - right, high.y});
   side({low.x + left, high.y});
-  corner({low.x, high.y}, {low.x, high.y - left});
+  turn({low.x, high.y}, {low.x, high.y - left});
   side({low.x, low.y + left});
-  corner(low, out.start);
+  turn(low, out.start);
   return out;
 }
 

@@ -14,7 +14,7 @@ namespace {
 
 // Lengths, in ems.
 constexpr double kTick = 0.42, kDot = 0.17, kHeadLength = 0.95, kHeadWidth = 0.62, kMarkLine = 1.25, kMarkCap = 0.72;
-constexpr double kAside = 1.0, kMarkGap = 0.35, kMarkMargin = 0.6, kLeaderGap = 0.35, kShortestLeader = 0.9;
+constexpr double kAside = 1.0, kMarkGap = 0.35, kMarkMargin = 0.6, kWordsGap = 0.35, kShortestLine = 0.9;
 constexpr double kArc = 0.32, kLargestArc = 3.2;  // radius of an angle's arc: of the shorter arm; at most, ems
 constexpr double kAreaFill = 0.14;
 constexpr int kArcPieces = 24;
@@ -165,8 +165,8 @@ void MarkLayout::addWords(const scene::Mark& mark, Words words) {
     if (!free) return;
     low = *free;
   }
-  glm::dvec2 nearest = glm::clamp(words.at, low - kLeaderGap * em, low + size + kLeaderGap * em);
-  if (words.hasLeader || (mark.wordsAt && glm::distance(nearest, words.at) > kShortestLeader * em)) {
+  glm::dvec2 nearest = glm::clamp(words.at, low - kWordsGap * em, low + size + kWordsGap * em);
+  if (words.hasLeader || (mark.wordsAt && glm::distance(nearest, words.at) > kShortestLine * em)) {
     LetteringBlock leader = mLines;
     leader.layer = "leaders";
     leader.items = {vector::Shape{{}, {vector::outlineThrough({nearest, words.at}, false)}, mPen, {}}};

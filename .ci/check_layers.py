@@ -49,6 +49,7 @@ ONLY_IN = {  # library header: modules that may name it
     r"<GLFW/": "app",
     r"<CLI/": "app",
     r"<(ft2build|freetype)": "session vector",
+    r"<(cairo|qpdf|png)": "vector",
 }
 
 

@@ -1,0 +1,37 @@
+#pragma once
+#include <optional>
+#include <span>
+
+#include "vector/Drawing.h"
+
+namespace velum::vector {
+
+/// An end of a curve: where, and which way it goes there, if that is known.
+struct CurveEnd {
+  glm::dvec2 place{0.0};
+  std::optional<glm::dvec2> direction;  ///< unit, the way the line is walked, at both ends
+};
+
+/// Points that a line should pass, and the line on which they lie, as far as it is known.
+struct Track {
+  std::vector<glm::dvec2> points;
+  std::vector<glm::dvec2> fence;  ///< point i lies on the piece from fence i to i + 1
+  bool isClosed = false;
+};
+
+/// How far a curve may be from what it goes along, pixels.
+struct Nearness {
+  double fence = 0.6;   ///< from the nearest of the fence's pieces
+  double point = 1.05;  ///< from each point
+  double mean = 0.36;   ///< root of the mean square from points
+};
+
+glm::dvec2 placeOn(glm::dvec2 from, const Curve& curve, double t);
+
+/// The curve of least squares between two ends [SCHNEIDER]; nothing where none is as near as is asked for, or where it
+/// would turn back on itself. Differs: what is near is asked of the fence, and where no direction is known at an end it
+/// is found, too. @param first, end  points of the track between the ends; may be none
+std::optional<Curve> fitCubic(const Track& track, int first, int end, const CurveEnd& from, const CurveEnd& to,
+                              const Nearness& nearness);
+
+}  // namespace velum::vector

@@ -78,7 +78,7 @@ std::map<std::int32_t, SlowPart> slowParts(const KeyMap& map) {
   return parts;
 }
 
-int pixelOf(const KeyMap& map, const VisiblePart& part) {
+int mapPixelOf(const KeyMap& map, const VisiblePart& part) {
   glm::ivec2 pixel(glm::floor(part.anchor / double(map.step)));
   return pixel.y * map.size.x + pixel.x;
 }
@@ -100,7 +100,7 @@ TEST(VisibleParts, AnAnchorHasItsKeyAndIsAsDeepInTheLargestPieceAsAPlainSearchSa
     for (const VisiblePart& part : parts) {
       const SlowPart& should = slow.at(part.key);
       EXPECT_EQ(part.pixels, should.pixels * std::uint64_t(step * step));
-      int pixel = pixelOf(map, part);
+      int pixel = mapPixelOf(map, part);
       ASSERT_EQ(keys[std::size_t(pixel)], part.key);
       bool isInLargest = false;
       for (const auto& piece : should.pieces) {
@@ -165,7 +165,7 @@ TEST(VisibleParts, ThinThingsHaveTheirAnchorOnThem) {
   for (int x = 0; x < size.x; ++x) keys[std::size_t((20 + x / 3) * size.x + x)] = 5;
   auto parts = computeVisibleParts({size, keys, 2});
   ASSERT_EQ(parts.size(), 2u);
-  EXPECT_EQ(keys[std::size_t(pixelOf({size, keys, 2}, parts[1]))], 5);
+  EXPECT_EQ(keys[std::size_t(mapPixelOf({size, keys, 2}, parts[1]))], 5);
   EXPECT_NEAR(parts[1].anchor.x, 160, 8) << "the middle of the line, not an end";
 }
 

@@ -12,12 +12,12 @@ namespace velum::session {
 
 namespace {
 
-constexpr int kSlots = 240;                         // around the ellipse
-constexpr int kReach = 60;                          // slots from the direction of an anchor to where its name may stand
-constexpr double kTurn = 3.0;                       // how soon a block that goes around turns its corner to the subject
-constexpr double kStaysFor = 0.3;                   // of a way in a film: so much shorter must a leader be for it
-constexpr double kSmallest = 0.35, kShrink = 0.85;  // of the ellipse around the subject
-constexpr double kNowhere = std::numeric_limits<double>::infinity();
+constexpr int kSlots = 240;        // around the ellipse
+constexpr int kRingReach = 60;     // slots from the direction of an anchor to where its name may stand
+constexpr double kTurn = 3.0;      // how soon a block that goes around turns its corner to the subject
+constexpr double kStaysFor = 0.3;  // of a way in a film: so much shorter must a leader be for it
+constexpr double kSmallest = 0.35, kRingShrink = 0.85;  // of the ellipse around the subject
+constexpr double kNoPlace = std::numeric_limits<double>::infinity();
 
 struct Ellipse {
   glm::dvec2 middle{0}, axes{1};
@@ -25,7 +25,7 @@ struct Ellipse {
 
 /// The smallest ellipse around the middle of a silhouette with the proportions of its box.
 Ellipse ellipseAround(const Silhouette& silhouette, glm::dvec2 picture) {
-  glm::dvec2 low(kNowhere), high(-kNowhere);
+  glm::dvec2 low(kNoPlace), high(-kNoPlace);
   auto forCorners = [&](auto visit) {
     for (std::size_t i = 0; i < silhouette.rows.size(); ++i)
       if (glm::dvec2 row = silhouette.rows[i]; row.x < row.y)
@@ -54,10 +54,10 @@ class RingSearch {
     Ellipse around = ellipseAround(mRoom.subject, mRoom.size);
     std::vector<std::optional<glm::dvec2>> places(all.size());
     for (; !all.empty(); dropLightest(all))
-      for (double share = 1.0; share >= kSmallest; share *= kShrink) {
+      for (double share = 1.0; share >= kSmallest; share *= kRingShrink) {
         mRing = {around.middle, around.axes * share + kSubjectGap * mRoom.em};
         if (!arrange(all)) continue;
-        for (std::size_t k = 0; k < mOrder.size(); ++k) places[mOrder[k]] = blockAt(mOrder[k], mSlots[k]).low;
+        for (std::size_t k = 0; k < mOrder.size(); ++k) places[mOrder[k]] = blockOf(k).low;
         return places;
       }
     return places;
@@ -91,18 +91,17 @@ class RingSearch {
   }
 
   /// What it costs to have a name there, pixels; infinite: it cannot be there.
-  double costAt(std::size_t i, int slot) const {
-    Rectangle block = blockAt(i, slot);
+  double costAt(std::size_t i, const Rectangle& block) const {
     double margin = kNameMargin * mRoom.em;
     if (glm::any(glm::lessThan(block.low, glm::dvec2(margin))) ||
         glm::any(glm::greaterThan(block.high, mRoom.size - margin)))
-      return kNowhere;
+      return kNoPlace;
     Rectangle near = grown(block, kNameGap * mRoom.em);
     for (const Rectangle& taken : mRoom.taken)
-      if (isCrossing(near, taken)) return kNowhere;
-    Segment leader = leaderOf(block, name(i).anchor, kLeaderGap * mRoom.em);
+      if (isCrossing(near, taken)) return kNoPlace;
     const NamePlace* before = mWaiting.before[i];
     double moved = before ? kStaysFor * glm::distance(before->block.low, block.low) : 0.0;
+    Segment leader = leaderOf(block, name(i).anchor, kLeaderGap * mRoom.em, mRoom.order);
     return glm::distance(leader.from, leader.to) + moved;
   }
 
@@ -128,10 +127,10 @@ class RingSearch {
     std::rotate(mOrder.begin(), mOrder.begin() + std::ptrdiff_t(first), mOrder.end());
   }
 
-  /// Finds slots for names, and changes their order while leaders cross. @return false: they do not fit
+  /// Finds slots for names, and changes their order while two are in each other's way. @return false: they do not fit
   bool arrange(const std::vector<std::size_t>& all) {
     order(all);
-    fillCosts();
+    fillSlots();
     for (std::size_t i = 0; i <= 2 * all.size(); ++i) {
       if (!findSlots()) return false;
       auto crossing = crossingOf();
@@ -141,13 +140,15 @@ class RingSearch {
     return true;
   }
 
-  void fillCosts() {
-    mCosts.assign(mWaiting.names.size(), std::vector<double>(kSlots, kNowhere));
+  void fillSlots() {
+    mBlocks.assign(mWaiting.names.size(), {});
+    mCosts.assign(mWaiting.names.size(), std::vector<double>(kSlots, kNoPlace));
     for (std::size_t i : mOrder) {
       double direction = directionOf(name(i).anchor);
       for (int s = 0; s < kSlots; ++s) {
+        mBlocks[i].push_back(blockAt(i, mStart + s));
         double away = std::abs(std::remainder(mStart + s - direction, double(kSlots)));
-        if (away <= kReach) mCosts[i][std::size_t(s)] = costAt(i, mStart + s);
+        if (away <= kRingReach) mCosts[i][std::size_t(s)] = costAt(i, mBlocks[i].back());
       }
     }
   }
@@ -155,44 +156,45 @@ class RingSearch {
   /// The cheapest slots for names in their order, each clear of the one before: by dynamic programming.
   bool findSlots() {
     std::size_t count = mOrder.size();
-    std::vector<std::vector<int>> from(count, std::vector<int>(kSlots, -1));
-    std::vector<double> sums = mCosts[mOrder[0]];
+    std::vector<std::vector<std::size_t>> from(count, std::vector<std::size_t>(kSlots));
+    std::vector<double> sums = mCosts[mOrder[0]], next(kSlots);
+    std::vector<std::size_t> best(kSlots);
     for (std::size_t k = 1; k < count; ++k) {
-      // The best of all slots up to each.
-      std::vector<int> best(kSlots);
-      std::iota(best.begin(), best.end(), 0);
-      for (std::size_t s = 1; s < kSlots; ++s)
-        if (sums[std::size_t(best[s - 1])] <= sums[s]) best[s] = best[s - 1];
-      std::vector<double> next(kSlots, kNowhere);
-      for (int s = 1; s < kSlots; ++s) {
-        double cost = mCosts[mOrder[k]][std::size_t(s)];
-        if (cost == kNowhere) continue;
-        Rectangle block = grown(blockAt(mOrder[k], mStart + s), kNameGap * mRoom.em);
-        int before = s - 1;
-        while (before >= 0 && isCrossing(block, blockAt(mOrder[k - 1], mStart + before))) --before;
-        if (before < 0) continue;
-        from[k][std::size_t(s)] = best[std::size_t(before)];
-        next[std::size_t(s)] = cost + sums[std::size_t(best[std::size_t(before)])];
+      // The best of all slots of the name before up to each, of which those count that are clear of this one's.
+      for (std::size_t s = 1; s < kSlots; ++s) best[s] = sums[best[s - 1]] <= sums[s] ? best[s - 1] : s;
+      std::fill(next.begin(), next.end(), kNoPlace);
+      const auto &own = mBlocks[mOrder[k]], &others = mBlocks[mOrder[k - 1]];
+      for (std::size_t s = 1, clear = 0; s < kSlots; ++s) {
+        double cost = mCosts[mOrder[k]][s];
+        if (cost == kNoPlace) continue;
+        Rectangle block = grown(own[s], kNameGap * mRoom.em);
+        while (clear < s && !isCrossing(block, others[clear])) ++clear;
+        while (clear > 0 && isCrossing(block, others[clear - 1])) --clear;
+        if (clear == 0) continue;
+        from[k][s] = best[clear - 1];
+        next[s] = cost + sums[best[clear - 1]];
       }
-      sums = std::move(next);
+      std::swap(sums, next);
     }
     auto least = std::min_element(sums.begin(), sums.end());
-    if (*least == kNowhere) return false;
+    if (*least == kNoPlace) return false;
     mSlots.assign(count, 0);
-    int slot = int(least - sums.begin());
+    std::size_t slot = std::size_t(least - sums.begin());
     for (std::size_t k = count; k-- > 0;) {
-      mSlots[k] = mStart + slot;
-      slot = from[k][std::size_t(slot)];
+      mSlots[k] = slot;
+      slot = from[k][slot];
     }
     return true;
   }
 
+  const Rectangle& blockOf(std::size_t k) const { return mBlocks[mOrder[k]][mSlots[k]]; }
+
   std::optional<std::pair<std::size_t, std::size_t>> crossingOf() const {
-    std::vector<Segment> leaders;
+    std::vector<NamePlace> places;
     for (std::size_t i = 0; i < mOrder.size(); ++i) {
-      leaders.push_back(leaderOf(blockAt(mOrder[i], mSlots[i]), name(mOrder[i]).anchor, kLeaderGap * mRoom.em));
+      places.push_back(placeAt(name(mOrder[i]), blockOf(i).low, mRoom));
       for (std::size_t j = i; j-- > 0;)
-        if (isCrossing(leaders[i], leaders[j])) return std::pair(j, i);
+        if (areInTheWay(places[i], places[j], mRoom.em)) return std::pair(j, i);
     }
     return std::nullopt;
   }
@@ -200,10 +202,11 @@ class RingSearch {
   const WaitingNames& mWaiting;
   const NameRoom& mRoom;
   Ellipse mRing;
-  int mStart = 0;                           ///< slot from which all others are counted
-  std::vector<std::size_t> mOrder;          ///< names, clockwise
-  std::vector<int> mSlots;                  ///< of names in that order
-  std::vector<std::vector<double>> mCosts;  ///< of each name in each slot
+  int mStart = 0;                               ///< slot from which all others are counted
+  std::vector<std::size_t> mOrder;              ///< names, clockwise
+  std::vector<std::size_t> mSlots;              ///< of names in that order
+  std::vector<std::vector<Rectangle>> mBlocks;  ///< of each name in each slot
+  std::vector<std::vector<double>> mCosts;
 };
 
 }  // namespace

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <chrono>
+#include <ctime>
 #include <map>
 #include <random>
 
@@ -199,11 +199,10 @@ TEST(VisibleParts, AWholePictureTakesAFewMilliseconds) {
   std::mt19937 random(5);
   glm::ivec2 size(1280, 720);
   auto keys = randomMap(size, 40, 60, random);
-  auto start = std::chrono::steady_clock::now();
+  std::clock_t start = std::clock();
   auto parts = computeVisibleParts({size, keys, 1});
-  double ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  double ms = 1000.0 * double(std::clock() - start) / CLOCKS_PER_SEC;
   EXPECT_GT(parts.size(), 20u);
-  RecordProperty("ms", std::to_string(ms));
   std::printf("visible parts of 1280x720: %.1f ms\n", ms);
   EXPECT_LT(ms, 400.0) << "a generous bound: others may hold the machine, and builds without optimising are slow";
 }

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <cmath>
+#include <ctime>
 #include <numeric>
 
 #include "namedScene.h"
@@ -13,7 +13,7 @@ namespace velum::session {
 
 namespace {
 
-using Points = std::vector<glm::dvec2>;
+using Polyline = std::vector<glm::dvec2>;
 
 /// True where two pieces of lines meet: their lines' parameters, solved for.
 bool doMeet(glm::dvec2 a, glm::dvec2 b, glm::dvec2 c, glm::dvec2 d) {
@@ -24,14 +24,14 @@ bool doMeet(glm::dvec2 a, glm::dvec2 b, glm::dvec2 c, glm::dvec2 d) {
   return s > 1e-9 && s < 1 - 1e-9 && t > 1e-9 && t < 1 - 1e-9;
 }
 
-bool isInside(glm::dvec2 p, const Rectangle& r) {
+bool isInRectangle(glm::dvec2 p, const Rectangle& r) {
   return p.x > r.low.x + 1e-6 && p.y > r.low.y + 1e-6 && p.x < r.high.x - 1e-6 && p.y < r.high.y - 1e-6;
 }
 
 /// True where a leader is in a rectangle: by many points on it.
-bool doesEnter(const Points& leader, const Rectangle& r) {
+bool doesEnter(const Polyline& leader, const Rectangle& r) {
   for (int i = 0; i <= 2000; ++i)
-    if (isInside(glm::mix(leader.front(), leader.back(), i / 2000.0), r)) return true;
+    if (isInRectangle(glm::mix(leader.front(), leader.back(), i / 2000.0), r)) return true;
   return false;
 }
 
@@ -40,7 +40,7 @@ bool doOverlap(const Rectangle& a, const Rectangle& b) {
          std::min(a.high.y, b.high.y) - std::max(a.low.y, b.low.y) > 1e-6;
 }
 
-const NameToPlace& nameOf(const NamedScene& scene, int key) {
+const NameToPlace& nameIn(const NamedScene& scene, int key) {
   return *std::find_if(scene.names.begin(), scene.names.end(), [&](const NameToPlace& n) { return n.key == key; });
 }
 
@@ -48,7 +48,7 @@ const NameToPlace& nameOf(const NamedScene& scene, int key) {
 void expectLaws(const NamedScene& scene, const std::vector<NamePlace>& places) {
   for (std::size_t i = 0; i < places.size(); ++i) {
     const NamePlace& a = places[i];
-    const NameToPlace& name = nameOf(scene, a.key);
+    const NameToPlace& name = nameIn(scene, a.key);
     ASSERT_GE(a.leader.size(), 2u);
     EXPECT_EQ(a.leader.back(), name.anchor);
     EXPECT_NEAR(glm::distance(a.block.high - a.block.low, name.size), 0.0, 1e-9);
@@ -57,7 +57,7 @@ void expectLaws(const NamedScene& scene, const std::vector<NamePlace>& places) {
     }
     for (std::size_t j = 0; j < i; ++j) {
       const NamePlace& b = places[j];
-      if (name.fixed && nameOf(scene, b.key).fixed) continue;
+      if (name.fixed && nameIn(scene, b.key).fixed) continue;
       EXPECT_FALSE(doOverlap(a.block, b.block));
       EXPECT_FALSE(doMeet(a.leader[0], a.leader[1], b.leader[0], b.leader[1])) << a.key << " " << b.key;
       EXPECT_FALSE(doesEnter(a.leader, b.block)) << a.key << " " << b.key;
@@ -150,7 +150,7 @@ TEST(PlaceNames, WhatWeighsLeastIsLeftOutFirst) {
     auto places = placeNames(scene.names, scene.room);
     ASSERT_LT(places.size(), 60u);
     double weights = 0.0, all = 0.0;
-    for (const NamePlace& place : places) weights += nameOf(scene, place.key).weight;
+    for (const NamePlace& place : places) weights += nameIn(scene, place.key).weight;
     for (const NameToPlace& name : scene.names) all += name.weight;
     EXPECT_GT(weights / double(places.size()), all / 60.0 * 1.15);
     auto heaviest = std::max_element(scene.names.begin(), scene.names.end(),
@@ -230,9 +230,9 @@ TEST(PlaceNames, FortyNamesTakeAFewMilliseconds) {
     double worst = 0.0, sum = 0.0;
     for (int round = 0; round < 20; ++round) {
       NamedScene scene = namedScene(random, 40, {0.5, 0.9}, order);
-      auto start = std::chrono::steady_clock::now();
+      std::clock_t start = std::clock();
       placeNames(scene.names, scene.room);
-      double ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+      double ms = 1000.0 * double(std::clock() - start) / CLOCKS_PER_SEC;
       worst = std::max(worst, ms);
       sum += ms;
     }

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <chrono>
+#include <ctime>
 #include <map>
 #include <random>
 
@@ -78,7 +78,7 @@ std::map<std::int32_t, SlowPart> slowParts(const KeyMap& map) {
   return parts;
 }
 
-int pixelOf(const KeyMap& map, const VisiblePart& part) {
+int mapPixelOf(const KeyMap& map, const VisiblePart& part) {
   glm::ivec2 pixel(glm::floor(part.anchor / double(map.step)));
   return pixel.y * map.size.x + pixel.x;
 }
@@ -100,7 +100,7 @@ TEST(VisibleParts, AnAnchorHasItsKeyAndIsAsDeepInTheLargestPieceAsAPlainSearchSa
     for (const VisiblePart& part : parts) {
       const SlowPart& should = slow.at(part.key);
       EXPECT_EQ(part.pixels, should.pixels * std::uint64_t(step * step));
-      int pixel = pixelOf(map, part);
+      int pixel = mapPixelOf(map, part);
       ASSERT_EQ(keys[std::size_t(pixel)], part.key);
       bool isInLargest = false;
       for (const auto& piece : should.pieces) {
@@ -165,7 +165,7 @@ TEST(VisibleParts, ThinThingsHaveTheirAnchorOnThem) {
   for (int x = 0; x < size.x; ++x) keys[std::size_t((20 + x / 3) * size.x + x)] = 5;
   auto parts = computeVisibleParts({size, keys, 2});
   ASSERT_EQ(parts.size(), 2u);
-  EXPECT_EQ(keys[std::size_t(pixelOf({size, keys, 2}, parts[1]))], 5);
+  EXPECT_EQ(keys[std::size_t(mapPixelOf({size, keys, 2}, parts[1]))], 5);
   EXPECT_NEAR(parts[1].anchor.x, 160, 8) << "the middle of the line, not an end";
 }
 
@@ -199,11 +199,10 @@ TEST(VisibleParts, AWholePictureTakesAFewMilliseconds) {
   std::mt19937 random(5);
   glm::ivec2 size(1280, 720);
   auto keys = randomMap(size, 40, 60, random);
-  auto start = std::chrono::steady_clock::now();
+  std::clock_t start = std::clock();
   auto parts = computeVisibleParts({size, keys, 1});
-  double ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  double ms = 1000.0 * double(std::clock() - start) / CLOCKS_PER_SEC;
   EXPECT_GT(parts.size(), 20u);
-  RecordProperty("ms", std::to_string(ms));
   std::printf("visible parts of 1280x720: %.1f ms\n", ms);
   EXPECT_LT(ms, 400.0) << "a generous bound: others may hold the machine, and builds without optimising are slow";
 }

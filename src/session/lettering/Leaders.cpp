@@ -7,7 +7,7 @@ namespace velum::session {
 namespace {
 
 /// Over 0: c lies to the one side of the line from a to b, below 0: to the other.
-double sideOf(glm::dvec2 a, glm::dvec2 b, glm::dvec2 c) {
+double sideOfLine(glm::dvec2 a, glm::dvec2 b, glm::dvec2 c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
@@ -25,8 +25,8 @@ bool isCrossing(const Segment& a, const Segment& b) {
   auto isBetween = [](double one, double other) {
     return (one <= 0.0 && other >= 0.0) || (one >= 0.0 && other <= 0.0);
   };
-  return isBetween(sideOf(a.from, a.to, b.from), sideOf(a.from, a.to, b.to)) &&
-         isBetween(sideOf(b.from, b.to, a.from), sideOf(b.from, b.to, a.to));
+  return isBetween(sideOfLine(a.from, a.to, b.from), sideOfLine(a.from, a.to, b.to)) &&
+         isBetween(sideOfLine(b.from, b.to, a.from), sideOfLine(b.from, b.to, a.to));
 }
 
 bool isCrossing(const Segment& segment, const Rectangle& rectangle) {
@@ -51,18 +51,24 @@ bool isCrossing(const Rectangle& a, const Rectangle& b) {
 
 Rectangle grown(const Rectangle& rectangle, double by) { return {rectangle.low - by, rectangle.high + by}; }
 
-Segment leaderOf(const Rectangle& block, glm::dvec2 anchor, double away) {
-  glm::dvec2 middle = (block.low + block.high) * 0.5;
-  if (anchor.x > block.high.x) return {{block.high.x + away, middle.y}, anchor};
-  if (anchor.x < block.low.x) return {{block.low.x - away, middle.y}, anchor};
-  return {{anchor.x, anchor.y < middle.y ? block.low.y - away : block.high.y + away}, anchor};
+Segment leaderOf(const Rectangle& block, glm::dvec2 anchor, double away, scene::NameOrder order) {
+  glm::dvec2 middle = (block.low + block.high) * 0.5, half = (block.high - block.low) * 0.5;
+  glm::dvec2 beyond = glm::max(block.low - anchor, anchor - block.high);
+  bool isBeside = beyond.x > 0.0 && (order == scene::NameOrder::Columns || beyond.x >= beyond.y);
+  if (isBeside) return {{anchor.x > middle.x ? block.high.x + away : block.low.x - away, middle.y}, anchor};
+  // Not from a corner, which would look as if it were from beside.
+  double reach = std::max(0.0, half.x - half.y);
+  return {{std::clamp(anchor.x, middle.x - reach, middle.x + reach),
+           anchor.y < middle.y ? block.low.y - away : block.high.y + away},
+          anchor};
 }
 
-NamePlace placeAt(const NameToPlace& name, glm::dvec2 low, double em) {
+NamePlace placeAt(const NameToPlace& name, glm::dvec2 low, const NameRoom& room) {
   Rectangle block{low, low + name.size};
   // A leader begins no farther from its words than its anchor is.
   glm::dvec2 outside = glm::max(glm::max(block.low - name.anchor, name.anchor - block.high), glm::dvec2(0));
-  Segment leader = leaderOf(block, name.anchor, std::min(kLeaderGap * em, std::max(outside.x, outside.y) * 0.5));
+  double away = std::min(kLeaderGap * room.em, std::max(outside.x, outside.y) * 0.5);
+  Segment leader = leaderOf(block, name.anchor, away, room.order);
   return {name.key, block, {leader.from, leader.to}};
 }
 

@@ -15,15 +15,17 @@ bool isCrossing(const Segment& segment, const Rectangle& rectangle);
 /// True where two rectangles have a point of their insides in common.
 bool isCrossing(const Rectangle& a, const Rectangle& b);
 Rectangle grown(const Rectangle& rectangle, double by);
-/// The leader from the side of a block that looks to the anchor. @param away  how far from the block it begins
-Segment leaderOf(const Rectangle& block, glm::dvec2 anchor, double away);
+/// The leader to an anchor: from the side of a block that looks to it, of names around a subject from that which looks
+/// more to it; of others from above or below only where the anchor is there.
+/// @param away  how far from the block it begins, pixels
+Segment leaderOf(const Rectangle& block, glm::dvec2 anchor, double away, scene::NameOrder order);
 
 /// Ways in ems between what is written: from words to the picture's edge, to other words, to their leader, to the
 /// subject.
 constexpr double kNameMargin = 0.6, kNameGap = 0.3, kLeaderGap = 0.3, kSubjectGap = 1.6;
 
 /// A place of a name with its leader. @param low  corner of the block
-NamePlace placeAt(const NameToPlace& name, glm::dvec2 low, double em);
+NamePlace placeAt(const NameToPlace& name, glm::dvec2 low, const NameRoom& room);
 /// True where two names cannot both stand where they are: blocks, or a block and a leader, too near, or leaders that
 /// cross.
 bool areInTheWay(const NamePlace& a, const NamePlace& b, double em);

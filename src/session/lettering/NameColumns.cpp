@@ -120,7 +120,7 @@ class ColumnSearch {
     return {low, low + size};
   }
   Segment leaderAt(const Column& column, std::size_t i, double middle) const {
-    return leaderOf(blockOf(column, i, middle), name(i).anchor, kLeaderGap * mEm);
+    return leaderOf(blockOf(column, i, middle), name(i).anchor, kLeaderGap * mEm, scene::NameOrder::Columns);
   }
 
   /// A column of names, from the top, whose leaders do not cross; none: they do not fit.

@@ -12,12 +12,14 @@ namespace velum::session {
 
 namespace {
 
-constexpr int kSlots = 240;                         // around the ellipse
-constexpr int kReach = 60;                          // slots from the direction of an anchor to where its name may stand
-constexpr double kTurn = 3.0;                       // how soon a block that goes around turns its corner to the subject
-constexpr double kStaysFor = 0.3;                   // of a way in a film: so much shorter must a leader be for it
-constexpr double kSmallest = 0.35, kShrink = 0.85;  // of the ellipse around the subject
-constexpr double kNowhere = std::numeric_limits<double>::infinity();
+constexpr std::size_t kSlots = 240;     // around the ellipse
+constexpr double kRingReach = 60;       // slots from the direction of an anchor to where its name may stand
+constexpr std::size_t kMostStarts = 8;  // that are tried for the order around
+constexpr double kTurn = 3.0;           // how soon a block that goes around turns its corner to the subject
+constexpr double kRadial = 0.1;         // of the radius, by the square of the turn: what it costs not to stand there
+constexpr double kStaysFor = 0.3;       // of a way in a film: so much shorter must a leader be for it
+constexpr double kSmallest = 0.35, kRingShrink = 0.8;  // of the ellipse around the subject
+constexpr double kNoPlace = std::numeric_limits<double>::infinity();
 
 struct Ellipse {
   glm::dvec2 middle{0}, axes{1};
@@ -25,7 +27,7 @@ struct Ellipse {
 
 /// The smallest ellipse around the middle of a silhouette with the proportions of its box.
 Ellipse ellipseAround(const Silhouette& silhouette, glm::dvec2 picture) {
-  glm::dvec2 low(kNowhere), high(-kNowhere);
+  glm::dvec2 low(kNoPlace), high(-kNoPlace);
   auto forCorners = [&](auto visit) {
     for (std::size_t i = 0; i < silhouette.rows.size(); ++i)
       if (glm::dvec2 row = silhouette.rows[i]; row.x < row.y)
@@ -54,10 +56,10 @@ class RingSearch {
     Ellipse around = ellipseAround(mRoom.subject, mRoom.size);
     std::vector<std::optional<glm::dvec2>> places(all.size());
     for (; !all.empty(); dropLightest(all))
-      for (double share = 1.0; share >= kSmallest; share *= kShrink) {
+      for (double share = 1.0; share >= kSmallest; share *= kRingShrink) {
         mRing = {around.middle, around.axes * share + kSubjectGap * mRoom.em};
         if (!arrange(all)) continue;
-        for (std::size_t k = 0; k < mOrder.size(); ++k) places[mOrder[k]] = blockAt(mOrder[k], mSlots[k]).low;
+        for (std::size_t k = 0; k < mOrder.size(); ++k) places[mOrder[k]] = blockOf(k).low;
         return places;
       }
     return places;
@@ -66,10 +68,10 @@ class RingSearch {
  private:
   const NameToPlace& name(std::size_t i) const { return mWaiting.names[i]; }
 
+  /// Leaves out an eighth.
   void dropLightest(std::vector<std::size_t>& all) const {
-    all.erase(std::min_element(all.begin(), all.end(), [&](std::size_t a, std::size_t b) {
-      return name(a).weight != name(b).weight ? name(a).weight < name(b).weight : a > b;
-    }));
+    std::stable_sort(all.begin(), all.end(), [&](auto a, auto b) { return name(a).weight > name(b).weight; });
+    all.resize(all.size() - (all.size() + 7) / 8);
   }
 
   /// In slots from the right, clockwise, 0..kSlots.
@@ -80,8 +82,8 @@ class RingSearch {
   }
 
   /// A block that touches the ellipse from outside: with a corner, above and below it with the middle of a side.
-  Rectangle blockAt(std::size_t i, int slot) const {
-    double angle = slot * glm::two_pi<double>() / kSlots;
+  Rectangle blockAt(std::size_t i, std::size_t slot) const {
+    double angle = double(slot) * glm::two_pi<double>() / kSlots;
     glm::dvec2 toRing(std::cos(angle), std::sin(angle)), half = name(i).size * 0.5;
     glm::dvec2 normal = glm::normalize(toRing / mRing.axes);
     glm::dvec2 offset = half * glm::clamp(normal * kTurn, -1.0, 1.0);
@@ -91,108 +93,142 @@ class RingSearch {
   }
 
   /// What it costs to have a name there, pixels; infinite: it cannot be there.
-  double costAt(std::size_t i, int slot) const {
-    Rectangle block = blockAt(i, slot);
+  double costAt(std::size_t i, const Rectangle& block) const {
     double margin = kNameMargin * mRoom.em;
     if (glm::any(glm::lessThan(block.low, glm::dvec2(margin))) ||
         glm::any(glm::greaterThan(block.high, mRoom.size - margin)))
-      return kNowhere;
+      return kNoPlace;
     Rectangle near = grown(block, kNameGap * mRoom.em);
     for (const Rectangle& taken : mRoom.taken)
-      if (isCrossing(near, taken)) return kNowhere;
-    Segment leader = leaderOf(block, name(i).anchor, kLeaderGap * mRoom.em);
+      if (isCrossing(near, taken)) return kNoPlace;
     const NamePlace* before = mWaiting.before[i];
     double moved = before ? kStaysFor * glm::distance(before->block.low, block.low) : 0.0;
+    Segment leader = leaderOf(block, name(i).anchor, kLeaderGap * mRoom.em, mRoom.order);
     return glm::distance(leader.from, leader.to) + moved;
   }
 
-  /// Orders names by their directions, from the widest gap between them on.
-  void order(const std::vector<std::size_t>& all) {
+  /// Finds slots for names, and changes their order while two are in each other's way. @return false: they do not fit
+  bool arrange(const std::vector<std::size_t>& all) {
+    fillSlots(all);
+    if (!findOrder(all)) return false;
+    for (std::size_t i = 0; i < 2 * all.size(); ++i) {
+      auto crossing = crossingOf();
+      if (!crossing) break;
+      std::swap(mOrder[crossing->first], mOrder[crossing->second]);
+      if (findSlots() == kNoPlace) return false;
+    }
+    return true;
+  }
+
+  void fillSlots(const std::vector<std::size_t>& all) {
+    mBlocks.assign(mWaiting.names.size(), {});
+    mCosts.assign(mWaiting.names.size(), std::vector<double>(kSlots, kNoPlace));
+    double radius = (mRing.axes.x + mRing.axes.y) * 0.5;
+    for (std::size_t i : all) {
+      double direction = directionOf(name(i).anchor);
+      for (std::size_t s = 0; s < kSlots; ++s) {
+        mBlocks[i].push_back(blockAt(i, s));
+        double away = std::abs(std::remainder(double(s) - direction, double(kSlots)));
+        double turn = away * glm::two_pi<double>() / kSlots;
+        if (away <= kRingReach)
+          mCosts[i][std::size_t(s)] = costAt(i, mBlocks[i].back()) + kRadial * radius * turn * turn;
+      }
+    }
+  }
+
+  /// Orders names by their directions, from that on which makes them cheapest. @return false: they do not fit
+  bool findOrder(const std::vector<std::size_t>& all) {
     std::vector<double> directions(mWaiting.names.size());
-    mOrder = all;
+    std::vector<std::size_t> sorted = all;
     for (std::size_t i : all) {
       const NamePlace* before = mWaiting.before[i];
       directions[i] = directionOf(before ? (before->block.low + before->block.high) * 0.5 : name(i).anchor);
     }
-    std::stable_sort(mOrder.begin(), mOrder.end(), [&](auto a, auto b) { return directions[a] < directions[b]; });
-    std::size_t first = 0;
-    double widest = 0.0;
-    for (std::size_t k = 0; k < mOrder.size(); ++k) {
-      double gap = directions[mOrder[k]] - directions[mOrder[k == 0 ? mOrder.size() - 1 : k - 1]];
-      if (gap <= 0.0) gap += kSlots;
-      if (gap <= widest) continue;
-      widest = gap;
-      first = k;
-      mStart = int(std::floor(directions[mOrder[k]] - gap / 2));
+    std::stable_sort(sorted.begin(), sorted.end(), [&](auto a, auto b) { return directions[a] < directions[b]; });
+    // Between which names the order begins and ends: where few stand.
+    std::vector<std::pair<double, std::size_t>> gaps;
+    for (std::size_t k = 0; k < sorted.size(); ++k) {
+      double gap = directions[sorted[k]] - directions[sorted[k == 0 ? sorted.size() - 1 : k - 1]];
+      gaps.push_back({k == 0 ? gap + kSlots : gap, k});
     }
-    std::rotate(mOrder.begin(), mOrder.begin() + std::ptrdiff_t(first), mOrder.end());
+    std::stable_sort(gaps.begin(), gaps.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+    gaps.resize(std::min(gaps.size(), kMostStarts));
+    double least = kNoPlace;
+    std::vector<std::size_t> best;
+    std::size_t start = 0;
+    for (auto [gap, k] : gaps) {
+      mStart = std::size_t(directions[sorted[k]] - gap / 2 + kSlots) % kSlots;
+      mOrder = sorted;
+      std::rotate(mOrder.begin(), mOrder.begin() + std::ptrdiff_t(k), mOrder.end());
+      double cost = findSlots();
+      if (cost >= least) continue;
+      least = cost;
+      best = mOrder;
+      start = mStart;
+    }
+    if (least == kNoPlace) return false;
+    mOrder = best;
+    mStart = start;
+    return findSlots() < kNoPlace;
   }
 
-  /// Finds slots for names, and changes their order while leaders cross. @return false: they do not fit
-  bool arrange(const std::vector<std::size_t>& all) {
-    order(all);
-    fillCosts();
-    for (std::size_t i = 0; i <= 2 * all.size(); ++i) {
-      if (!findSlots()) return false;
-      auto crossing = crossingOf();
-      if (!crossing) break;
-      std::swap(mOrder[crossing->first], mOrder[crossing->second]);
-    }
-    return true;
+  std::size_t slotAt(std::size_t s) const { return mStart + s < kSlots ? mStart + s : mStart + s - kSlots; }
+
+  /// What it costs to have the k-th name in a slot. The first and the last do not reach over where the order begins.
+  double costOf(std::size_t k, std::size_t slot) const {
+    double cost = mCosts[mOrder[k]][slot];
+    if (cost == kNoPlace || mOrder.size() == 1 || (k > 0 && k + 1 < mOrder.size())) return cost;
+    double angle = double(mStart) * glm::two_pi<double>() / kSlots;
+    glm::dvec2 out(std::cos(angle), std::sin(angle));
+    Segment start{mRing.middle, mRing.middle + out * (mRing.axes + glm::length(mRoom.size))};
+    return isCrossing(start, grown(mBlocks[mOrder[k]][slot], kNameGap * mRoom.em * 0.5)) ? kNoPlace : cost;
   }
 
-  void fillCosts() {
-    mCosts.assign(mWaiting.names.size(), std::vector<double>(kSlots, kNowhere));
-    for (std::size_t i : mOrder) {
-      double direction = directionOf(name(i).anchor);
-      for (int s = 0; s < kSlots; ++s) {
-        double away = std::abs(std::remainder(mStart + s - direction, double(kSlots)));
-        if (away <= kReach) mCosts[i][std::size_t(s)] = costAt(i, mStart + s);
-      }
-    }
-  }
-
-  /// The cheapest slots for names in their order, each clear of the one before: by dynamic programming.
-  bool findSlots() {
+  /// The cheapest slots for names in their order from the first slot on, each clear of the one before: by dynamic
+  /// programming. @return what they cost; infinite: they do not fit
+  double findSlots() {
     std::size_t count = mOrder.size();
-    std::vector<std::vector<int>> from(count, std::vector<int>(kSlots, -1));
-    std::vector<double> sums = mCosts[mOrder[0]];
+    std::vector<std::vector<std::size_t>> from(count, std::vector<std::size_t>(kSlots));
+    std::vector<double> sums(kSlots), next(kSlots);
+    for (std::size_t s = 0; s < kSlots; ++s) sums[s] = costOf(0, slotAt(s));
+    std::vector<std::size_t> best(kSlots);
     for (std::size_t k = 1; k < count; ++k) {
-      // The best of all slots up to each.
-      std::vector<int> best(kSlots);
-      std::iota(best.begin(), best.end(), 0);
-      for (std::size_t s = 1; s < kSlots; ++s)
-        if (sums[std::size_t(best[s - 1])] <= sums[s]) best[s] = best[s - 1];
-      std::vector<double> next(kSlots, kNowhere);
-      for (int s = 1; s < kSlots; ++s) {
-        double cost = mCosts[mOrder[k]][std::size_t(s)];
-        if (cost == kNowhere) continue;
-        Rectangle block = grown(blockAt(mOrder[k], mStart + s), kNameGap * mRoom.em);
-        int before = s - 1;
-        while (before >= 0 && isCrossing(block, blockAt(mOrder[k - 1], mStart + before))) --before;
-        if (before < 0) continue;
-        from[k][std::size_t(s)] = best[std::size_t(before)];
-        next[std::size_t(s)] = cost + sums[std::size_t(best[std::size_t(before)])];
+      // The best of all slots of the name before up to each, of which those count that are clear of this one's.
+      for (std::size_t s = 1; s < kSlots; ++s) best[s] = sums[best[s - 1]] <= sums[s] ? best[s - 1] : s;
+      std::fill(next.begin(), next.end(), kNoPlace);
+      const auto &own = mBlocks[mOrder[k]], &others = mBlocks[mOrder[k - 1]];
+      for (std::size_t s = 1, clear = 0; s < kSlots; ++s) {
+        double cost = costOf(k, slotAt(s));
+        if (cost == kNoPlace) continue;
+        Rectangle block = grown(own[slotAt(s)], kNameGap * mRoom.em);
+        while (clear < s && !isCrossing(block, others[slotAt(clear)])) ++clear;
+        while (clear > 0 && isCrossing(block, others[slotAt(clear - 1)])) --clear;
+        if (clear == 0) continue;
+        from[k][s] = best[clear - 1];
+        next[s] = cost + sums[best[clear - 1]];
       }
-      sums = std::move(next);
+      if (std::all_of(next.begin(), next.end(), [](double sum) { return sum == kNoPlace; })) return kNoPlace;
+      std::swap(sums, next);
     }
     auto least = std::min_element(sums.begin(), sums.end());
-    if (*least == kNowhere) return false;
+    if (*least == kNoPlace) return kNoPlace;
     mSlots.assign(count, 0);
-    int slot = int(least - sums.begin());
+    std::size_t slot = std::size_t(least - sums.begin());
     for (std::size_t k = count; k-- > 0;) {
-      mSlots[k] = mStart + slot;
-      slot = from[k][std::size_t(slot)];
+      mSlots[k] = slotAt(slot);
+      slot = from[k][slot];
     }
-    return true;
+    return *least;
   }
 
+  const Rectangle& blockOf(std::size_t k) const { return mBlocks[mOrder[k]][mSlots[k]]; }
+
   std::optional<std::pair<std::size_t, std::size_t>> crossingOf() const {
-    std::vector<Segment> leaders;
+    std::vector<NamePlace> places;
     for (std::size_t i = 0; i < mOrder.size(); ++i) {
-      leaders.push_back(leaderOf(blockAt(mOrder[i], mSlots[i]), name(mOrder[i]).anchor, kLeaderGap * mRoom.em));
+      places.push_back(placeAt(name(mOrder[i]), blockOf(i).low, mRoom));
       for (std::size_t j = i; j-- > 0;)
-        if (isCrossing(leaders[i], leaders[j])) return std::pair(j, i);
+        if (areInTheWay(places[i], places[j], mRoom.em)) return std::pair(j, i);
     }
     return std::nullopt;
   }
@@ -200,10 +236,11 @@ class RingSearch {
   const WaitingNames& mWaiting;
   const NameRoom& mRoom;
   Ellipse mRing;
-  int mStart = 0;                           ///< slot from which all others are counted
-  std::vector<std::size_t> mOrder;          ///< names, clockwise
-  std::vector<int> mSlots;                  ///< of names in that order
-  std::vector<std::vector<double>> mCosts;  ///< of each name in each slot
+  std::size_t mStart = 0;                       ///< slot from which on names stand in their order
+  std::vector<std::size_t> mOrder;              ///< names, clockwise
+  std::vector<std::size_t> mSlots;              ///< of names in that order
+  std::vector<std::vector<Rectangle>> mBlocks;  ///< of each name in each slot
+  std::vector<std::vector<double>> mCosts;
 };
 
 }  // namespace

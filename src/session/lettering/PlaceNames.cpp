@@ -12,7 +12,7 @@ namespace velum::session {
 
 namespace {
 
-constexpr double kStep = 0.25;          // ems a frame, along x and along y
+constexpr double kNameStep = 0.25;      // ems a frame, along x and along y
 constexpr double kStill = 0.2;          // ems that a place may be off before its block moves
 constexpr double kShareOfWay = 0.3;     // of the rest a frame
 constexpr double kNewStrength = 0.125;  // a frame
@@ -24,7 +24,7 @@ using Wanted = std::vector<std::optional<glm::dvec2>>;
 /// that blocks of a column that all go so keep their order and their gaps.
 double easedWay(double way, double em) {
   double most = std::max(0.0, std::abs(way) - kStill * em) * kShareOfWay;
-  return std::copysign(std::min(most, kStep * em), way);
+  return std::copysign(std::min(most, kNameStep * em), way);
 }
 
 glm::dvec2 eased(glm::dvec2 from, glm::dvec2 to, double em) {
@@ -55,7 +55,7 @@ class Settled {
   /// Takes the first of some places that is free. @return which; none: no place was taken
   std::optional<std::size_t> takeFirst(std::size_t i, const NameToPlace& name, const std::vector<glm::dvec2>& lows) {
     for (std::size_t k = 0; k < lows.size(); ++k) {
-      NamePlace place = placeAt(name, lows[k], mRoom.em);
+      NamePlace place = placeAt(name, lows[k], mRoom);
       if (!isFree(place)) continue;
       take(i, std::move(place));
       return k;
@@ -78,8 +78,8 @@ class Settled {
 };
 
 /// Gives a name the place that it wants, or, in a film, one on the way there from where it was.
-void settle(std::size_t i, const NameToPlace& name, const std::optional<glm::dvec2>& wanted, const NamePlace* old,
-            bool isFilm, double em, Settled& settled) {
+void settleName(std::size_t i, const NameToPlace& name, const std::optional<glm::dvec2>& wanted, const NamePlace* old,
+                bool isFilm, double em, Settled& settled) {
   std::vector<glm::dvec2> lows;
   if (old && wanted)
     lows = {eased(old->block.low, *wanted, em), (old->block.low + eased(old->block.low, *wanted, em)) * 0.5};
@@ -92,7 +92,7 @@ void settle(std::size_t i, const NameToPlace& name, const std::optional<glm::dve
 }
 
 /// Numbers of names, the heaviest first.
-std::vector<std::size_t> byWeight(const std::vector<NameToPlace>& names) {
+std::vector<std::size_t> heaviestFirst(const std::vector<NameToPlace>& names) {
   std::vector<std::size_t> order(names.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
   std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return names[a].weight > names[b].weight; });
@@ -101,7 +101,7 @@ std::vector<std::size_t> byWeight(const std::vector<NameToPlace>& names) {
 
 }  // namespace
 
-double mostNameStep(double em) { return kStep * em; }
+double mostNameStep(double em) { return kNameStep * em; }
 
 std::vector<NamePlace> placeNames(const std::vector<NameToPlace>& names, const NameRoom& room,
                                   const std::vector<NamePlace>* before) {
@@ -111,7 +111,7 @@ std::vector<NamePlace> placeNames(const std::vector<NameToPlace>& names, const N
   NameRoom rest = room;
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (names[i].fixed) {
-      settled.take(i, placeAt(names[i], *names[i].fixed, room.em));
+      settled.take(i, placeAt(names[i], *names[i].fixed, room));
       rest.taken.push_back(settled.at(i)->block);
       continue;
     }
@@ -125,8 +125,8 @@ std::vector<NamePlace> placeNames(const std::vector<NameToPlace>& names, const N
     if (old) waiting.names.back().weight *= kHeavierPlaced;
   }
   Wanted wanted = room.order == scene::NameOrder::Columns ? columnPlaces(waiting, rest) : ringPlaces(waiting, rest);
-  for (std::size_t i : byWeight(waiting.names))
-    settle(numbers[i], waiting.names[i], wanted[i], waiting.before[i], before != nullptr, room.em, settled);
+  for (std::size_t i : heaviestFirst(waiting.names))
+    settleName(numbers[i], waiting.names[i], wanted[i], waiting.before[i], before != nullptr, room.em, settled);
   return settled.places();
 }
 

@@ -13,10 +13,10 @@ namespace velum::session {
 
 namespace {
 
-constexpr int kBeside = 3, kDiagonal = 4;  // [BORGEFORS]: ways between pixels, thirds of a pixel
+constexpr int kToSide = 3, kToCorner = 4;  // [BORGEFORS]: ways between pixels, thirds of a pixel
 constexpr double kWellInside = 0.75, kStillInside = 0.5, kStillLarge = 0.5;  // of the deepest, of the largest
 
-void check(const KeyMap& map) {
+void checkMap(const KeyMap& map) {
   if (map.step < 1 || map.size.x < 0 || map.size.y < 0 ||
       map.keys.size() != std::size_t(map.size.x) * std::size_t(map.size.y))
     throw ArgumentError(
@@ -31,28 +31,31 @@ struct Piece {
   int deepest = 0;
 };
 
-/// The pixels of a map: how far it is to another key, or out of the picture, and to which piece they belong.
-class Pixels {
+/// The pixels of a map: how far it is to another key, or out of the picture, and to which piece they belong. They lie
+/// in a frame of one pixel that has no key, so that each has all its neighbours.
+class MapPixels {
  public:
-  explicit Pixels(const KeyMap& map) : mMap(map), mDepths(map.keys.size()), mPieces(map.keys.size()) {
+  explicit MapPixels(const KeyMap& map)
+      : mSize(map.size),
+        mRow(map.size.x + 2),
+        mKeys(std::size_t(mRow) * std::size_t(map.size.y + 2), kNoKey),
+        mDepths(mKeys.size()),
+        mPieces(mKeys.size(), -1) {
+    for (int y = 0; y < mSize.y; ++y)
+      std::copy_n(map.keys.begin() + std::ptrdiff_t(y) * mSize.x, mSize.x, mKeys.begin() + indexOf(0, y));
     sweepDown();
     sweepUp();
     gather();
   }
   const std::vector<Piece>& pieces() const { return mGathered; }
-  int pieceAt(std::size_t i) const { return mPieces[i]; }
-  int depthAt(std::size_t i) const { return mDepths[i]; }
+  /// Below 0: none.
+  int pieceAt(int x, int y) const { return mPieces[std::size_t(indexOf(x, y))]; }
+  int depthAt(int x, int y) const { return mDepths[std::size_t(indexOf(x, y))]; }
 
  private:
-  bool isIn(int x, int y) const { return x >= 0 && y >= 0 && x < mMap.size.x && y < mMap.size.y; }
-  std::size_t indexOf(int x, int y) const { return std::size_t(y) * std::size_t(mMap.size.x) + std::size_t(x); }
+  static constexpr std::int32_t kNoKey = -1;
 
-  /// How far a pixel is from the edge by way of a neighbour.
-  int wayOver(std::size_t i, int x, int y, int way) const {
-    if (!isIn(x, y)) return way;
-    std::size_t j = indexOf(x, y);
-    return mMap.keys[j] == mMap.keys[i] ? mDepths[j] + way : way;
-  }
+  std::ptrdiff_t indexOf(int x, int y) const { return std::ptrdiff_t(y + 1) * mRow + x + 1; }
 
   int rootOf(int piece) {
     while (mParents[std::size_t(piece)] != piece)
@@ -60,60 +63,71 @@ class Pixels {
     return piece;
   }
 
-  void join(std::size_t i, int x, int y) {
-    if (!isIn(x, y) || mMap.keys[indexOf(x, y)] != mMap.keys[i]) return;
-    int there = rootOf(mPieces[indexOf(x, y)]);
-    if (mPieces[i] < 0) {
-      mPieces[i] = there;
-      return;
-    }
-    int here = rootOf(mPieces[i]);
+  /// The piece of a pixel that is in one piece, or none (-1), and beside another.
+  int joined(int piece, int other) {
+    if (piece == other || other < 0) return piece;
+    int there = rootOf(other);
+    if (piece < 0) return there;
+    int here = rootOf(piece);
     mParents[std::size_t(std::max(here, there))] = std::min(here, there);
+    return std::min(here, there);
   }
 
+  /// From the top: ways to the edge over what is above and to the left, and pieces.
   void sweepDown() {
-    std::size_t i = 0;
-    for (int y = 0; y < mMap.size.y; ++y)
-      for (int x = 0; x < mMap.size.x; ++x, ++i) {
-        mPieces[i] = -1;
-        if (mMap.keys[i] < 0) continue;
-        mDepths[i] = std::min(std::min(wayOver(i, x - 1, y, kBeside), wayOver(i, x, y - 1, kBeside)),
-                              std::min(wayOver(i, x - 1, y - 1, kDiagonal), wayOver(i, x + 1, y - 1, kDiagonal)));
-        join(i, x - 1, y);
-        // What is above joins its own neighbours, so that only a gap there needs more.
-        if (!isIn(x, y - 1) || mMap.keys[indexOf(x, y - 1)] != mMap.keys[i]) {
-          join(i, x - 1, y - 1);
-          join(i, x + 1, y - 1);
-        } else {
-          join(i, x, y - 1);
+    for (int y = 0; y < mSize.y; ++y) {
+      std::ptrdiff_t first = indexOf(0, y);
+      for (std::ptrdiff_t i = first; i < first + mSize.x; ++i) {
+        std::int32_t key = mKeys[std::size_t(i)];
+        if (key < 0) continue;
+        int depth = std::numeric_limits<int>::max(), piece = -1;
+        auto look = [&](std::ptrdiff_t j, int way, bool doesJoin) {
+          bool isSame = mKeys[std::size_t(j)] == key;
+          depth = std::min(depth, isSame ? mDepths[std::size_t(j)] + way : way);
+          if (isSame && doesJoin) piece = joined(piece, mPieces[std::size_t(j)]);
+          return isSame;
+        };
+        // What is above has joined the pixels beside it.
+        bool isBelowItsOwn = look(i - mRow, kToSide, true);
+        look(i - 1, kToSide, true);
+        look(i - mRow - 1, kToCorner, !isBelowItsOwn);
+        look(i - mRow + 1, kToCorner, !isBelowItsOwn);
+        if (piece < 0) {
+          piece = int(mParents.size());
+          mParents.push_back(piece);
         }
-        if (mPieces[i] >= 0) continue;
-        mPieces[i] = int(mParents.size());
-        mParents.push_back(mPieces[i]);
+        mDepths[std::size_t(i)] = depth;
+        mPieces[std::size_t(i)] = piece;
       }
+    }
   }
 
   void sweepUp() {
-    std::size_t i = mMap.keys.size();
-    for (int y = mMap.size.y - 1; y >= 0; --y)
-      for (int x = mMap.size.x - 1; x >= 0; --x) {
-        if (mMap.keys[--i] < 0) continue;
-        int way = std::min(std::min(wayOver(i, x + 1, y, kBeside), wayOver(i, x, y + 1, kBeside)),
-                           std::min(wayOver(i, x + 1, y + 1, kDiagonal), wayOver(i, x - 1, y + 1, kDiagonal)));
-        mDepths[i] = std::min(mDepths[i], way);
+    for (int y = mSize.y - 1; y >= 0; --y) {
+      std::ptrdiff_t first = indexOf(0, y);
+      for (std::ptrdiff_t i = first + mSize.x; i-- > first;) {
+        std::int32_t key = mKeys[std::size_t(i)];
+        if (key < 0) continue;
+        auto wayOver = [&](std::ptrdiff_t j, int way) {
+          return mKeys[std::size_t(j)] == key ? mDepths[std::size_t(j)] + way : way;
+        };
+        int way = std::min(std::min(wayOver(i + 1, kToSide), wayOver(i + mRow, kToSide)),
+                           std::min(wayOver(i + mRow + 1, kToCorner), wayOver(i + mRow - 1, kToCorner)));
+        mDepths[std::size_t(i)] = std::min(mDepths[std::size_t(i)], way);
       }
+    }
   }
 
   void gather() {
     std::vector<int> numbers(mParents.size(), -1);
-    std::size_t i = 0;
-    for (int y = 0; y < mMap.size.y; ++y)
-      for (int x = 0; x < mMap.size.x; ++x, ++i) {
+    for (int y = 0; y < mSize.y; ++y)
+      for (int x = 0; x < mSize.x; ++x) {
+        std::size_t i = std::size_t(indexOf(x, y));
         if (mPieces[i] < 0) continue;
         int& number = numbers[std::size_t(rootOf(mPieces[i]))];
         if (number < 0) {
           number = int(mGathered.size());
-          mGathered.push_back({mMap.keys[i]});
+          mGathered.push_back({mKeys[i]});
         }
         mPieces[i] = number;
         Piece& piece = mGathered[std::size_t(number)];
@@ -123,28 +137,30 @@ class Pixels {
       }
   }
 
-  const KeyMap& mMap;
+  glm::ivec2 mSize;
+  std::ptrdiff_t mRow;
+  std::vector<std::int32_t> mKeys;
   std::vector<int> mDepths, mPieces, mParents;
   std::vector<Piece> mGathered;
 };
 
 /// In which piece a key gets its anchor, how deep in it, and near which pixel.
-struct Search {
+struct PartSearch {
   std::uint64_t pixels = 0;  ///< of all pieces
   int piece = -1;
   double deepEnough = 0.0;
   glm::dvec2 goal{0};
   double nearest = std::numeric_limits<double>::infinity();
-  std::size_t at = 0;
+  glm::ivec2 at{0};
 };
 
 /// What to look for, of each key.
-std::map<std::int32_t, Search> searchesIn(const KeyMap& map, const Pixels& pixels,
-                                          std::span<const VisiblePart> before) {
-  std::map<std::int32_t, Search> searches;
+std::map<std::int32_t, PartSearch> searchesIn(const KeyMap& map, const MapPixels& pixels,
+                                              std::span<const VisiblePart> before) {
+  std::map<std::int32_t, PartSearch> searches;
   const std::vector<Piece>& pieces = pixels.pieces();
   for (std::size_t i = 0; i < pieces.size(); ++i) {
-    Search& search = searches[pieces[i].key];
+    PartSearch& search = searches[pieces[i].key];
     search.pixels += pieces[i].pixels;
     if (search.piece < 0 || pieces[i].pixels > pieces[std::size_t(search.piece)].pixels) search.piece = int(i);
   }
@@ -156,14 +172,15 @@ std::map<std::int32_t, Search> searchesIn(const KeyMap& map, const Pixels& pixel
   for (const VisiblePart& part : before) {
     auto found = searches.find(part.key);
     if (found == searches.end()) continue;
-    Search& search = found->second;
+    PartSearch& search = found->second;
     search.goal = part.anchor / double(map.step) - 0.5;
     glm::ivec2 pixel(glm::floor(part.anchor / double(map.step)));
     if (glm::all(glm::greaterThanEqual(pixel, glm::ivec2(0))) && glm::all(glm::lessThan(pixel, map.size))) {
-      std::size_t i = std::size_t(pixel.y) * std::size_t(map.size.x) + std::size_t(pixel.x);
+      int there = pixels.pieceAt(pixel.x, pixel.y);
       double large = kStillLarge * double(pieces[std::size_t(search.piece)].pixels);
-      int there = map.keys[i] == part.key ? pixels.pieceAt(i) : search.piece;
-      if (double(pieces[std::size_t(there)].pixels) >= large) search.piece = there;
+      if (there >= 0 && pieces[std::size_t(there)].key == part.key &&
+          double(pieces[std::size_t(there)].pixels) >= large)
+        search.piece = there;
     }
     search.deepEnough = kStillInside * pieces[std::size_t(search.piece)].deepest;
   }
@@ -173,34 +190,32 @@ std::map<std::int32_t, Search> searchesIn(const KeyMap& map, const Pixels& pixel
 }  // namespace
 
 std::vector<VisiblePart> computeVisibleParts(const KeyMap& map, std::span<const VisiblePart> before) {
-  check(map);
-  Pixels pixels(map);
+  checkMap(map);
+  MapPixels pixels(map);
   auto searches = searchesIn(map, pixels, before);
-  std::vector<Search*> byPiece(pixels.pieces().size(), nullptr);
+  std::vector<PartSearch*> byPiece(pixels.pieces().size(), nullptr);
   for (auto& [key, search] : searches) byPiece[std::size_t(search.piece)] = &search;
   // The pixel that is deep enough and nearest to where it is wanted.
-  std::size_t i = 0;
   for (int y = 0; y < map.size.y; ++y)
-    for (int x = 0; x < map.size.x; ++x, ++i) {
-      Search* search = map.keys[i] < 0 ? nullptr : byPiece[std::size_t(pixels.pieceAt(i))];
-      if (!search || pixels.depthAt(i) < search->deepEnough) continue;
+    for (int x = 0; x < map.size.x; ++x) {
+      int piece = pixels.pieceAt(x, y);
+      PartSearch* search = piece < 0 ? nullptr : byPiece[std::size_t(piece)];
+      if (!search || pixels.depthAt(x, y) < search->deepEnough) continue;
       glm::dvec2 away = glm::dvec2(x, y) - search->goal;
       if (glm::dot(away, away) >= search->nearest) continue;
       search->nearest = glm::dot(away, away);
-      search->at = i;
+      search->at = {x, y};
     }
   std::vector<VisiblePart> parts;
   std::uint64_t each = std::uint64_t(map.step) * std::uint64_t(map.step);
-  for (const auto& [key, search] : searches) {
-    glm::dvec2 pixel(search.at % std::size_t(map.size.x), search.at / std::size_t(map.size.x));
-    parts.push_back({key, search.pixels * each, (pixel + 0.5) * double(map.step),
-                     pixels.depthAt(search.at) * double(map.step) / kBeside});
-  }
+  for (const auto& [key, search] : searches)
+    parts.push_back({key, search.pixels * each, (glm::dvec2(search.at) + 0.5) * double(map.step),
+                     pixels.depthAt(search.at.x, search.at.y) * double(map.step) / kToSide});
   return parts;
 }
 
 Silhouette silhouetteOf(const KeyMap& map) {
-  check(map);
+  checkMap(map);
   Silhouette out{map.step, {}};
   for (int y = 0; y < map.size.y; ++y) {
     auto row = map.keys.subspan(std::size_t(y) * std::size_t(map.size.x), std::size_t(map.size.x));

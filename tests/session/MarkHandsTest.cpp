@@ -44,9 +44,11 @@ TEST(MarkHands, AMarkFadesASectionAwayAndIsWholeWhereItLies) {
 
 TEST(MarkHands, TheNearestPointWithinReachIsTaken) {
   ViewSpace view(planeAt(10));
-  std::vector<Mark> marks{distance({0, 0, 10}, {50, 0, 10}), distance({2, 0, 10}, {0, 40, 10}, 2)};
+  scene::Scene scene;
+  std::vector<Mark>& marks = scene.lettering.marks;
+  marks = {distance({0, 0, 10}, {50, 0, 10}), distance({2, 0, 10}, {0, 40, 10}, 2)};
   auto at = [&](glm::dvec3 world, MarkReach reach = {}) {
-    return markAt(marks, view, scene::sectionPixelFromWorld(planeAt(10), world), reach);
+    return markAt(scene, view, scene::sectionPixelFromWorld(planeAt(10), world), reach);
   };
   EXPECT_EQ(at({0.5, 0, 10}), (MarkGrip{MarkPart::Point, 1, 0}));
   EXPECT_EQ(at({1.6, 0, 10}), (MarkGrip{MarkPart::Point, 2, 0}));
@@ -56,6 +58,10 @@ TEST(MarkHands, TheNearestPointWithinReachIsTaken) {
   EXPECT_EQ(at({30, 1, 10}), (MarkGrip{MarkPart::Line, 1, 0}));
   EXPECT_EQ(at({30, 3, 10}).part, MarkPart::None);
   marks[1].visible = false;
+  EXPECT_EQ(at({1.6, 0, 10}), (MarkGrip{MarkPart::Point, 1, 0}));
+  marks[0].timeStep = 3;
+  EXPECT_EQ(at({1.6, 0, 10}).part, MarkPart::None) << "it is of another time";
+  scene.volume.timeStep = 3;
   EXPECT_EQ(at({1.6, 0, 10}), (MarkGrip{MarkPart::Point, 1, 0}));
   view = ViewSpace(planeAt(13));
   EXPECT_EQ(at({0, 0, 10}).part, MarkPart::None) << "what a section does not show is not taken there";
@@ -69,8 +75,10 @@ TEST(MarkHands, WordsAreTakenWhereTheyStandAndGoAsFarAsTheHand) {
   EXPECT_EQ(place, scene::sectionPixelFromWorld(planeAt(10), {25, 0, 10}) + glm::dvec2(60, -30));
   MarkReach reach;
   reach.halfWords = [](const Mark&) { return glm::dvec2(20, 8); };
-  EXPECT_EQ(markAt({mark}, view, place + glm::dvec2(19, -7), reach), (MarkGrip{MarkPart::Words, 1, 0}));
-  EXPECT_EQ(markAt({mark}, view, place + glm::dvec2(25, 0), reach).part, MarkPart::None);
+  scene::Scene scene;
+  scene.lettering.marks = {mark};
+  EXPECT_EQ(markAt(scene, view, place + glm::dvec2(19, -7), reach), (MarkGrip{MarkPart::Words, 1, 0}));
+  EXPECT_EQ(markAt(scene, view, place + glm::dvec2(25, 0), reach).part, MarkPart::None);
   for (const auto& wordsAt : {mark.wordsAt, std::optional<glm::dvec2>()}) {
     mark.wordsAt = wordsAt;
     glm::dvec2 before = *wordsPlace(view, mark);

@@ -97,6 +97,10 @@ int rankOf(MarkPart part) { return part == MarkPart::None ? 9 : static_cast<int>
 
 }  // namespace
 
+bool isShown(const scene::Scene& scene, const Mark& mark) {
+  return mark.visible && (mark.timeStep < 0 || mark.timeStep == scene.volume.timeStep);
+}
+
 double markShare(const ViewSpace& view, const Mark& mark, double step) {
   const scene::SectionPlane* plane = view.section();
   if (!plane || mark.points.empty()) return 1.0;
@@ -158,14 +162,14 @@ std::optional<glm::dvec2> wordsPlace(const ViewSpace& view, const Mark& mark) {
   return *place + (isAside ? glm::dvec2(2.5, -2.0) : glm::dvec2(0.0, -1.0)) * kWordsAway;
 }
 
-MarkGrip markAt(const std::vector<Mark>& marks, const ViewSpace& view, glm::dvec2 pixel, const MarkReach& reach) {
+MarkGrip markAt(const scene::Scene& scene, const ViewSpace& view, glm::dvec2 pixel, const MarkReach& reach) {
   MarkGrip best;
   auto key = [&](const MarkGrip& grip, double away) {
     return std::tuple(rankOf(grip.part), grip.mark != reach.selected, away);
   };
   auto bestKey = key(best, 0.0);
-  for (const Mark& mark : marks) {
-    if (!mark.visible || markShare(view, mark, reach.step) <= 0.0) continue;
+  for (const Mark& mark : scene.lettering.marks) {
+    if (!isShown(scene, mark) || markShare(view, mark, reach.step) <= 0.0) continue;
     auto [grip, away] = gripOf(mark, view, pixel, reach);
     if (grip.part == MarkPart::None || key(grip, away) >= bestKey) continue;
     best = grip;

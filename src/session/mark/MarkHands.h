@@ -11,6 +11,8 @@
 /// Pixels are those of the view.
 namespace velum::session {
 
+/// A mark is drawn at the time step that is shown.
+bool isShown(const scene::Scene& scene, const scene::Mark& mark);
 /// How much of a mark a view shows, 0..1: in the 3D picture all of it; on a section as its nearest part is near the
 /// section's plane: all within half a step, nothing from one step and a half on.
 /// @param step  length of the smallest voxel edge, see scene::sectionStep()
@@ -41,7 +43,7 @@ struct MarkReach {
   int selected = 0;
   std::function<glm::dvec2(const scene::Mark&)> halfWords;
 };
-MarkGrip markAt(const std::vector<scene::Mark>& marks, const ViewSpace& view, glm::dvec2 pixel, const MarkReach& reach);
+MarkGrip markAt(const scene::Scene& scene, const ViewSpace& view, glm::dvec2 pixel, const MarkReach& reach);
 
 /// A mark after one of its points was dragged to a place of the world. A circle goes with its middle; the point of a
 /// box keeps its depth on a section, so that a box keeps its thickness there.

@@ -29,7 +29,10 @@ ROOMS = {  # module: {room: rooms of the module it may include (its own is impli
     "membrane": {"forces": "", "sheet": "forces"},
     # The module's own folder has both the frame, which all know, and the renderer, which knows all.
     "render": {"upload": ".", "kept": ". upload", "residency": ". upload", "passes": ". upload residency", "section": ". kept residency"},
-    "session": {"bar": "", "lettering": ". measure model section", "command": ". cut document extrusion growth look membrane model picture section structure film", "document": "growth model", "model": ". bar cut", "growth": ".", "section": "", "structure": "", "measure": "structure", "cut": ".", "look": "document",
+    "session": {"bar": "", "lettering": ". measure model section", "mark": ". model structure",
+                "command": ". cut document extrusion growth look mark membrane model picture section structure film",
+                "document": "growth model", "model": ". bar cut", "growth": ".", "section": "", "structure": "",
+                "measure": "structure", "cut": ".", "look": "document",
                 "extrusion": ". bar cut growth look structure", "membrane": ". cut look model structure",
                 "plate": ". document lettering model picture",
                 "picture": ". document extrusion growth lettering membrane model",
@@ -38,8 +41,8 @@ ROOMS = {  # module: {room: rooms of the module it may include (its own is impli
     "gui": {"kit": "", "rows": "kit", "service": "kit rows", "tool": "kit", "timeline": "kit rows service tool view", "view": "kit rows service tool",
             "look": "kit rows service tool view", "structure": "kit rows service tool view", "model": "kit rows service tool view",
             "membrane": "kit rows service tool view", "cut": "kit rows service tool view membrane",
-            "extrusion": "kit rows service tool view",
-            "window": "kit rows service tool view look structure model cut membrane extrusion timeline"},
+            "extrusion": "kit rows service tool view", "mark": "kit rows service tool view",
+            "window": "kit rows service tool view look structure model cut membrane extrusion mark timeline"},
 }
 ONLY_IN = {  # library header: modules that may name it
     r"<Q[A-Z]": "gui",

@@ -175,6 +175,7 @@ class Keys : public Window {
 
   static std::map<QString, Check> checks();
   static std::map<QString, Check> filmChecks();
+  static std::map<QString, Check> markChecks();
   static QJsonObject keyTable() { return QJsonDocument::fromJson(bytesOf(":/velum/keys.json")).object(); }
 };
 

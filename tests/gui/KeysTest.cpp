@@ -9,6 +9,7 @@ namespace velum::gui {
 TEST_F(Keys, EachDoesWhatTheGuideSays) {
   auto known = checks();
   known.merge(filmChecks());
+  known.merge(markChecks());
   QJsonObject table = keyTable();
   ASSERT_GT(table.size(), 40);
   for (auto row = table.begin(); row != table.end(); ++row) {
@@ -92,6 +93,10 @@ TEST_F(Keys, AreThoseOfTheGuide) {
       {"membrane.pin", "*Pin* (%1)"},
       {"membrane.push", "*Push sheet* (%1)"},
       {"membrane.pull", "*Pull sheet* (%1)"},
+      {"mark.distance", "| %1 | measure a distance |"},
+      {"mark.angle", "| %1 | measure an angle |"},
+      {"mark.label", "| %1 | write a label |"},
+      {"mark.name", "| %1 | name what is clicked |"},
       {"structure.find", "| %1 | find a structure |"},
       {"structure.toggle", "| %1 | hide or show the selected structure |"},
       {"structure.solo", "| %1 | show it alone |"},

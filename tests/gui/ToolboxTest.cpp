@@ -19,6 +19,7 @@ struct Row {
   };
 };
 
+void copyMarks(const scene::Scene& from, scene::Scene& to) { to.lettering.marks = from.lettering.marks; }
 void copyTransfer(const scene::Scene& from, scene::Scene& to) { to.volume.transfer = from.volume.transfer; }
 
 constexpr Row kTools[] = {{"protectThis", nullptr, "Protect from sheet"},
@@ -29,7 +30,8 @@ constexpr Row kTools[] = {{"protectThis", nullptr, "Protect from sheet"},
                           {"sketchKeep", nullptr, "Sketch what to protect"},
                           {"sketchAvoid", nullptr, "Sketch what to let through"},
                           {nullptr, "cut.threePoints", "Plane through three points", 3},
-                          {nullptr, "look.showThis", "Show this tissue", 1, copyTransfer}};
+                          {nullptr, "look.showThis", "Show this tissue", 1, copyTransfer},
+                          {"mark.distanceTool", "mark.distance", "Add distance", 2, copyMarks}};
 
 }  // namespace
 

@@ -133,6 +133,7 @@ scene::Scene exampleScene(scene::CutShape shape) {
   step.seeds = {{3, -50, 20}};
   scene.labels.growths = {step};
   scene.lettering.captions = {{.text = "Words"}};
+  scene.lettering.marks = {{.kind = scene::MarkKind::Label, .points = {{3, -50, 20}}, .text = "Here"}};
   scene.timeline.tracks = {{"camera.fieldOfViewDeg", true, {{0.0, {"20"}}, {2.5, {"30"}}}}};
   scene::Cut cut;
   cut.shape = shape;

@@ -53,7 +53,7 @@ CutPanel::CutPanel(session::Document& document, Selection& selection, JobRunner&
   layout->addWidget(mTypeSpares, 1000);
   layout->addStretch(1);  // holds all up where there is no list to fill the height
   setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Expanding);
-  connect(mList, &QListWidget::currentRowChanged, this, [this](int row) { mSelection.setCut(mList->cutAt(row)); });
+  connect(mList, &QListWidget::currentRowChanged, this, [this](int row) { mSelection.setCut(mList->idAt(row)); });
   connect(mList, &QListWidget::itemClicked, this, &CutPanel::cutClicked);
   connect(&mSelection, &Selection::cutChanged, this, &CutPanel::refresh);
   connect(mList, &CutList::moveAsked, this, &CutPanel::moveSelected);

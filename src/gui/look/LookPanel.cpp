@@ -32,8 +32,7 @@ LookPanel::LookPanel(session::Document& document, QWidget* parent)
       mChannels(new ChannelList(document, this)),
       mPresets(new PresetGrid(document, this)),
       mEditor(new TransferEditor(document, this)),
-      mForm(document, this),
-      mCaptions(new CaptionForm(document, kLabelWidth, this)) {
+      mForm(document, this) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(14);
@@ -46,9 +45,6 @@ LookPanel::LookPanel(session::Document& document, QWidget* parent)
   layout->addWidget(makeLight());
   layout->addWidget(makeLine(this));
   layout->addWidget(makeBackground());
-  layout->addWidget(makeLine(this));
-  layout->addWidget(makeLettering());
-  layout->addWidget(mCaptions);
 }
 
 QWidget* LookPanel::makeLook() {
@@ -125,61 +121,6 @@ QWidget* LookPanel::makeBackground() {
   return section;
 }
 
-QWidget* LookPanel::makeLettering() {
-  auto* section = new QWidget(this);
-  QGridLayout* rows = makeFieldGrid(nullptr, kLabelWidth);
-  makeSection(section, tr("Lettering"))->addLayout(rows);
-  mForm.setGrid(rows);
-  auto lettering = [this]() -> const scene::Lettering& { return mDocument.shown().lettering; };
-  const QStringList corners{tr("Top left"), tr("Top right"), tr("Bottom left"), tr("Bottom right")};
-  auto hasNames = [this] { return mDocument.shown().model.data || mDocument.shown().labels.data; };
-  mForm.add(
-      "lettering.legend", tr("Legend"),
-      {.object = "legend",
-       .tip =
-           tr("Colours and names of types and structures over the picture, also in files; the menu of a type lists it"),
-       .step = tr("Legend"),
-       .isEnabled = hasNames});
-  mForm.add("lettering.legendCorner", tr("Stands"),
-            {.object = "legendCorner",
-             .tip = tr("The corner in which the legend stands"),
-             .name = tr("Corner of the legend"),
-             .step = tr("Move legend"),
-             .choices = corners,
-             .isEnabled = [lettering] { return lettering().legend; }});
-  mForm.add("lettering.scaleBar", tr("Scale bar"),
-            {.object = "scaleBar",
-             .tip = tr("How long things are, over the picture, also in files; in perspective at the point about which "
-                       "the view turns"),
-             .step = tr("Scale bar")});
-  mForm.add("lettering.scaleBarCorner", tr("Stands"),
-            {.object = "scaleBarCorner",
-             .tip = tr("The corner in which the bar stands"),
-             .name = tr("Corner of the scale bar"),
-             .step = tr("Move scale bar"),
-             .choices = corners,
-             .isEnabled = [lettering] { return lettering().scaleBar; }});
-  auto hasTime = [this] { return mDocument.shown().volume.data && mDocument.shown().volume.data->timeSteps > 1; };
-  mForm.add("lettering.timeStamp", tr("Time stamp"),
-            {.object = "timeStamp",
-             .tip = tr("The time of the time step over the picture, also in files"),
-             .step = tr("Time stamp"),
-             .isEnabled = hasTime});
-  mForm.add("lettering.timeStampCorner", tr("Stands"),
-            {.object = "timeStampCorner",
-             .tip = tr("The corner in which the time stands"),
-             .name = tr("Corner of the time stamp"),
-             .step = tr("Move time stamp"),
-             .choices = corners,
-             .isEnabled = [lettering, hasTime] { return lettering().timeStamp && hasTime(); }});
-  mForm.add("lettering.textSize", tr("Letters"),
-            {.object = "textSize",
-             .tip = tr("Their size in pixels of a picture of 1000 rows; they grow with the picture"),
-             .name = tr("Size of the letters"),
-             .step = tr("Change size of letters")});
-  return section;
-}
-
 void LookPanel::showIso(const Volume& volume) {
   QString unit = QString::fromStdString(volume.unit);
   mIso->setDecimals(decimalsFor(volume.range.y - volume.range.x));
@@ -193,7 +134,6 @@ void LookPanel::refresh() {
   mEditor->refresh();
   if (const auto& volume = mDocument.shown().volume.data) showIso(*volume);
   mForm.refresh();
-  mCaptions->refresh();
 }
 
 }  // namespace velum::gui

@@ -2,7 +2,6 @@
 #include <QWidget>
 
 #include "gui/kit/Widgets.h"
-#include "gui/look/CaptionForm.h"
 #include "gui/look/ChannelList.h"
 #include "gui/look/PresetGrid.h"
 #include "gui/look/TransferEditor.h"
@@ -11,7 +10,7 @@
 
 namespace velum::gui {
 
-/// Presets, channels, the transfer function, way of rendering, light, background and lettering. Reads the document, and
+/// Presets, channels, the transfer function, way of rendering, light and background. Reads the document, and
 /// changes it by edits only.
 class LookPanel : public QWidget {
   Q_OBJECT
@@ -21,7 +20,6 @@ class LookPanel : public QWidget {
   void refresh();
   /// True when no histogram is being counted and no preset's picture is being drawn for this panel in the background.
   bool isComplete() const { return mPresets->isComplete() && mEditor->isComplete(); }
-  CaptionForm& captions() { return *mCaptions; }
 
  public slots:
   /// The view's picture is complete: the machine is free to draw the presets' pictures.
@@ -34,7 +32,6 @@ class LookPanel : public QWidget {
   QWidget* makeLook();
   QWidget* makeLight();
   QWidget* makeBackground();
-  QWidget* makeLettering();
   void showIso(const Volume& volume);
 
   session::Document& mDocument;
@@ -42,7 +39,6 @@ class LookPanel : public QWidget {
   PresetGrid* mPresets;
   TransferEditor* mEditor;
   FieldForm mForm;
-  CaptionForm* mCaptions;
   NumberRow* mIso = nullptr;
 };
 

@@ -23,9 +23,4 @@ LookRoom::LookRoom(const WindowParts& parts)
   connect(&parts.views, &ViewGrid::pointedAtNothing, mPanel, &LookPanel::clearProbe);
 }
 
-void LookRoom::addCaption() {
-  mParts.tabs.showPage(mPanel);
-  mPanel->captions().add();
-}
-
 }  // namespace velum::gui

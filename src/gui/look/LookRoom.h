@@ -17,8 +17,6 @@ class LookRoom : public Room {
     mFinish->refresh();
   }
   LookCommands& commands() { return *mCommands; }
-  /// Adds a caption, and gives the keyboard to its words.
-  void addCaption();
 
  private:
   LookPanel* mPanel;

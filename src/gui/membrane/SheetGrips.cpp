@@ -63,7 +63,7 @@ void SheetGrips::turnSelected() {
 
 KeyAnswer SheetGrips::key(const KeyStroke& stroke) {
   bool isRemove = stroke.key == Qt::Key_Delete || stroke.key == Qt::Key_Backspace;
-  if (!isRemove || !stroke.isInView || mSelected.kind == HandKind::None) return {};
+  if (!isRemove || !stroke.view || mSelected.kind == HandKind::None) return {};
   return [this] { removeSelected(); };
 }
 

@@ -113,7 +113,7 @@ KeyAnswer Sketch::radiusKey(const KeyStroke& stroke) {
 
 KeyAnswer Sketch::key(const KeyStroke& stroke) {
   if (mSelected < 0) return {};
-  if (stroke.isInView && stroke.key == Qt::Key_Delete) return [this] { remove(mSelected); };
+  if (stroke.view && stroke.key == Qt::Key_Delete) return [this] { remove(mSelected); };
   if (stroke.key == Qt::Key_Escape) return [this] { select(-1); };
   return radiusKey(stroke);
 }

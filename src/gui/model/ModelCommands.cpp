@@ -10,6 +10,7 @@
 #include "session/command/Command.h"
 #include "session/command/CutCommands.h"
 #include "session/command/LetteringCommands.h"
+#include "session/command/MarkCommands.h"
 #include "session/command/ModelCommands.h"
 #include "session/membrane/MembraneEdit.h"
 #include "session/model/TypesAt.h"
@@ -152,6 +153,13 @@ void ModelCommands::fillNameMenu(QMenu& menu, const Types& types, const std::str
   list->setCheckable(true);
   list->setChecked(isListed);
   list->setToolTip(tr("The legend names what is listed; where nothing is, the types that are seen most"));
+  QAction* name = menu.addAction(tr("Name this"), this, [this, paths] {
+    session::AddMark mark{.kind = scene::MarkKind::Name};
+    mark.type = paths[0];
+    session::edit(mDocument, mark);
+  });
+  name->setEnabled(paths.size() == 1 && mDocument.shown().lettering.marks.size() < scene::kMostMarks);
+  name->setToolTip(tr("Its name beside it in the picture, with a leader; the page Marks lists it"));
   menu.addSeparator();
 }
 

@@ -15,6 +15,8 @@ class Selection : public QObject {
   int cut() const { return mCut; }
   /// The selected type of the scene's model, by its place among the model's types; -1: none.
   int type() const { return mType; }
+  /// Id of the selected mark; 0: none. During an edit it may be the id of a mark that was just removed.
+  int mark() const { return mMark; }
 
  public slots:
   void setStructure(int id) {
@@ -32,16 +34,23 @@ class Selection : public QObject {
     mType = type;
     emit typeChanged(type);
   }
+  void setMark(int id) {
+    if (mMark == id) return;
+    mMark = id;
+    emit markChanged(id);
+  }
 
  signals:
   void structureChanged(int id);
   void cutChanged(int id);
   void typeChanged(int type);
+  void markChanged(int id);
 
  private:
   int mStructure = 0;
   int mCut = 0;
   int mType = -1;
+  int mMark = 0;
 };
 
 }  // namespace velum::gui

@@ -10,6 +10,7 @@
 #include "session/command/Command.h"
 #include "session/command/CutCommands.h"
 #include "session/command/LetteringCommands.h"
+#include "session/command/MarkCommands.h"
 #include "session/command/StructureCommands.h"
 #include "session/cut/CutEdit.h"
 #include "session/membrane/MembraneEdit.h"
@@ -206,6 +207,22 @@ void StructureCommands::fillLegendEntry(QMenu& menu, const Ids& ids) {
   list->setToolTip(tr("The legend names what is listed; where nothing is, the structures that are shown"));
 }
 
+/// Marks of one structure: its name where it is seen best, and what it measures.
+void StructureCommands::fillMarkEntries(QMenu& menu, int id) {
+  auto add = [&](const QString& text, const QString& tip, scene::MarkKind kind) {
+    QAction* action = menu.addAction(text, this, [this, id, kind] {
+      session::AddMark mark{.kind = kind};
+      mark.structure = named({id})[0];
+      session::edit(mDocument, mark);
+    });
+    action->setToolTip(tip);
+    action->setEnabled(mDocument.shown().lettering.marks.size() < scene::kMostMarks);
+  };
+  add(tr("Name this"), tr("Its name beside it in the picture, with a leader; the page Marks lists it"),
+      scene::MarkKind::Name);
+  add(tr("Measure this"), tr("Its volume and its values, in the page Marks"), scene::MarkKind::Region);
+}
+
 /// Keys of a film.
 void StructureCommands::fillKeyEntries(QMenu& menu, int id) {
   const auto& list = mDocument.shown().labels.structures;
@@ -237,6 +254,7 @@ void StructureCommands::fillMenu(QMenu& menu, const Ids& ids) {
     menu.addAction(tr("Rename..."), this, [this, ids] { emit renameAsked(ids[0]); });
   }
   fillLegendEntry(menu, ids);
+  if (one) fillMarkEntries(menu, ids[0]);
   if (one) fillKeyEntries(menu, ids[0]);
   menu.addSeparator();
   QString name = cutName();

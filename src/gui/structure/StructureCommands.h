@@ -66,6 +66,7 @@ class StructureCommands : public QObject {
   void fillShowMenu(QMenu& menu, const Ids& ids);
   void fillSphereMenu(QMenu& menu, const Ids& ids);
   void fillLegendEntry(QMenu& menu, const Ids& ids);
+  void fillMarkEntries(QMenu& menu, int id);
   void fillKeyEntries(QMenu& menu, int id);
   void fillMembraneMenu(QMenu& menu, const Ids& ids);
 

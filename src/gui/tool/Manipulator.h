@@ -19,8 +19,8 @@ struct PointerEvent {
 struct KeyStroke {
   int key = 0;
   Qt::KeyboardModifiers keys;
-  bool isInView = false;  ///< a view has the keyboard
-  bool isTyping = false;  ///< the key goes into a field of text
+  ToolView* view = nullptr;  ///< that has the keyboard; null: none has it
+  bool isTyping = false;     ///< the key goes into a field of text
 };
 
 /// What to do about a key; empty: the asked object does not use the key.

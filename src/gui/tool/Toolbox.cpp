@@ -232,10 +232,10 @@ bool Toolbox::eventFilter(QObject* watched, QEvent* event) {
   if (QApplication::activeModalWidget() || QApplication::activePopupWidget()) return false;
   const auto* key = static_cast<QKeyEvent*>(event);
   const QWidget* focus = mWindow.focusWidget();
-  KeyStroke stroke{key->key(), key->modifiers(), viewWithKeyboard(watched) != nullptr,
+  ToolView* view = viewWithKeyboard(watched);
+  KeyStroke stroke{key->key(), key->modifiers(), view,
                    qobject_cast<const QLineEdit*>(focus) || qobject_cast<const QAbstractSpinBox*>(focus)};
   KeyAnswer answer = answerTo(stroke);
-  ToolView* view = viewWithKeyboard(watched);
   if (!answer && mActive && view) answer = mKeyPointer.key(stroke, *view);
   if (!answer) return false;
   event->accept();

@@ -15,7 +15,7 @@
 namespace velum::gui {
 
 /// The menus of the window, in their order.
-enum class MenuId { File, Edit, View, Look, Cut, Structures, Time, Film, Help };
+enum class MenuId { File, Edit, View, Look, Cut, Structures, Mark, Time, Film, Help };
 using Menus = std::array<QMenu*, std::size_t(MenuId::Help) + 1>;  ///< By MenuId.
 
 /// The window as its rooms see it: the places into which rooms build their parts, and the objects that they work with.

@@ -86,6 +86,7 @@ void Viewport::mouseDoubleClickEvent(QMouseEvent* event) {
   mousePressEvent(event);
   if (mDrag != Drag::Orbit && mDrag != Drag::Pan) return;
   mDrag = Drag::None;
+  if (mToolbox.click(*this, *event)) return;  // to a tool the second click is one as the first
   auto pick = pickAt(event->position());
   pick && pick->hit && pick->type >= 0 ? emit instanceWanted(*pick) : emit maximiseWanted();
 }

@@ -74,7 +74,6 @@ void MainWindow::buildRooms() {
   });
   auto* view = add(new ViewCommands(parts));
   mLook = add(new LookRoom(parts));
-  connect(view, &ViewCommands::captionAsked, mLook, &LookRoom::addCaption);
   auto* volumes = add(new VolumeCommands(parts, *mLoads));
   mPyramids = add(new PyramidCommands(parts, *mLoads));
   connect(mPyramids, &PyramidCommands::sourceWanted, volumes, &VolumeCommands::reread);
@@ -83,6 +82,7 @@ void MainWindow::buildRooms() {
   mModels = add(new ModelRoom(parts));
   mCuts = add(new CutRoom(parts));
   add(new ExtrusionRoom(parts));
+  connect(view, &ViewCommands::captionAsked, add(new MarkRoom(parts)), &MarkRoom::addCaption);
   auto* time = add(new TimeCommands(parts, *mFrame.time));
   mTimeline = add(new TimelineRoom(parts, *mFrame.timeline));
   time->follow(*mTimeline);

@@ -5,6 +5,7 @@
 
 #include "gui/cut/CutRoom.h"
 #include "gui/look/LookRoom.h"
+#include "gui/mark/MarkRoom.h"
 #include "gui/model/ModelRoom.h"
 #include "gui/structure/StructureRoom.h"
 #include "gui/timeline/TimelineRoom.h"

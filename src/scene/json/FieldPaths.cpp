@@ -13,6 +13,10 @@ Json parseValue(std::string_view text) {
   if (text.find(',') != std::string_view::npos) {
     value = Json::parse(fmt::format("[{}]", text), nullptr, false);
     if (!value.is_discarded()) return value;
+    std::string lists(text);
+    for (std::size_t at = 0; (at = lists.find(';', at)) != std::string::npos; at += 3) lists.replace(at, 1, "],[");
+    value = Json::parse(fmt::format("[[{}]]", lists), nullptr, false);
+    if (!value.is_discarded()) return value;
   }
   return Json(std::string(text));
 }

@@ -10,7 +10,8 @@
 /// Sets single fields of structs by their paths: "rayCast.stepVoxels", "cuts.0.centre", "cuts[Plane 1].enabled".
 namespace velum::scene::detail {
 
-/// A value from text: JSON, else a comma list of numbers, else a bare word.
+/// A value from text: JSON, else a comma list of numbers, else such lists with semicolons between them, else a bare
+/// word.
 Json parseValue(std::string_view text);
 
 /// The text of a value, which parseValue() reads back, without quotes and brackets where none are needed: mip, 1,2,3.
@@ -28,11 +29,14 @@ PathPart takePart(std::string_view path);
 /// @throw ArgumentError where a list can have no item at that index @param most  items of it
 void failWhereFull(const std::string& path, std::size_t index, std::size_t most);
 
-/// On the command line a bare value stands for an object with its key field alone: spares=3,4.
+/// On the command line a bare value stands for an object with its key field alone, spares=3,4, and a place for a list
+/// of one.
 template <class T>
 Json expanded(Json value) {
   if constexpr (List<T>) {
-    if (!value.is_array()) value = Json::array({value});
+    constexpr bool isOfVectors = requires { ListTraits<T>::Item::length(); };
+    bool isOneVector = isOfVectors && value.is_array() && !value.empty() && value[0].is_number();
+    if (!value.is_array() || isOneVector) value = Json::array({value});
     for (auto& item : value) item = expanded<typename ListTraits<T>::Item>(std::move(item));
   } else if constexpr (Keyed<T>) {
     if (!value.is_object()) return {{std::string(T::kKey), std::move(value)}};

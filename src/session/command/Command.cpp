@@ -20,7 +20,7 @@ std::vector<Command> allCommands() {
   for (auto rows :
        {detail::documentCommands(), detail::viewCommands(), detail::cutCommands(), detail::membraneCommands(),
         detail::extrusionCommands(), detail::growthCommands(), detail::structureCommands(), detail::lookCommands(),
-        detail::modelCommands(), detail::letteringCommands(), detail::filmCommands()})
+        detail::modelCommands(), detail::letteringCommands(), detail::markCommands(), detail::filmCommands()})
     all.insert(all.end(), rows.begin(), rows.end());
   return all;
 }

@@ -195,6 +195,7 @@ std::vector<Command> cutCommands();
 std::vector<Command> lookCommands();
 std::vector<Command> modelCommands();
 std::vector<Command> letteringCommands();
+std::vector<Command> markCommands();
 std::vector<Command> extrusionCommands();
 std::vector<Command> growthCommands();
 std::vector<Command> membraneCommands();

@@ -1,4 +1,4 @@
-#include "gui/look/CaptionForm.h"
+#include "gui/mark/CaptionForm.h"
 
 #include <fmt/format.h>
 
@@ -103,22 +103,11 @@ void CaptionForm::addRows() {
             {.object = "captionOpacity",
              .tip = tr("How much it covers, %; at 0 it takes no room either"),
              .name = tr("Opacity of the caption")});
-  auto* color = new QWidget(this);
-  auto* row = new QHBoxLayout(color);
-  row->setContentsMargins(0, 0, 0, 0);
-  mOwnColor = new QCheckBox(tr("Own colour"), color);
-  mOwnColor->setObjectName("captionOwnColor");
-  mOwnColor->setAccessibleName(tr("Own colour of the caption"));
-  mOwnColor->setToolTip(tr("Off: dark on a light ground and light on a dark one, as other lettering"));
-  connect(mOwnColor, &QCheckBox::clicked, this,
-          [this](bool on) { setField("color", on ? "1,1,1" : "null", tr("Change colour of caption")); });
-  row->addWidget(mOwnColor, 1);
-  row->addWidget(mForm.make(color, "color", tr("Colour"),
-                            {.object = "captionColor",
-                             .name = tr("Colour of the caption"),
-                             .step = tr("Change colour of caption"),
-                             .isShown = [this] { return place() >= 0 && captions()[std::size_t(place())].color; }}));
-  mForm.addWidget(color);
+  auto color = [this] { return place() < 0 ? std::nullopt : captions()[std::size_t(place())].color; };
+  mOwnColor = new OwnColor(mForm, tr("caption"), "captionOwnColor", "captionColor", color, this);
+  connect(mOwnColor, &OwnColor::asked, this,
+          [this](const std::string& value) { setField("color", value, tr("Change colour of caption")); });
+  mForm.addWidget(mOwnColor);
 }
 
 const std::vector<scene::Caption>& CaptionForm::captions() const { return mDocument.shown().lettering.captions; }
@@ -186,7 +175,7 @@ void CaptionForm::refresh() {
   for (QWidget* widget : std::initializer_list<QWidget*>{mList, mFields, mRemove}) widget->setVisible(isAny);
   mAdd->setEnabled(captions().size() < scene::kMostCaptions);
   showText();
-  mOwnColor->setChecked(isAny && captions()[std::size_t(place())].color);
+  mOwnColor->refresh();
   mForm.refresh();
 }
 

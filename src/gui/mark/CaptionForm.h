@@ -1,10 +1,10 @@
 #pragma once
-#include <QCheckBox>
 #include <QListWidget>
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QWidget>
 
+#include "gui/mark/OwnColor.h"
 #include "gui/rows/FieldForm.h"
 #include "scene/Caption.h"
 #include "session/document/Document.h"
@@ -43,7 +43,7 @@ class CaptionForm : public QWidget {
   QListWidget* mList;
   QPlainTextEdit* mText;
   QWidget* mFields;
-  QCheckBox* mOwnColor;
+  OwnColor* mOwnColor;
   FieldForm mForm;
 };
 

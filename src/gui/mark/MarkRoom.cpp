@@ -1,0 +1,81 @@
+#include "gui/mark/MarkRoom.h"
+
+#include "gui/mark/MarkKinds.h"
+#include "session/command/Command.h"
+#include "session/command/DocumentCommands.h"
+
+namespace velum::gui {
+
+MarkRoom::MarkRoom(const WindowParts& parts)
+    : Room(parts),
+      mMenu(parts.document(), nullptr),
+      mPanel(new MarkPanel(parts.document(), parts.selection, mMenu, &parts.tabs)),
+      mGrips(parts.document(), parts.selection, parts.toolbox, nullptr) {
+  parts.tabs.addPage(mPanel, tr("Marks"), tr("Measures, arrows, labels, and all that is written over the picture"));
+  parts.toolbox.add(mGrips);
+  QMenu* menu = parts.menu(MenuId::Mark);
+  addTools(menu);
+  menu->addSeparator();
+  addActions(menu);
+  connect(&mMenu, &MarkMenu::renameAsked, this, &MarkRoom::rename);
+  connect(&mGrips, &MarkGrips::removeAsked, &mMenu, &MarkMenu::remove);
+  connect(&mGrips, &MarkGrips::menuAsked, this, [this](int mark, QPoint place) {
+    QMenu marks(&mParts.window);
+    mMenu.fill(marks, mark);
+    marks.exec(place);
+  });
+  Toolbox& toolbox = parts.toolbox;
+  connect(&parts.selection, &Selection::markChanged, &toolbox, [&toolbox](int mark) {
+    if (mark != 0) toolbox.setHandlesShown(true);
+  });
+  // One thing has the keys of the views.
+  connect(&parts.selection, &Selection::cutChanged, this, [this](int cut) {
+    if (cut != 0) mParts.selection.setMark(0);
+  });
+}
+
+void MarkRoom::addTools(QMenu* menu) {
+  for (const MarkKindRow& row : markKinds()) {
+    if (!row.id) continue;
+    MarkTool& tool = *mTools.emplace_back(std::make_unique<MarkTool>(row.kind, mParts, mGrips));
+    QAction* action = mParts.actions.addForScene(menu, row.id, tr(row.menu), tr(row.tip), [] {});
+    if (row.kind == scene::MarkKind::Distance) action->setIconText(tr("Measure"));
+    mParts.toolbox.bind(tool, *action);
+    mParts.toolbox.bind(tool, mPanel->toolButton(row.kind));
+    connect(&tool, &MarkTool::made, this, [this, &tool](int mark) {
+      mParts.selection.setMark(mark);
+      if (tool.kind() != scene::MarkKind::Label) return;
+      mParts.toolbox.stop(tool);
+      rename(mark);
+    });
+  }
+}
+
+void MarkRoom::addActions(QMenu* menu) {
+  mNames = mParts.actions.addForScene(
+      menu, "mark.names", tr("Names of what is &seen"),
+      tr("Write the names of structures and types over the picture, with leaders, also in files"), [this] {
+        session::edit(mParts.document(), session::SetField{"lettering.names", mNames->isChecked() ? "true" : "false"},
+                      false, tr("Names of what is seen").toStdString());
+      });
+  mNames->setCheckable(true);
+  mParts.actions.addForScene(menu, "mark.list", tr("L&ist"), tr("Show the list of marks"),
+                             [this] { mParts.tabs.showPage(mPanel); });
+}
+
+void MarkRoom::rename(int mark) {
+  mParts.tabs.showPage(mPanel);
+  mPanel->startRenaming(mark);
+}
+
+void MarkRoom::refresh(const session::Session& session) {
+  mNames->setChecked(session.shown().lettering.names);
+  mPanel->refresh();
+}
+
+void MarkRoom::addCaption() {
+  mParts.tabs.showPage(mPanel);
+  mPanel->captions().add();
+}
+
+}  // namespace velum::gui

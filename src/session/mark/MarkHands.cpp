@@ -1,0 +1,220 @@
+#include "session/mark/MarkHands.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/gtc/constants.hpp>
+#include <limits>
+#include <tuple>
+#include <utility>
+
+#include "scene/Project.h"
+
+namespace velum::session {
+
+namespace {
+
+using scene::Mark;
+using scene::MarkKind;
+using Line = std::vector<glm::dvec2>;
+
+constexpr double kWordsAway = 18.0;  ///< of words that have no place of their own, from theirs, pixels
+constexpr int kCircleParts = 72;
+
+double shareAt(double height, double step) { return std::clamp(1.5 - std::abs(height) / step, 0.0, 1.0); }
+
+/// The stretch of heights over a section that a mark takes.
+glm::dvec2 heightsOf(const scene::SectionPlane& plane, const Mark& mark) {
+  glm::dvec2 heights(std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity());
+  auto take = [&](double height) { heights = {std::min(heights.x, height), std::max(heights.y, height)}; };
+  for (const glm::dvec3& p : mark.points) take(scene::heightOverSection(plane, p));
+  if (mark.kind == MarkKind::Circle && mark.points.size() == 2) {
+    double radius = glm::distance(mark.points[0], mark.points[1]);
+    double middle = scene::heightOverSection(plane, mark.points[0]);
+    take(middle - radius), take(middle + radius);
+  }
+  return heights;
+}
+
+double heightFrom(glm::dvec2 stretch) { return stretch.x > 0.0 ? stretch.x : stretch.y < 0.0 ? stretch.y : 0.0; }
+
+Line circle(ViewCircle circle) {
+  Line line;
+  for (int i = 0; i <= kCircleParts; ++i) {
+    double angle = 2.0 * glm::pi<double>() * i / kCircleParts;
+    line.push_back(circle.middle + circle.radius * glm::dvec2(std::cos(angle), std::sin(angle)));
+  }
+  return line;
+}
+
+/// The edges of a box along the volume's axes; on a section those that lie across its normal, in front.
+std::vector<Line> boxLines(const ViewSpace& view, glm::dvec3 a, glm::dvec3 b) {
+  std::vector<Line> lines;
+  for (int corner = 0; corner < 8; ++corner)
+    for (int axis = 0; axis < 3; ++axis) {
+      if (corner >> axis & 1) continue;
+      auto at = [&](int which) {
+        return glm::dvec3(which & 1 ? b.x : a.x, which & 2 ? b.y : a.y, which & 4 ? b.z : a.z);
+      };
+      glm::dvec3 from = at(corner), to = at(corner | 1 << axis);
+      auto p = view.pixelFromWorld(from), q = view.pixelFromWorld(to);
+      if (p && q) lines.push_back({*p, *q});
+    }
+  return lines;
+}
+
+double distanceToLine(const Line& line, glm::dvec2 pixel) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    glm::dvec2 along = line[i] - line[i - 1];
+    double square = glm::dot(along, along);
+    double t = square > 0.0 ? std::clamp(glm::dot(pixel - line[i - 1], along) / square, 0.0, 1.0) : 0.0;
+    nearest = std::min(nearest, glm::distance(pixel, line[i - 1] + t * along));
+  }
+  return nearest;
+}
+
+/// The grip of a part of one mark with its distance from the pixel; the part None where nothing is within reach.
+std::pair<MarkGrip, double> gripOf(const Mark& mark, const ViewSpace& view, glm::dvec2 pixel, const MarkReach& reach) {
+  std::pair<MarkGrip, double> best{{}, reach.reach};
+  for (std::size_t i = 0; i < mark.points.size(); ++i) {
+    auto place = view.pixelFromWorld(mark.points[i]);
+    if (!place || pointShare(view, mark, i, reach.step) <= 0.0) continue;
+    if (double away = glm::distance(*place, pixel); away <= best.second) best = {{MarkPart::Point, mark.id, i}, away};
+  }
+  if (best.first.part != MarkPart::None) return best;
+  auto words = wordsPlace(view, mark);
+  glm::dvec2 half = words && reach.halfWords ? reach.halfWords(mark) : glm::dvec2(0.0);
+  if (words && half.x > 0.0 && glm::all(glm::lessThanEqual(glm::abs(pixel - *words), half + 2.0)))
+    return {{MarkPart::Words, mark.id, 0}, 0.0};
+  for (const Line& line : markLines(view, mark))
+    if (double away = distanceToLine(line, pixel); away <= 0.5 * best.second)
+      best = {{MarkPart::Line, mark.id, 0}, 2.0 * away};
+  return best;
+}
+
+int rankOf(MarkPart part) { return part == MarkPart::None ? 9 : static_cast<int>(part); }
+
+}  // namespace
+
+bool isShown(const scene::Scene& scene, const Mark& mark) {
+  return mark.visible && (mark.timeStep < 0 || mark.timeStep == scene.volume.timeStep);
+}
+
+double markShare(const ViewSpace& view, const Mark& mark, double step) {
+  const scene::SectionPlane* plane = view.section();
+  if (!plane || mark.points.empty()) return 1.0;
+  return shareAt(heightFrom(heightsOf(*plane, mark)), step);
+}
+
+double pointShare(const ViewSpace& view, const Mark& mark, std::size_t point, double step) {
+  const scene::SectionPlane* plane = view.section();
+  if (!plane) return 1.0;
+  bool isSolid = mark.kind == MarkKind::Box || mark.kind == MarkKind::Circle;
+  if (isSolid) return markShare(view, mark, step);
+  return shareAt(scene::heightOverSection(*plane, mark.points[point]), step);
+}
+
+std::vector<Line> markLines(const ViewSpace& view, const Mark& mark) {
+  if (mark.points.size() < 2) return {};
+  if (mark.kind == MarkKind::Circle) {
+    auto round = view.circleOfBall(mark.points[0], glm::distance(mark.points[0], mark.points[1]));
+    return round ? std::vector<Line>{circle(*round)} : std::vector<Line>();
+  }
+  if (mark.kind == MarkKind::Box) return boxLines(view, mark.points[0], mark.points[1]);
+  Line line;
+  for (const glm::dvec3& p : mark.points) {
+    auto pixel = view.pixelFromWorld(p);
+    if (!pixel) return {};
+    line.push_back(*pixel);
+  }
+  if (mark.kind == MarkKind::Area) line.push_back(line.front());
+  return {line};
+}
+
+std::optional<glm::dvec2> wordsBelongTo(const ViewSpace& view, const Mark& mark) {
+  const auto& p = mark.points;
+  if (p.empty()) return std::nullopt;
+  switch (mark.kind) {
+    case MarkKind::Angle:
+      return view.pixelFromWorld(p[p.size() > 1 ? 1 : 0]);
+    case MarkKind::Distance:
+    case MarkKind::Profile:
+    case MarkKind::Box:
+      return view.pixelFromWorld(0.5 * (p.front() + p.back()));
+    case MarkKind::Area: {
+      glm::dvec3 sum(0.0);
+      for (const glm::dvec3& one : p) sum += one;
+      return view.pixelFromWorld(sum / double(p.size()));
+    }
+    case MarkKind::Path:
+      return view.pixelFromWorld(p.back());
+    default:
+      return view.pixelFromWorld(p.front());
+  }
+}
+
+std::optional<glm::dvec2> wordsPlace(const ViewSpace& view, const Mark& mark) {
+  auto place = wordsBelongTo(view, mark);
+  if (!place) return std::nullopt;
+  if (mark.wordsAt) return *place + *mark.wordsAt * view.size().y;
+  bool isAside = mark.kind == MarkKind::Label || mark.kind == MarkKind::Name;
+  return *place + (isAside ? glm::dvec2(2.5, -2.0) : glm::dvec2(0.0, -1.0)) * kWordsAway;
+}
+
+MarkGrip markAt(const scene::Scene& scene, const ViewSpace& view, glm::dvec2 pixel, const MarkReach& reach) {
+  MarkGrip best;
+  auto key = [&](const MarkGrip& grip, double away) {
+    return std::tuple(rankOf(grip.part), grip.mark != reach.selected, away);
+  };
+  auto bestKey = key(best, 0.0);
+  for (const Mark& mark : scene.lettering.marks) {
+    if (!isShown(scene, mark) || markShare(view, mark, reach.step) <= 0.0) continue;
+    auto [grip, away] = gripOf(mark, view, pixel, reach);
+    if (grip.part == MarkPart::None || key(grip, away) >= bestKey) continue;
+    best = grip;
+    bestKey = key(grip, away);
+  }
+  return best;
+}
+
+Mark withPointAt(Mark mark, std::size_t point, glm::dvec3 place, const ViewSpace& view) {
+  if (point >= mark.points.size()) return mark;
+  glm::dvec3 before = mark.points[point];
+  if (const auto* plane = view.section(); plane && mark.kind == MarkKind::Box)
+    place += plane->normal * (scene::heightOverSection(*plane, before) - scene::heightOverSection(*plane, place));
+  mark.points[point] = place;
+  if (mark.kind == MarkKind::Circle && point == 0) mark.points[1] += place - before;
+  if (point == 0) mark.instance = -1;
+  return mark;
+}
+
+Mark withWordsBy(Mark mark, glm::dvec2 pixels, const ViewSpace& view) {
+  auto belongs = wordsBelongTo(view, mark), words = wordsPlace(view, mark);
+  if (belongs && words) mark.wordsAt = (*words + pixels - *belongs) / view.size().y;
+  return mark;
+}
+
+Mark markOfClicks(MarkKind kind, std::vector<glm::dvec3> points, const ViewSpace& view, double step) {
+  Mark mark{.kind = kind, .points = std::move(points)};
+  const scene::SectionPlane* plane = view.section();
+  if (!plane || kind != MarkKind::Box || mark.points.size() != 2) return mark;
+  glm::dvec3 toB = mark.points[1] - mark.points[0];
+  bool isFlat = std::abs(glm::dot(toB, plane->normal)) < step;
+  if (isFlat) {
+    mark.points[0] -= 0.5 * step * plane->normal;
+    mark.points[1] += 0.5 * step * plane->normal;
+  }
+  return mark;
+}
+
+const Mark* findMark(const scene::Scene& scene, int id) {
+  auto found = std::ranges::find(scene.lettering.marks, id, &Mark::id);
+  return found == scene.lettering.marks.end() ? nullptr : &*found;
+}
+
+Mark* findMark(scene::Scene& scene, int id) {
+  return const_cast<Mark*>(findMark(std::as_const(scene), id));  // NOLINT: the scene is not const
+}
+
+}  // namespace velum::session

@@ -1,0 +1,60 @@
+#pragma once
+#include <functional>
+#include <glm/glm.hpp>
+#include <optional>
+#include <vector>
+
+#include "scene/Scene.h"
+#include "session/ViewSpace.h"
+
+/// What hands do to marks: how marks stand in a view, what of them can be taken hold of, and what a drag makes of them.
+/// Pixels are those of the view.
+namespace velum::session {
+
+/// A mark is drawn at the time step that is shown.
+bool isShown(const scene::Scene& scene, const scene::Mark& mark);
+/// How much of a mark a view shows, 0..1: in the 3D picture all of it; on a section as its nearest part is near the
+/// section's plane: all within half a step, nothing from one step and a half on.
+/// @param step  length of the smallest voxel edge, see scene::sectionStep()
+double markShare(const ViewSpace& view, const scene::Mark& mark, double step);
+/// The same of one of its points.
+double pointShare(const ViewSpace& view, const scene::Mark& mark, std::size_t point, double step);
+
+/// The lines of a mark in a view; each a polyline. None for kinds without lines.
+std::vector<std::vector<glm::dvec2>> markLines(const ViewSpace& view, const scene::Mark& mark);
+/// The place to which the words of a mark belong; none where it is behind the eye, or the mark has no place.
+std::optional<glm::dvec2> wordsBelongTo(const ViewSpace& view, const scene::Mark& mark);
+/// The middle of the words.
+std::optional<glm::dvec2> wordsPlace(const ViewSpace& view, const scene::Mark& mark);
+
+/// A part of a mark that can be taken hold of.
+enum class MarkPart { None, Point, Words, Line };
+struct MarkGrip {
+  MarkPart part = MarkPart::None;
+  int mark = 0;           ///< its id
+  std::size_t point = 0;  ///< number of the point
+  bool operator==(const MarkGrip&) const = default;
+};
+/// What of the scene's marks is within reach of a pixel: points before words before lines, and those of the selected
+/// mark first. @param reach  pixels  @param wordsSize  half width and half height of words, pixels, by mark
+/// @param selected  id of a mark; 0: none
+struct MarkReach {
+  double reach = 9.0, step = 1.0;
+  int selected = 0;
+  std::function<glm::dvec2(const scene::Mark&)> halfWords;
+};
+MarkGrip markAt(const scene::Scene& scene, const ViewSpace& view, glm::dvec2 pixel, const MarkReach& reach);
+
+/// A mark after one of its points was dragged to a place of the world. A circle goes with its middle; the point of a
+/// box keeps its depth on a section, so that a box keeps its thickness there.
+scene::Mark withPointAt(scene::Mark mark, std::size_t point, glm::dvec3 place, const ViewSpace& view);
+/// A mark after its words were dragged by so many pixels.
+scene::Mark withWordsBy(scene::Mark mark, glm::dvec2 pixels, const ViewSpace& view);
+
+/// What clicks make: a mark of a kind with these points. A box that was drawn on a section is one step thick.
+scene::Mark markOfClicks(scene::MarkKind kind, std::vector<glm::dvec3> points, const ViewSpace& view, double step);
+
+const scene::Mark* findMark(const scene::Scene& scene, int id);
+scene::Mark* findMark(scene::Scene& scene, int id);
+
+}  // namespace velum::session

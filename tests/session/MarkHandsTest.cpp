@@ -1,0 +1,128 @@
+// How marks stand in views, what of them can be taken hold of, and what a drag makes of them.
+#include "session/mark/MarkHands.h"
+
+#include <gtest/gtest.h>
+
+#include <glm/gtc/constants.hpp>
+
+#include "session/mark/MarkWords.h"
+
+namespace velum::session {
+namespace {
+
+using scene::Mark, scene::MarkKind;
+
+/// A section across z at 10, of half a millimetre a pixel, y down on the screen.
+scene::SectionPlane planeAt(double z) {
+  scene::SectionPlane plane;
+  plane.centre = {0, 0, z};
+  plane.right = {1, 0, 0}, plane.up = {0, -1, 0}, plane.normal = {0, 0, -1};
+  plane.size = {400, 300};
+  plane.lengthPerPixel = 0.5;
+  return plane;
+}
+
+Mark distance(glm::dvec3 a, glm::dvec3 b, int id = 1) {
+  return {.id = id, .kind = MarkKind::Distance, .points = {a, b}};
+}
+
+TEST(MarkHands, AMarkFadesASectionAwayAndIsWholeWhereItLies) {
+  Mark mark = distance({0, 0, 10}, {5, 0, 12});
+  auto share = [&](double z) { return markShare(ViewSpace(planeAt(z)), mark, 2.0); };
+  EXPECT_EQ(share(10), 1.0);
+  EXPECT_EQ(share(11), 1.0) << "it goes through this one";
+  EXPECT_EQ(share(13), 1.0) << "half a step away";
+  EXPECT_DOUBLE_EQ(share(14), 0.5) << "a step away";
+  EXPECT_DOUBLE_EQ(share(8), 0.5);
+  EXPECT_EQ(share(15), 0.0);
+  EXPECT_DOUBLE_EQ(pointShare(ViewSpace(planeAt(12)), mark, 0, 2.0), 0.5) << "its far end alone";
+  EXPECT_EQ(markShare(ViewSpace(scene::Camera(), {400, 300}), mark, 2.0), 1.0) << "the picture shows all";
+  Mark ball{.kind = MarkKind::Circle, .points = {{0, 0, 10}, {20, 0, 10}}};
+  EXPECT_EQ(markShare(ViewSpace(planeAt(29)), ball, 2.0), 1.0) << "the ball reaches there";
+  EXPECT_EQ(markShare(ViewSpace(planeAt(34)), ball, 2.0), 0.0);
+}
+
+TEST(MarkHands, TheNearestPointWithinReachIsTaken) {
+  ViewSpace view(planeAt(10));
+  scene::Scene scene;
+  std::vector<Mark>& marks = scene.lettering.marks;
+  marks = {distance({0, 0, 10}, {50, 0, 10}), distance({2, 0, 10}, {0, 40, 10}, 2)};
+  auto at = [&](glm::dvec3 world, MarkReach reach = {}) {
+    return markAt(scene, view, scene::sectionPixelFromWorld(planeAt(10), world), reach);
+  };
+  EXPECT_EQ(at({0.5, 0, 10}), (MarkGrip{MarkPart::Point, 1, 0}));
+  EXPECT_EQ(at({1.6, 0, 10}), (MarkGrip{MarkPart::Point, 2, 0}));
+  EXPECT_EQ(at({1.6, 0, 10}, {.selected = 1}), (MarkGrip{MarkPart::Point, 1, 0})) << "the selected one's first";
+  EXPECT_EQ(at({50, 4, 10}), (MarkGrip{MarkPart::Point, 1, 1}));
+  EXPECT_EQ(at({50, 6, 10}).part, MarkPart::None) << "out of reach";
+  EXPECT_EQ(at({30, 1, 10}), (MarkGrip{MarkPart::Line, 1, 0}));
+  EXPECT_EQ(at({30, 3, 10}).part, MarkPart::None);
+  marks[1].visible = false;
+  EXPECT_EQ(at({1.6, 0, 10}), (MarkGrip{MarkPart::Point, 1, 0}));
+  marks[0].timeStep = 3;
+  EXPECT_EQ(at({1.6, 0, 10}).part, MarkPart::None) << "it is of another time";
+  scene.volume.timeStep = 3;
+  EXPECT_EQ(at({1.6, 0, 10}), (MarkGrip{MarkPart::Point, 1, 0}));
+  view = ViewSpace(planeAt(13));
+  EXPECT_EQ(at({0, 0, 10}).part, MarkPart::None) << "what a section does not show is not taken there";
+}
+
+TEST(MarkHands, WordsAreTakenWhereTheyStandAndGoAsFarAsTheHand) {
+  ViewSpace view(planeAt(10));
+  Mark mark = distance({0, 0, 10}, {50, 0, 10});
+  mark.wordsAt = glm::dvec2(0.2, -0.1);
+  glm::dvec2 place = *wordsPlace(view, mark);
+  EXPECT_EQ(place, scene::sectionPixelFromWorld(planeAt(10), {25, 0, 10}) + glm::dvec2(60, -30));
+  MarkReach reach;
+  reach.halfWords = [](const Mark&) { return glm::dvec2(20, 8); };
+  scene::Scene scene;
+  scene.lettering.marks = {mark};
+  EXPECT_EQ(markAt(scene, view, place + glm::dvec2(19, -7), reach), (MarkGrip{MarkPart::Words, 1, 0}));
+  EXPECT_EQ(markAt(scene, view, place + glm::dvec2(25, 0), reach).part, MarkPart::None);
+  for (const auto& wordsAt : {mark.wordsAt, std::optional<glm::dvec2>()}) {
+    mark.wordsAt = wordsAt;
+    glm::dvec2 before = *wordsPlace(view, mark);
+    glm::dvec2 after = *wordsPlace(view, withWordsBy(mark, {12, 34}, view));
+    EXPECT_NEAR(glm::distance(after, before + glm::dvec2(12, 34)), 0.0, 1e-9);
+  }
+}
+
+TEST(MarkHands, ADraggedPointMovesAloneButACircleGoesWithItsMiddle) {
+  ViewSpace view(planeAt(10));
+  Mark line = withPointAt(distance({0, 0, 10}, {50, 0, 10}), 1, {7, 8, 10}, view);
+  EXPECT_EQ(line.points, (std::vector<glm::dvec3>{{0, 0, 10}, {7, 8, 10}}));
+  Mark circle{.kind = MarkKind::Circle, .points = {{0, 0, 10}, {5, 0, 10}}};
+  EXPECT_EQ(withPointAt(circle, 0, {1, 2, 10}, view).points[1], glm::dvec3(6, 2, 10));
+  EXPECT_EQ(withPointAt(circle, 1, {9, 0, 10}, view).points[0], glm::dvec3(0, 0, 10));
+  Mark box{.kind = MarkKind::Box, .points = {{0, 0, 9}, {5, 5, 14}}};
+  EXPECT_EQ(withPointAt(box, 1, {8, 9, 10}, view).points[1], glm::dvec3(8, 9, 14)) << "its thickness stays";
+  Mark ofInstance = distance({0, 0, 10}, {50, 0, 10});
+  ofInstance.instance = 12;
+  EXPECT_EQ(withPointAt(ofInstance, 1, {0, 0, 0}, view).instance, 12);
+  EXPECT_EQ(withPointAt(ofInstance, 0, {0, 0, 0}, view).instance, -1) << "it is no more the molecule's middle";
+}
+
+TEST(MarkHands, ABoxDrawnOnASectionIsAStepThick) {
+  Mark box = markOfClicks(MarkKind::Box, {{0, 0, 10}, {5, 7, 10}}, ViewSpace(planeAt(10)), 2.0);
+  EXPECT_DOUBLE_EQ(std::abs(box.points[0].z - box.points[1].z), 2.0);
+  EXPECT_DOUBLE_EQ(box.points[0].z + box.points[1].z, 20.0);
+  Mark deep = markOfClicks(MarkKind::Box, {{0, 0, 3}, {5, 7, 10}}, ViewSpace(planeAt(10)), 2.0);
+  EXPECT_EQ(deep.points[0].z, 3.0) << "one from two sections is as thick as it was drawn";
+}
+
+TEST(MarkHands, ValuesAreThoseOfTheTextbook) {
+  scene::Scene scene;
+  auto value = [&](MarkKind kind, std::vector<glm::dvec3> points) {
+    return markValue(scene, {.kind = kind, .points = std::move(points)});
+  };
+  EXPECT_EQ(value(MarkKind::Distance, {{0, 0, 0}, {3, 4, 12}}), "13.0 mm");
+  EXPECT_EQ(value(MarkKind::Path, {{0, 0, 0}, {3, 4, 0}, {3, 4, 7}}), "12.0 mm");
+  EXPECT_EQ(value(MarkKind::Angle, {{1, 0, 0}, {0, 0, 0}, {0, 0, 5}}), "90.0\u00b0");
+  EXPECT_EQ(value(MarkKind::Angle, {{1, 0, 0}, {0, 0, 0}, {0, 0, 0}}), "") << "no leg, no angle";
+  EXPECT_EQ(value(MarkKind::Area, {{0, 0, 1}, {4, 0, 1}, {4, 3, 1}}), "6.0 mm\u00b2");
+  EXPECT_EQ(value(MarkKind::Arrow, {{0, 0, 0}, {3, 4, 12}}), "");
+  EXPECT_EQ(value(MarkKind::Distance, {{0, 0, 0}}), "") << "not complete";
+}
+
+}  // namespace
+}  // namespace velum::session

@@ -28,16 +28,16 @@ TEST_F(Timelines, ScrubbingAnswersWithinAHundredMilliseconds) {
 TEST_F(Timelines, PlayingKeepsTheTime) {
   makeFilm();
   ASSERT_TRUE(settle());
-  auto& player = mWindow->timeline().player();
+  TimelineRoom& room = mWindow->timeline();
   QElapsedTimer clock;
   clock.start();
   QTest::keyClick(&viewport(), Qt::Key_Space);
-  EXPECT_TRUE(player.isPlaying());
+  EXPECT_TRUE(room.isPlaying());
   QTest::qWait(3000);
   double passed = double(clock.nsecsElapsed()) * 1e-9;
   EXPECT_NEAR(*document().playhead(), passed, 0.1 * passed);
   QTest::keyClick(&viewport(), Qt::Key_Space);
-  EXPECT_FALSE(player.isPlaying());
+  EXPECT_FALSE(room.isPlaying());
   double stopped = *document().playhead();
   QTest::qWait(100);
   EXPECT_EQ(document().playhead(), stopped);
@@ -47,19 +47,19 @@ TEST_F(Timelines, PlayingKeepsTheTime) {
 TEST_F(Timelines, PlayingEndsWithTheRangeOrBeginsAnew) {
   makeFilm();
   session::edit(document(), session::SetField{"timeline.rangeEnd", "0.6"});
-  auto& player = mWindow->timeline().player();
-  player.setLooping(false);
+  TimelineRoom& room = mWindow->timeline();
   document().setPlayhead(0.3);
-  player.setPlaying(true);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !player.isPlaying(); }, kPatience));
+  room.setPlaying(true);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !room.isPlaying(); }, kPatience));
   EXPECT_NEAR(*document().playhead(), 0.6, 1e-9);
-  player.setLooping(true);
-  player.setPlaying(true);
+  trigger("film.loop");
+  room.setPlaying(true);
   QTest::qWait(1500);
-  EXPECT_TRUE(player.isPlaying());
+  EXPECT_TRUE(room.isPlaying());
   EXPECT_LT(*document().playhead(), 0.6);
+  trigger("film.loop");
   mWindow->newScene();
-  EXPECT_FALSE(player.isPlaying());
+  EXPECT_FALSE(room.isPlaying());
 }
 
 TEST_F(Timelines, WhatIsDoneWhileRecordingBecomesKeys) {

@@ -19,20 +19,28 @@ namespace {
 constexpr const char *kLoopKey = "film/loop", *kSnapKey = "film/snap";
 constexpr int kRecordedMs = 6000;
 
+/// The film of a scene, played by its playhead.
+Playable filmOf(session::Document& document) {
+  Playable film;
+  film.frames = [&document] {
+    const scene::Timeline& timeline = document.scene().timeline;
+    return document.playhead() && !timeline.tracks.empty() ? scene::framesOf(timeline) : scene::FilmFrames{};
+  };
+  film.now = [&document] { return document.playhead().value_or(0.0); };
+  film.show = [&document](double time) { document.setPlayhead(time); };
+  return film;
+}
+
 }  // namespace
 
 TimelineRoom::TimelineRoom(const WindowParts& parts, TimelineStrip& strip)
     : Room(parts),
       mStrip(strip),
-      mPlayer(parts.document(), nullptr),
+      mFilm(filmOf(parts.document())),
       mPath(parts.document(), parts.toolbox, [this] { return isShown(); }),
       mFrame(new RecordFrame(parts.views.viewport())) {
   addCommands();
   parts.toolbox.add(mPath);
-  connect(&mPlayer, &FilmPlayer::askReady, this, [this](bool& ready) { ready = mParts.views.isCurrent(); });
-  connect(&mPlayer, &FilmPlayer::playingChanged, this, [this](bool playing) {
-    mParts.actions.find("time.play")->setIcon(makeIcon(playing ? "film.pause" : "time.play"));
-  });
   connect(&strip, &TimelineStrip::saveAsked, this, &TimelineRoom::saveAsked);
   connect(&parts.views.viewport(), &Viewport::menuAskedAt, this, &TimelineRoom::showMenu);
 }
@@ -73,7 +81,7 @@ void TimelineRoom::addSwitches(QMenu* menu) {
   mKeyCamera = actions.addForScene(menu, "film.keyCamera", tr("Key &camera"),
                                    tr("Make a key of where the eye is, at the playhead"), [this] { keyCamera(); });
   mLoop = actions.addForScene(menu, "film.loop", tr("&Loop"), tr("Play the film again and again"), [this] {
-    mPlayer.setLooping(mLoop->isChecked());
+    mFilm.loops = mLoop->isChecked();
     Preferences().setValue(kLoopKey, mLoop->isChecked());
   });
   mSnap = actions.addForScene(menu, "film.snap", tr("Sn&ap"), tr("Keys and playhead go to frames, and to each other"),
@@ -85,7 +93,7 @@ void TimelineRoom::addSwitches(QMenu* menu) {
   for (QAction* action : {mRecord, mLoop, mSnap}) action->setCheckable(true);
   mLoop->setChecked(Preferences().value(kLoopKey, false).toBool());
   mSnap->setChecked(Preferences().value(kSnapKey, true).toBool());
-  mPlayer.setLooping(mLoop->isChecked());
+  mFilm.loops = mLoop->isChecked();
   mStrip.canvas().setSnapping(mSnap->isChecked());
 }
 
@@ -94,7 +102,7 @@ void TimelineRoom::setShown(bool shown) {
   if (!shown && mStrip.canvas().hasFocus()) mParts.views.viewport().setFocus();
   mStrip.setVisible(shown);
   if (!shown) {
-    mPlayer.setPlaying(false);
+    setPlaying(false);
     mPlace = document.playhead().value_or(0.0);
     document.setRecording(false);
     document.setPlayhead(std::nullopt);
@@ -165,7 +173,6 @@ void TimelineRoom::tellRecorded() {
 
 void TimelineRoom::refresh(const session::Session& session) {
   showWhereItIsDue();
-  mPlayer.refresh();
   bool isRecording = session.document().isRecording();
   mRecord->setChecked(isRecording);
   mFrame->setVisible(isRecording);

@@ -97,6 +97,7 @@ class MainWindow : public QMainWindow {
   void openSecondWindow();
 
   session::Session mSession;
+  Player mPlayer;
   WindowFrame mFrame;
   Selection mSelection;
   ActionTable mActions;

@@ -1,4 +1,8 @@
 // A film in the window: played, recorded, keyed from controls, seen in the 3D view.
+#include <QDockWidget>
+#include <QSet>
+#include <QStatusBar>
+
 #include "TimelineFixture.h"
 
 namespace velum::gui {
@@ -28,16 +32,16 @@ TEST_F(Timelines, ScrubbingAnswersWithinAHundredMilliseconds) {
 TEST_F(Timelines, PlayingKeepsTheTime) {
   makeFilm();
   ASSERT_TRUE(settle());
-  auto& player = mWindow->timeline().player();
+  TimelineRoom& room = mWindow->timeline();
   QElapsedTimer clock;
   clock.start();
   QTest::keyClick(&viewport(), Qt::Key_Space);
-  EXPECT_TRUE(player.isPlaying());
+  EXPECT_TRUE(room.isPlaying());
   QTest::qWait(3000);
   double passed = double(clock.nsecsElapsed()) * 1e-9;
   EXPECT_NEAR(*document().playhead(), passed, 0.1 * passed);
   QTest::keyClick(&viewport(), Qt::Key_Space);
-  EXPECT_FALSE(player.isPlaying());
+  EXPECT_FALSE(room.isPlaying());
   double stopped = *document().playhead();
   QTest::qWait(100);
   EXPECT_EQ(document().playhead(), stopped);
@@ -47,19 +51,19 @@ TEST_F(Timelines, PlayingKeepsTheTime) {
 TEST_F(Timelines, PlayingEndsWithTheRangeOrBeginsAnew) {
   makeFilm();
   session::edit(document(), session::SetField{"timeline.rangeEnd", "0.6"});
-  auto& player = mWindow->timeline().player();
-  player.setLooping(false);
+  TimelineRoom& room = mWindow->timeline();
   document().setPlayhead(0.3);
-  player.setPlaying(true);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !player.isPlaying(); }, kPatience));
+  room.setPlaying(true);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !room.isPlaying(); }, kPatience));
   EXPECT_NEAR(*document().playhead(), 0.6, 1e-9);
-  player.setLooping(true);
-  player.setPlaying(true);
+  trigger("film.loop");
+  room.setPlaying(true);
   QTest::qWait(1500);
-  EXPECT_TRUE(player.isPlaying());
+  EXPECT_TRUE(room.isPlaying());
   EXPECT_LT(*document().playhead(), 0.6);
+  trigger("film.loop");
   mWindow->newScene();
-  EXPECT_FALSE(player.isPlaying());
+  EXPECT_FALSE(room.isPlaying());
 }
 
 TEST_F(Timelines, WhatIsDoneWhileRecordingBecomesKeys) {
@@ -78,6 +82,23 @@ TEST_F(Timelines, WhatIsDoneWhileRecordingBecomesKeys) {
   EXPECT_FALSE(document().isRecording());
   drag({200, 200}, {320, 220});
   EXPECT_EQ(timesOf("camera").size(), 2u) << "not recorded any more";
+}
+
+TEST_F(Timelines, RecordingByACommandIsSeenAtOnce) {
+  makeFilm();
+  QStatusBar* bar = mWindow->statusBar();
+  auto* frame = mWindow->findChild<QWidget*>("recordFrame");
+  QAction* record = mWindow->actions().find("film.record");
+  bar->clearMessage();
+  mWindow->jobs().run(session::parseCall("film.record"));
+  EXPECT_TRUE(record->isChecked());
+  EXPECT_TRUE(frame->isVisible());
+  EXPECT_EQ(bar->currentMessage(), "") << "these keys were there before";
+  key(kShine, 1.0, "3");
+  EXPECT_TRUE(bar->currentMessage().startsWith("Recorded at")) << bar->currentMessage().toStdString();
+  mWindow->jobs().run(session::parseCall("film.record false"));
+  EXPECT_FALSE(record->isChecked());
+  EXPECT_FALSE(frame->isVisible());
 }
 
 TEST_F(Timelines, AControlMakesAKeyOfItsFieldAndShowsIt) {
@@ -139,6 +160,37 @@ TEST_F(Timelines, TheStripIsNotWiderThanASmallWindow) {
   QTest::qWait(60);
   EXPECT_LE(mWindow->width(), 760);
   takeShot(*mWindow, "timeline-small");
+}
+
+TEST_F(Timelines, WhatHasNoRoomInTheStripIsInItsMenus) {
+  makeFilm();
+  auto* dock = mWindow->findChild<QDockWidget*>("sideDock");
+  for (int width : {1100, 620, 390, 300, 210}) {
+    mWindow->resize(width + dock->width() + 20, 620);
+    QTest::qWait(60);
+    mWindow->resizeDocks({dock}, {mWindow->width() - width}, Qt::Horizontal);
+    QTest::qWait(60);
+    SCOPED_TRACE(strip().width());
+    takeShot(*mWindow, QString("timeline-%1").arg(width));
+    QSet<QString> listed;
+    for (auto* more : strip().findChildren<QToolButton*>("more")) {
+      if (!more->isVisible()) continue;
+      emit more->menu()->aboutToShow();
+      for (QAction* entry : more->menu()->actions()) listed << entry->text().remove('&');
+    }
+    for (auto* line : strip().findChildren<StripLine*>())
+      for (QWidget* control : line->findChildren<QWidget*>(Qt::FindDirectChildrenOnly)) {
+        if (!control->isHidden()) {
+          EXPECT_GE(control->width(), control->minimumSizeHint().width()) << control->accessibleName().toStdString();
+          EXPECT_TRUE(strip().rect().contains(QRect(control->mapTo(&strip(), QPoint()), control->size())))
+              << control->accessibleName().toStdString();
+        } else if (auto* button = qobject_cast<QToolButton*>(control); button && button->menu() == nullptr) {
+          EXPECT_TRUE(listed.contains(button->accessibleName())) << button->accessibleName().toStdString();
+          EXPECT_FALSE(button->toolTip().isEmpty());
+        }
+      }
+    EXPECT_EQ(listed.isEmpty(), width > 600) << "only what has no room is there";
+  }
 }
 
 TEST_F(Timelines, HowItLooks) {

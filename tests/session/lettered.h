@@ -42,6 +42,10 @@ inline std::vector<std::string> namesOf(const scene::Scene& scene, const TypePix
   return names;
 }
 
+inline const vector::Words& firstWords(const LetteringBlock& block) {
+  return std::get<vector::Words>(block.items.at(0));
+}
+
 /// The pixels of a block without its glow, also where they are beyond the picture.
 inline vector::Raster rasterOf(const LetteringBlock& block, glm::ivec2 size) {
   constexpr int kBeyond = 200;

@@ -19,20 +19,28 @@ namespace {
 constexpr const char *kLoopKey = "film/loop", *kSnapKey = "film/snap";
 constexpr int kRecordedMs = 6000;
 
+/// The film of a scene, played by its playhead.
+Playable filmOf(session::Document& document) {
+  Playable film;
+  film.frames = [&document] {
+    const scene::Timeline& timeline = document.scene().timeline;
+    return document.playhead() && !timeline.tracks.empty() ? scene::framesOf(timeline) : scene::FilmFrames{};
+  };
+  film.now = [&document] { return document.playhead().value_or(0.0); };
+  film.show = [&document](double time) { document.setPlayhead(time); };
+  return film;
+}
+
 }  // namespace
 
 TimelineRoom::TimelineRoom(const WindowParts& parts, TimelineStrip& strip)
     : Room(parts),
       mStrip(strip),
-      mPlayer(parts.document(), nullptr),
+      mFilm(filmOf(parts.document())),
       mPath(parts.document(), parts.toolbox, [this] { return isShown(); }),
       mFrame(new RecordFrame(parts.views.viewport())) {
   addCommands();
   parts.toolbox.add(mPath);
-  connect(&mPlayer, &FilmPlayer::askReady, this, [this](bool& ready) { ready = mParts.views.isCurrent(); });
-  connect(&mPlayer, &FilmPlayer::playingChanged, this, [this](bool playing) {
-    mParts.actions.find("time.play")->setIcon(makeIcon(playing ? "film.pause" : "time.play"));
-  });
   connect(&strip, &TimelineStrip::saveAsked, this, &TimelineRoom::saveAsked);
   connect(&parts.views.viewport(), &Viewport::menuAskedAt, this, &TimelineRoom::showMenu);
 }
@@ -55,13 +63,15 @@ void TimelineRoom::addCommands() {
                                       [this] { goToKey(-1); });
   QAction* forth =
       actions.addForScene(menu, "film.nextKey", tr("Next &key"), tr("Go to the next key"), [this] { goToKey(1); });
-  mStrip.addCommand(start);
-  mStrip.addCommand(back);
+  mStrip.addCommand(start, 3);
+  mStrip.addCommand(back, 4);
   mStrip.addCommand(actions.find("time.play"));
-  mStrip.addCommand(forth);
+  mStrip.addCommand(forth, 4);
   addSwitches(menu);
   mStrip.addCommand(mRecord)->setProperty("role", "record");
-  for (QAction* action : {mKeyCamera, mLoop, mSnap}) mStrip.addCommand(action);
+  mStrip.addCommand(mKeyCamera, 2);
+  mStrip.addCommand(mLoop, 6);
+  mStrip.addCommand(mSnap, 7);
   mStrip.finishRow(*mParts.menu(MenuId::Film));
 }
 
@@ -73,7 +83,7 @@ void TimelineRoom::addSwitches(QMenu* menu) {
   mKeyCamera = actions.addForScene(menu, "film.keyCamera", tr("Key &camera"),
                                    tr("Make a key of where the eye is, at the playhead"), [this] { keyCamera(); });
   mLoop = actions.addForScene(menu, "film.loop", tr("&Loop"), tr("Play the film again and again"), [this] {
-    mPlayer.setLooping(mLoop->isChecked());
+    mFilm.loops = mLoop->isChecked();
     Preferences().setValue(kLoopKey, mLoop->isChecked());
   });
   mSnap = actions.addForScene(menu, "film.snap", tr("Sn&ap"), tr("Keys and playhead go to frames, and to each other"),
@@ -85,7 +95,7 @@ void TimelineRoom::addSwitches(QMenu* menu) {
   for (QAction* action : {mRecord, mLoop, mSnap}) action->setCheckable(true);
   mLoop->setChecked(Preferences().value(kLoopKey, false).toBool());
   mSnap->setChecked(Preferences().value(kSnapKey, true).toBool());
-  mPlayer.setLooping(mLoop->isChecked());
+  mFilm.loops = mLoop->isChecked();
   mStrip.canvas().setSnapping(mSnap->isChecked());
 }
 
@@ -94,10 +104,10 @@ void TimelineRoom::setShown(bool shown) {
   if (!shown && mStrip.canvas().hasFocus()) mParts.views.viewport().setFocus();
   mStrip.setVisible(shown);
   if (!shown) {
-    mPlayer.setPlaying(false);
+    setPlaying(false);
     mPlace = document.playhead().value_or(0.0);
-    document.setRecording(false);
     document.setPlayhead(std::nullopt);
+    document.setRecording(false);
   } else if (!document.playhead()) {
     document.setPlayhead(std::min(mPlace, document.scene().timeline.duration));
   }
@@ -119,8 +129,6 @@ void TimelineRoom::keyCamera() {
 void TimelineRoom::setRecording(bool recording) {
   if (recording) setShown(true);
   mParts.document().setRecording(recording);
-  mSeen = mParts.document().scene().timeline.tracks;
-  refresh(mParts.session);
 }
 
 void TimelineRoom::showMenu(const render::Pick& pick, QPoint place) {
@@ -147,13 +155,15 @@ void TimelineRoom::showWhereItIsDue() {
   callLater(this, [this, isDue] { setShown(isDue && mParts.session.file().isOpen()); });
 }
 
-/// Says of which fields keys were made since the last time.
+/// Says, while recording, of which fields keys were made since the last time.
 void TimelineRoom::tellRecorded() {
+  if (!mParts.document().isRecording()) return mSeen.reset();
   const auto& tracks = mParts.document().scene().timeline.tracks;
+  if (!mSeen) mSeen = tracks;
   QStringList titles;
   for (const scene::Track& track : tracks) {
-    auto before = std::ranges::find(mSeen, track.path, &scene::Track::path);
-    if (before == mSeen.end() || !(before->keys == track.keys))
+    auto before = std::ranges::find(*mSeen, track.path, &scene::Track::path);
+    if (before == mSeen->end() || !(before->keys == track.keys))
       titles << toText(scene::trackTitle(mParts.document().scene(), track.path));
   }
   mSeen = tracks;
@@ -165,12 +175,11 @@ void TimelineRoom::tellRecorded() {
 
 void TimelineRoom::refresh(const session::Session& session) {
   showWhereItIsDue();
-  mPlayer.refresh();
   bool isRecording = session.document().isRecording();
   mRecord->setChecked(isRecording);
   mFrame->setVisible(isRecording);
   if (isRecording) mFrame->raise();
-  if (isRecording) tellRecorded();
+  tellRecorded();
   for (const char* id : {"film.previousKey", "film.nextKey"})
     mParts.actions.find(id)->setEnabled(isShown() && !session.document().scene().timeline.tracks.empty());
   if (isShown()) mStrip.refresh();

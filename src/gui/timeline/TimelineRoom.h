@@ -1,6 +1,6 @@
 #pragma once
+#include "gui/service/Player.h"
 #include "gui/timeline/CameraPath.h"
-#include "gui/timeline/FilmPlayer.h"
 #include "gui/timeline/RecordFrame.h"
 #include "gui/timeline/TimelineStrip.h"
 #include "gui/view/Room.h"
@@ -20,10 +20,10 @@ class TimelineRoom : public Room {
   /// There is a film to play; and it says which time step of a series is seen.
   bool hasFilm() const;
   bool hasTimeSteps() const;
-  /// What Space does, and the commands for the next and the last time step, while the strip is shown.
-  void play() { mPlayer.setPlaying(!mPlayer.isPlaying()); }
+  void setPlaying(bool playing) { mParts.player.setPlaying(mFilm, playing); }
+  bool isPlaying() const { return mParts.player.isPlaying(mFilm); }
+  /// What the commands for the next time step and the one before do, while the strip is shown.
   void goToKey(int direction) { mStrip.canvas().goToKey(direction); }
-  FilmPlayer& player() { return mPlayer; }
   const CameraPath& cameraPath() const { return mPath; }
 
  signals:
@@ -40,14 +40,14 @@ class TimelineRoom : public Room {
   void showMenu(const render::Pick& pick, QPoint place);
 
   TimelineStrip& mStrip;
-  FilmPlayer mPlayer;
+  Playable mFilm;
   CameraPath mPath;
   RecordFrame* mFrame;
   QAction *mShow = nullptr, *mRecord = nullptr, *mLoop = nullptr, *mSnap = nullptr, *mKeyCamera = nullptr;
   bool mHadTracks = false;
-  std::string mName;                ///< of what is open
-  double mPlace = 0.0;              ///< of the playhead when the strip was hidden, seconds
-  std::vector<scene::Track> mSeen;  ///< the tracks at the last refresh while recording
+  std::string mName;                               ///< of what is open
+  double mPlace = 0.0;                             ///< of the playhead when the strip was hidden, seconds
+  std::optional<std::vector<scene::Track>> mSeen;  ///< while recording: the tracks at the last refresh
 };
 
 }  // namespace velum::gui

@@ -7,6 +7,7 @@
 #include "gui/kit/SidePanel.h"
 #include "gui/service/ActionTable.h"
 #include "gui/service/JobRunner.h"
+#include "gui/service/Player.h"
 #include "gui/service/Selection.h"
 #include "gui/tool/Toolbox.h"
 #include "gui/view/ViewGrid.h"
@@ -29,6 +30,7 @@ struct WindowParts {
   MessageBar& messages;
   FloatingBars& floating;
   JobRunner& jobs;
+  Player& player;
   ActionTable& actions;
   SideTabs& tabs;
   SidePanel& side;  ///< holds the tabs

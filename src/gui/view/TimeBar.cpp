@@ -2,18 +2,26 @@
 
 #include <QHBoxLayout>
 #include <QSignalBlocker>
+#include <cmath>
 
 #include "session/lettering/TimeStamp.h"
 
 namespace velum::gui {
 
 namespace {
-constexpr int kStepMs = 100;  // ten steps a second, where the views keep up
+
+constexpr double kStepsPerSecond = 10.0;  // where the views keep up
+
+auto toTimeStep(int timeStep) {
+  return [timeStep](scene::Scene& scene) { scene.volume.timeStep = timeStep; };
 }
 
-TimeBar::TimeBar(session::Document& document, QWidget* parent)
+}  // namespace
+
+TimeBar::TimeBar(session::Document& document, Player& player, QWidget* parent)
     : QFrame(parent),
       mDocument(document),
+      mPlayer(player),
       mPlay(new QPushButton(tr("Play"), this)),
       mSlider(new QSlider(Qt::Horizontal, this)),
       mText(new QLabel(this)) {
@@ -31,49 +39,44 @@ TimeBar::TimeBar(session::Document& document, QWidget* parent)
   layout->addWidget(mPlay);
   layout->addWidget(mSlider, 1);
   layout->addWidget(mText);
-  mTimer.setInterval(kStepMs);
+  mSeries.frames = [this] { return scene::FilmFrames{0.0, kStepsPerSecond, timeSteps()}; };
+  mSeries.now = [this] { return mDocument.shown().volume.timeStep / kStepsPerSecond; };
+  mSeries.show = [this](double time) { show(int(std::lround(time * kStepsPerSecond))); };
+  mSeries.keepsTime = false;
+  mSeries.loops = true;
+  connect(&player, &Player::changed, this, &TimeBar::showPlaying);
   connect(mPlay, &QPushButton::toggled, this, &TimeBar::setPlaying);
-  connect(mSlider, &QSlider::valueChanged, this, [this](int timeStep) {
-    mDocument.view([timeStep](scene::Scene& scene) { scene.volume.timeStep = timeStep; });
-  });
-  connect(&mTimer, &QTimer::timeout, this, [this] {
-    bool ready = true;
-    emit askReady(ready);
-    if (ready) step(1);
-  });
+  connect(mSlider, &QSlider::valueChanged, this, [this](int timeStep) { mDocument.view(toTimeStep(timeStep)); });
   hide();
 }
 
+/// How many there are to go through: none where there is no time, or where a film says which one is seen.
 int TimeBar::timeSteps() const {
   const auto& volume = mDocument.shown().volume.data;
-  return volume ? volume->timeSteps : 0;
+  return volume && volume->timeSteps > 1 && !mIsReplaced ? volume->timeSteps : 0;
 }
 
-void TimeBar::setPlaying(bool playing) {
-  playing = playing && timeSteps() > 1;
-  if (playing == mTimer.isActive()) return;
-  if (playing)
-    mTimer.start();
-  else
-    mTimer.stop();
+void TimeBar::showPlaying() {
   const QSignalBlocker quiet(mPlay);
-  mPlay->setChecked(playing);
-  mPlay->setText(playing ? tr("Pause") : tr("Play"));
+  mPlay->setChecked(isPlaying());
+  mPlay->setText(isPlaying() ? tr("Pause") : tr("Play"));
 }
 
 void TimeBar::step(int steps) {
   int count = timeSteps();
-  if (count < 2) return;
-  int next = ((mDocument.shown().volume.timeStep + steps) % count + count) % count;
-  auto change = [next](scene::Scene& scene) { scene.volume.timeStep = next; };
+  if (count > 0) show(((mDocument.shown().volume.timeStep + steps) % count + count) % count);
+}
+
+void TimeBar::show(int timeStep) {
+  auto change = toTimeStep(timeStep);
   // What plays goes on by itself: there is nothing to undo.
   isPlaying() ? mDocument.complete(change) : mDocument.view(change);
 }
 
 void TimeBar::refresh() {
   int count = timeSteps();
-  setVisible(count > 1 && !mIsReplaced);
-  if (count < 2 || mIsReplaced) return setPlaying(false);
+  setVisible(count > 0);
+  if (count == 0) return;
   const QSignalBlocker quiet(mSlider);
   mSlider->setRange(0, count - 1);
   int timeStep = mDocument.shown().volume.timeStep;

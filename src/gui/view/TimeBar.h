@@ -3,38 +3,37 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QSlider>
-#include <QTimer>
 
+#include "gui/service/Player.h"
 #include "session/document/Document.h"
 
 namespace velum::gui {
 
-/// The time steps of a series: a slider, and play. Hidden for data without time. While playing, the next step is shown
-/// only when the views have drawn the one before, so that no step is left out on a slow machine.
+/// The time steps of a series: a slider, and play. Hidden for data without time. Playing leaves no step out, however
+/// slow the machine.
 class TimeBar : public QFrame {
   Q_OBJECT
  public:
-  TimeBar(session::Document& document, QWidget* parent);
+  TimeBar(session::Document& document, Player& player, QWidget* parent);
   void refresh();
   /// Hides the bar while a film says which step is seen.
   void setReplaced(bool replaced) { mIsReplaced = replaced; }
-  void setPlaying(bool playing);
-  bool isPlaying() const { return mTimer.isActive(); }
+  void setPlaying(bool playing) { mPlayer.setPlaying(mSeries, playing); }
+  bool isPlaying() const { return mPlayer.isPlaying(mSeries); }
   /// Goes on by some steps; after the last step comes the first, and the other way round.
   void step(int steps);
 
- signals:
-  /// Asks whether the views show the current step; the answer goes into `ready`.
-  void askReady(bool& ready);
-
  private:
   int timeSteps() const;
+  void show(int timeStep);
+  void showPlaying();
 
   session::Document& mDocument;
+  Player& mPlayer;
+  Playable mSeries;
   QPushButton* mPlay;
   QSlider* mSlider;
   QLabel* mText;
-  QTimer mTimer;
   bool mIsReplaced = false;
 };
 

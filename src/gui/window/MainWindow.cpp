@@ -24,13 +24,14 @@
 namespace velum::gui {
 
 MainWindow::MainWindow()
-    : mFrame(*this, mSession.document()),
+    : mPlayer([this] { return mViews->isCurrent(); }),
+      mFrame(*this, mSession.document(), mPlayer),
       mActions(this),
       mToolbox(mSession.document(), *this),
       mViews(new ViewGrid(mSession, mSelection, mToolbox, mFrame.pages)),
       mJobs(mSession, *mFrame.progress, *mFrame.messages, this),
-      mParts{*this, mSession, mSelection,   mToolbox,     *mViews,     *mFrame.messages, *mFrame.floating,
-             mJobs, mActions, *mFrame.tabs, *mFrame.side, mFrame.menus} {
+      mParts{*this, mSession, mSelection, mToolbox,     *mViews,      *mFrame.messages, *mFrame.floating,
+             mJobs, mPlayer,  mActions,   *mFrame.tabs, *mFrame.side, mFrame.menus} {
   session::giveWayToTheWindow();
   mSession.borrowContext();  // that of the 3D view
   setAcceptDrops(true);

@@ -98,6 +98,7 @@ class MainWindow : public QMainWindow {
   void openSecondWindow();
 
   session::Session mSession;
+  Player mPlayer;
   WindowFrame mFrame;
   Selection mSelection;
   ActionTable mActions;

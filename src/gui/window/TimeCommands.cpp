@@ -1,5 +1,7 @@
 #include "gui/window/TimeCommands.h"
 
+#include "gui/kit/Icons.h"
+
 namespace velum::gui {
 
 TimeCommands::TimeCommands(const WindowParts& parts, TimeBar& bar) : Room(parts), mBar(bar) {
@@ -10,15 +12,21 @@ TimeCommands::TimeCommands(const WindowParts& parts, TimeBar& bar) : Room(parts)
                             [this] { step(1); });
   parts.actions.addForScene(menu, "time.previous", tr("&Step before"),
                             tr("The time step before, or the key before of a film"), [this] { step(-1); });
-  connect(&mBar, &TimeBar::askReady, this, [this](bool& ready) { ready = mParts.views.isCurrent(); });
+  connect(&parts.player, &Player::changed, this, [this] {
+    mParts.actions.find("time.play")->setIcon(makeIcon(mParts.player.isPlaying() ? "film.pause" : "time.play"));
+  });
 }
 
 void TimeCommands::refresh(const session::Session&) {
   mBar.setReplaced(mTimeline && mTimeline->hasTimeSteps());
   mBar.refresh();
+  mParts.player.refresh();
 }
 
-void TimeCommands::play() { hasFilm() ? mTimeline->play() : mBar.setPlaying(!mBar.isPlaying()); }
+void TimeCommands::play() {
+  if (mParts.player.isPlaying()) return mParts.player.stop();
+  hasFilm() ? mTimeline->setPlaying(true) : mBar.setPlaying(true);
+}
 
 void TimeCommands::step(int steps) { hasFilm() ? mTimeline->goToKey(steps) : mBar.step(steps); }
 

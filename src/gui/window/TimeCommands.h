@@ -5,7 +5,8 @@
 
 namespace velum::gui {
 
-/// The commands that play and step: through the film while one is shown, else through the time steps of a series.
+/// The commands that play and step, whatever plays: through the film while one is shown, else through the time steps of
+/// a series.
 class TimeCommands : public Room {
   Q_OBJECT
  public:

@@ -7,7 +7,7 @@
 
 namespace velum::gui {
 
-WindowFrame::WindowFrame(QMainWindow& window, session::Document& document) {
+WindowFrame::WindowFrame(QMainWindow& window, session::Document& document, Player& player) {
   auto* centre = new QWidget(&window);
   recovery = new RecoveryBar(centre);
   messages = new MessageBar(centre);
@@ -15,7 +15,7 @@ WindowFrame::WindowFrame(QMainWindow& window, session::Document& document) {
   empty = new EmptyState(pages);
   pages->addWidget(empty);
   progress = new ProgressStrip(centre);
-  time = new TimeBar(document, centre);
+  time = new TimeBar(document, player, centre);
   timeline = new TimelineStrip(document, centre);
   auto* layout = new QVBoxLayout(centre);
   layout->setContentsMargins(0, 0, 0, 0);

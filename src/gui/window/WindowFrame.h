@@ -20,7 +20,7 @@ namespace velum::gui {
 /// The frame of the window: menus, tool bar, the bars over the views, the side panel. The constructor builds them,
 /// empty.
 struct WindowFrame {
-  WindowFrame(QMainWindow& window, session::Document& document);
+  WindowFrame(QMainWindow& window, session::Document& document, Player& player);
 
   /// Puts the views in the middle of the window, where the empty state is shown while nothing is open.
   void setViews(QWidget* views) { pages->addWidget(views); }

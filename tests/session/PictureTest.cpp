@@ -50,6 +50,7 @@ TEST(Picture, EveryFormatOpensAsItsScene) {
 }
 
 TEST(Picture, OfASectionHasTheColoursOfItsStructures) {
+  Progress progress;
   scene::Scene scene;
   glm::ivec3 dims(12);
   scene.volume.data = Shared<Volume>(makeVolume(dims, SampleType::UInt8, [](glm::ivec3) { return 100.0; }));
@@ -58,7 +59,7 @@ TEST(Picture, OfASectionHasTheColoursOfItsStructures) {
   for (glm::vec3 color : {glm::vec3(1.0f, 0.5f, 0.0f), glm::vec3(0.0f, 0.25f, 1.0f)}) {
     scene.labels.structures = {{1, "all"}};
     scene.labels.structures[0].color = color;
-    Image image = drawSectionPicture(scene, scene::SectionKind::Axial, {{40, 40}, 1, false, false, 300});
+    Image image = drawSectionPicture(scene, scene::SectionKind::Axial, {{40, 40}, 1, false, false, 300}, progress);
     ASSERT_EQ(image.channels, (std::vector<std::string>{"R", "G", "B", "A"}));
     const float* middle = &image.pixels[(20 * 40 + 20) * 4];
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(middle[c], color[c], 0.02f) << c;

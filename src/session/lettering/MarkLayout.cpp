@@ -6,7 +6,7 @@
 
 #include "scene/Scene.h"
 #include "session/lettering/LetteringLayout.h"
-#include "session/model/ModelEdit.h"
+#include "session/mark/MarkWords.h"
 
 namespace velum::session {
 
@@ -38,20 +38,6 @@ glm::dvec2 upFrom(glm::dvec2 along) {
 }
 
 }  // namespace
-
-std::string nameOf(const scene::Scene& scene, const scene::Mark& mark) {
-  if (!mark.text.empty()) return mark.text;
-  for (const scene::Structure& structure : scene.labels.structures)
-    if (mark.structure != 0 && structure.id == mark.structure) return structure.name;
-  if (mark.type.empty() || !scene.model.data) return {};
-  const Model& model = *scene.model.data;
-  for (const auto& type : model.types)
-    if (pathOf(model, type) == mark.type) return scene::shownName(scene.model, mark.type, type.name);
-  for (std::uint32_t i = 0; i < model.compartments.size(); ++i)
-    if (compartmentPath(model, i) == mark.type)
-      return scene::shownName(scene.model, mark.type, model.compartments[i].name);
-  return {};
-}
 
 MarkLayout::MarkLayout(const MarkView& view, const std::map<int, Measured>& measured, glm::vec3 ground,
                        FreePlaces& places)
@@ -114,10 +100,7 @@ void MarkLayout::add(const scene::Mark& mark) {
 }
 
 std::vector<std::string> MarkLayout::linesOf(const scene::Mark& mark, const Measured& measured) const {
-  std::string text = measured.text;
-  if (std::string name = nameOf(mView.scene(), mark); !name.empty())
-    text = name + (text.empty() ? "" : text.find('\n') == text.npos ? "  " + text : "\n" + text);
-  std::string drawn = drawable(text);
+  std::string drawn = drawable(markWords(mView.scene(), mark, measured.text));
   return drawn.empty() ? std::vector<std::string>() : mLetters.lines(drawn, 0.4 * mView.space().size().x);
 }
 

@@ -66,7 +66,4 @@ class MarkLayout {
   std::vector<LetteringBlock> mBlocks;
 };
 
-/// What a mark is called: its own words, else the name of what it names.
-std::string nameOf(const scene::Scene& scene, const scene::Mark& mark);
-
 }  // namespace velum::session

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "scene/Scene.h"
+#include "session/mark/MarkHands.h"
 
 namespace velum::session {
 
@@ -26,21 +26,8 @@ double MarkView::height(glm::dvec3 world) const {
   return isSection() ? scene::heightOverSection(*mSpace.section(), world) : 0.0;
 }
 
-double MarkView::away(const scene::Mark& mark) const {
-  double low = std::numeric_limits<double>::infinity(), high = -low;
-  bool isPair = mark.points.size() == 2;
-  if (isPair && mark.kind == scene::MarkKind::Circle)
-    return std::max(0.0, std::abs(height(mark.points[0])) - glm::distance(mark.points[0], mark.points[1]));
-  bool isBox = isPair && mark.kind == scene::MarkKind::Box;
-  for (const glm::dvec3& point : isBox ? boxCorners(mScene, mark) : mark.points)
-    low = std::min(low, height(point)), high = std::max(high, height(point));
-  return isBox ? std::max({0.0, low, -high}) : std::max(high, -low);
-}
-
 double MarkView::opacityOf(const scene::Mark& mark) const {
-  if (!mark.visible || (mark.timeStep >= 0 && mark.timeStep != mScene.volume.timeStep)) return 0.0;
-  if (!isSection() || mark.points.empty()) return mark.opacity;
-  return mark.opacity * std::clamp(1.5 - away(mark) / mStep, 0.0, 1.0);
+  return isShown(mScene, mark) ? mark.opacity * markShare(mSpace, mark, mStep) : 0.0;
 }
 
 std::vector<glm::dvec3> boxCorners(const scene::Scene& scene, const scene::Mark& mark) {

@@ -22,14 +22,10 @@ class MarkView {
   std::optional<std::vector<glm::dvec2>> pixels(const std::vector<glm::dvec3>& places) const;
   /// How far a place lies before a section, towards the viewer; 0 in the 3D picture. Scene units.
   double height(glm::dvec3 world) const;
-  /// How much of a mark is seen here, 0..1: nothing at other time steps than its own, and in a section as much as its
-  /// places are near: all within half a step of the section, nothing one and a half steps away.
+  /// How much of a mark is seen here, 0..1, see markShare(); nothing at other time steps than its own.
   double opacityOf(const scene::Mark& mark) const;
 
  private:
-  /// How far a mark's farthest place lies from the section; of balls and boxes what is nearest. Scene units.
-  double away(const scene::Mark& mark) const;
-
   const scene::Scene& mScene;
   ViewSpace mSpace;
   double mStep = 1.0;  ///< of the section, scene units

@@ -42,4 +42,34 @@ inline double coverOf(const Image& image) {
   return cover;
 }
 
+/// Text that nobody should write, and that files must hold all the same.
+inline const std::string kHostileText = "<\"&'>]]>--> \x01\xff\xc3 (\\)%s{}\xe6\xbc\xa2\xf0\x9f\x98\x80";
+
+/// A plate of 96 x 72 points: a picture, contours, leaders, labels, a legend; 400 x 300 pixels.
+inline Drawing plate() {
+  Image image = plainImage(400, 300);
+  for (int y = 0; y < 300; ++y)
+    for (int x = 0; x < 400; ++x)
+      for (int c = 0; c < 3; ++c)
+        image.pixels[3 * std::size_t(y * 400 + x) + std::size_t(c)] = float((x * (c + 1) + y * 3) % 256) / 255.0f;
+  Shape lung = filled({circle({140, 120}, 60), circle({150, 130}, 20)}, {0.2f, 0.5f, 0.9f}, 0.4);
+  lung.name = "Lung, left";
+  lung.pen = Pen{{0.1f, 0.2f, 0.6f}, 3.0};
+  Shape liver =
+      stroked({Outline{{220, 200}, {{{260, 120}, {330, 140}, {350, 210}}, {{360, 260}, {250, 290}, {220, 200}}}, true}},
+              Pen{kBlack, 2.5, 0.8, {8.0, 6.0}});
+  liver.name = "Liver";
+  Words words{"Pulmo sinister", {30, 40}, 22.0, Font::Sans, kBlack, 1.0, Pen{kWhite, 5.0}};
+  Words serif{"Hepar", {300, 100}, 18.0, Font::SerifBold, {0.5f, 0.0f, 0.0f}, 1.0, Pen{kWhite, 4.0, 0.6}};
+  return {{400, 300},
+          300.0,
+          "Thorax & abdomen",
+          {{"picture", {Plate{image, {0, 0}, {400, 300}}}},
+           {"contours", {lung, liver}},
+           {"leaders", {stroked({outlineThrough({{90, 46}, {120, 90}}, false)}, {kBlack, 1.5})}},
+           {"labels", {words, serif, Words{"\u00b5m, \u2192 AVA", {20, 280}, 16.0, Font::Serif}}},
+           {"legend",
+            {filled({rectangle({300, 260}, {320, 275})}, kRed), Words{"Bold 3.5", {325, 274}, 16.0, Font::SansBold}}}}};
+}
+
 }  // namespace velum::vector

@@ -1,0 +1,100 @@
+#include "vector/WriteSvg.h"
+
+#include "Programs.h"
+#include "vector/Paint.h"
+
+namespace velum::vector {
+namespace {
+
+std::size_t countOf(const std::string& text, const std::string& part) {
+  std::size_t count = 0;
+  for (std::size_t at = 0; (at = text.find(part, at)) != std::string::npos; at += part.size()) ++count;
+  return count;
+}
+
+TEST(Svg, ThePageHasItsSizeInMillimetres) {
+  std::string svg = svgOf(plate());
+  EXPECT_NE(svg.find("width=\"33.8667mm\" height=\"25.4mm\" viewBox=\"0 0 400 300\""), std::string::npos);
+  EXPECT_EQ(svg, svgOf(plate())) << "the same drawing has the same bytes";
+}
+
+TEST(Svg, LinesAreShortAndExact) {
+  Drawing drawing{
+      {100, 100}, 300.0, "", {{"a", {stroked({outlineThrough({{0, -0.001}, {10.126, 5}, {3, 7}}, true)}, Pen{})}}}};
+  std::string svg = svgOf(drawing);
+  EXPECT_NE(svg.find("d=\"M0 0L10.13 5L3 7Z\""), std::string::npos) << svg;
+  drawing.layers[0].items = {stroked({Outline{{1, 2}, {{{-3, 4}, {5, -6.5}, {7, 8}}}, false}}, Pen{})};
+  EXPECT_NE(svgOf(drawing).find("d=\"M1 2C-3 4 5-6.5 7 8\""), std::string::npos) << svgOf(drawing);
+}
+
+TEST(Svg, NamesAreIdsOnceEach) {
+  Shape one = filled({circle({5, 5}, 2)});
+  one.name = "Lung";
+  Drawing drawing{{10, 10}, 300.0, "", {{"Lung", {one, one, Words{"Lung", {0, 5}}}}, {"Lung", {one}}}};
+  std::string svg = svgOf(drawing);
+  for (const char* id :
+       {"id=\"Lung\"", "id=\"Lung-2\"", "id=\"Lung-3\"", "id=\"Lung-4\"", "id=\"layer-Lung\"", "id=\"layer-Lung-2\""})
+    EXPECT_EQ(countOf(svg, id), 1u) << id;
+  EXPECT_EQ(countOf(svg, "inkscape:groupmode=\"layer\" inkscape:label=\"Lung\""), 2u);
+  EXPECT_EQ(countOf(svg, "<title>Lung</title>"), 3u);
+}
+
+TEST(Svg, FourHundredThousandNumbersAreSmall) {
+  Drawing drawing{{4000, 3000}, 300.0, "", {{"contours", {}}, {"labels", {}}}};
+  for (int i = 0; i < 100; ++i) {
+    Outline outline{{i * 30.123, 500.456}, {}, true};
+    for (int j = 0; j < 200; ++j) {
+      glm::dvec2 at(i * 30.123 + j * 7.321, 500.456 + (j * 37 + i) % 100 * 13.77);
+      outline.curves.push_back({at, at + glm::dvec2(3.317, 9.713), at + glm::dvec2(8.111, 2.222)});
+    }
+    drawing.layers[0].items.push_back(stroked({outline}, Pen{}));
+  }
+  for (int i = 0; i < 40; ++i)
+    drawing.layers[1].items.push_back(
+        Words{"Musculus longus", {50, 60.0 * i}, 40.0, Font::Sans, kBlack, 1.0, Pen{kWhite, 9.0}});
+  EXPECT_LT(svgOf(drawing).size(), 2'000'000u);
+}
+
+class SvgPrograms : public Programs {};
+
+TEST_F(SvgPrograms, RsvgDrawsWhatIsPainted) {
+  if (!has("rsvg-convert")) GTEST_SKIP() << "rsvg-convert is not there: install Debian's librsvg2-bin";
+  Drawing drawing = plate();
+  writeSvg(drawing, mFolder / "plate.svg");
+  run("rsvg-convert -w 400 -h 300 -o plate.png plate.svg");
+  Image image = plainImage(400, 300);
+  paint(drawing.layers, image);
+  Difference difference = differenceOf(readPng("plate.png"), image);
+  EXPECT_LT(difference.mean, 0.4 / 255.0);
+  EXPECT_LT(difference.far, 0.002) << "letters are fitted to pixels there";
+}
+
+TEST_F(SvgPrograms, AnyTextIsXml) {
+  if (!has("xmllint")) GTEST_SKIP() << "xmllint is not there: install Debian's libxml2-utils";
+  Shape shape = filled({circle({5, 5}, 2)});
+  shape.name = kHostileText;
+  Drawing drawing{{10, 10}, 300.0, kHostileText, {{kHostileText, {shape, Words{kHostileText, {0, 5}}}}}};
+  writeSvg(drawing, mFolder / "plate.svg");
+  // What it reads is what was written: the text of <text>, in UTF-8.
+  EXPECT_EQ(run("xmllint --xpath 'string(//*[local-name()=\"text\"])' plate.svg"),
+            "<\"&'>]]>--> \xef\xbf\xbd\xef\xbf\xbd\xef\xbf\xbd (\\)%s{}\xe6\xbc\xa2\xf0\x9f\x98\x80\n");
+  writeSvg(plate(), mFolder / "whole.svg");
+  EXPECT_EQ(run("xmllint --noout whole.svg && echo fine"), "fine\n");
+}
+
+TEST_F(SvgPrograms, InkscapeFindsLayersAndText) {
+  if (!has("inkscape")) GTEST_SKIP() << "inkscape is not there";
+  writeSvg(plate(), mFolder / "plate.svg");
+  std::string all = run("inkscape --query-all plate.svg");
+  for (const char* id :
+       {"layer-picture,", "layer-contours,", "layer-labels,", "Lung-left,", "Pulmo-sinister,", "Hepar,"})
+    EXPECT_NE(all.find(id), std::string::npos) << id << "\n" << all;
+  run("inkscape --export-type=png --export-width=400 --export-filename=plate.png plate.svg");
+  Image image = plainImage(400, 300);
+  paint(plate().layers, image);
+  EXPECT_LT(differenceOf(readPng("plate.png"), image).mean, 1.0 / 255.0);
+  EXPECT_LT(differenceOf(readPng("plate.png"), image).far, 0.004);
+}
+
+}  // namespace
+}  // namespace velum::vector

@@ -58,8 +58,10 @@ inline bool isInRectangle(glm::dvec2 p, const Rectangle& r) {
 
 /// True where a leader is in a rectangle: by many points on it.
 inline bool doesEnter(const std::vector<glm::dvec2>& leader, const Rectangle& r) {
-  for (int i = 0; i <= 2000; ++i)
-    if (isInRectangle(glm::mix(leader.front(), leader.back(), i / 2000.0), r)) return true;
+  glm::dvec2 low = glm::min(leader.front(), leader.back()), high = glm::max(leader.front(), leader.back());
+  if (glm::any(glm::greaterThan(low, r.high)) || glm::any(glm::lessThan(high, r.low))) return false;
+  for (int i = 0; i <= 1000; ++i)
+    if (isInRectangle(glm::mix(leader.front(), leader.back(), i / 1000.0), r)) return true;
   return false;
 }
 

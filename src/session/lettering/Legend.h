@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -15,7 +16,7 @@ struct TypePixels {
   std::uint64_t all = 0;              ///< pixels of the picture, whatever they show
 };
 /// Counts the types of a picture. @param types  the type of each pixel; -1: none  @param count  of the model's types
-TypePixels countPixels(const std::vector<std::int32_t>& types, std::size_t count);
+TypePixels countPixels(std::span<const std::int32_t> types, std::size_t count);
 /// Counts the types of a picture with the channel "type" (render::Layers). @param count  of the model's types
 TypePixels countPixels(const Image& image, std::size_t count);
 

@@ -12,11 +12,13 @@ namespace velum::session {
 
 namespace {
 
-constexpr double kNameStep = 0.25;      // ems a frame, along x and along y
-constexpr double kStill = 0.2;          // ems that a place may be off before its block moves
-constexpr double kShareOfWay = 0.3;     // of the rest a frame
-constexpr double kNewStrength = 0.125;  // a frame
-constexpr double kHeavierPlaced = 1.3;  // names that stand give way less than new ones
+constexpr double kNameStep = 0.25;                 // ems a frame, along x and along y
+constexpr double kStill = 0.2;                     // ems that a place may be off before its block moves
+constexpr double kShareOfWay = 0.3;                // of the rest a frame
+constexpr double kShift = 0.5, kMostShift = 20.0;  // ems
+constexpr double kFar = 10.0;                      // ems: a longer way is a leap
+constexpr double kNewStrength = 0.125;             // a frame
+constexpr double kHeavierPlaced = 1.3;             // names that stand give way less than new ones
 
 using Wanted = std::vector<std::optional<glm::dvec2>>;
 
@@ -52,15 +54,15 @@ class Settled {
     return std::none_of(mTaken.begin(), mTaken.end(),
                         [&](const NamePlace& other) { return areInTheWay(place, other, mRoom.em); });
   }
-  /// Takes the first of some places that is free. @return which; none: no place was taken
-  std::optional<std::size_t> takeFirst(std::size_t i, const NameToPlace& name, const std::vector<glm::dvec2>& lows) {
-    for (std::size_t k = 0; k < lows.size(); ++k) {
-      NamePlace place = placeAt(name, lows[k], mRoom);
+  /// Takes the first of some places that is free. @return false: none is
+  bool takeFirst(std::size_t i, const NameToPlace& name, const std::vector<glm::dvec2>& lows) {
+    for (glm::dvec2 low : lows) {
+      NamePlace place = placeAt(name, low, mRoom);
       if (!isFree(place)) continue;
       take(i, std::move(place));
-      return k;
+      return true;
     }
-    return std::nullopt;
+    return false;
   }
   std::optional<NamePlace>& at(std::size_t i) { return mPlaces[i]; }
 
@@ -77,18 +79,34 @@ class Settled {
   std::vector<std::optional<NamePlace>> mPlaces;
 };
 
-/// Gives a name the place that it wants, or, in a film, one on the way there from where it was.
+/// Where a name may be that was somewhere in the frame before: on its way to the wanted place, where it was, or aside
+/// of what comes its way.
+std::vector<glm::dvec2> stepsOf(glm::dvec2 from, glm::dvec2 wanted, double em) {
+  glm::dvec2 whole = eased(from, wanted, em);
+  std::vector<glm::dvec2> lows{whole, (from + whole) * 0.5, from};
+  for (double y : {-1.0, 0.0, 1.0})
+    for (double x : {-1.0, 0.0, 1.0})
+      if (x != 0.0 || y != 0.0) lows.push_back(from + glm::dvec2(x, y) * kNameStep * em);
+  std::stable_sort(lows.begin() + 3, lows.end(),
+                   [&](glm::dvec2 a, glm::dvec2 b) { return glm::distance(a, wanted) < glm::distance(b, wanted); });
+  return lows;
+}
+
+/// Gives a name the place that it wants, or one above or below it where something is in the way; in a film one that is
+/// a step away from where it was, if it can be, and the way is not so far that it would fly over the picture.
 void settleName(std::size_t i, const NameToPlace& name, const std::optional<glm::dvec2>& wanted, const NamePlace* old,
                 bool isFilm, double em, Settled& settled) {
-  std::vector<glm::dvec2> lows;
-  if (old && wanted)
-    lows = {eased(old->block.low, *wanted, em), (old->block.low + eased(old->block.low, *wanted, em)) * 0.5};
-  if (old) lows.push_back(old->block.low);
-  std::size_t stays = lows.size();
-  if (wanted) lows.push_back(*wanted);
-  auto taken = settled.takeFirst(i, name, lows);
-  if (!taken || !isFilm) return;
-  settled.at(i)->strength = *taken < stays ? std::min(1.0, old->strength + kNewStrength) : kNewStrength;
+  std::vector<glm::dvec2> steps, leaps;
+  if (old) steps = stepsOf(old->block.low, wanted.value_or(old->block.low), em);
+  if (wanted) leaps.push_back(*wanted);
+  for (double way = kShift; wanted && way <= kMostShift; way += kShift)
+    for (double sign : {-1.0, 1.0}) leaps.push_back(*wanted + glm::dvec2(0.0, sign * way * em));
+  bool isFar = old && wanted && glm::distance(old->block.low, *wanted) > kFar * em;
+  bool hasLept = isFar && settled.takeFirst(i, name, {*wanted});
+  bool hasStepped = !hasLept && settled.takeFirst(i, name, steps);
+  hasLept = hasLept || (!hasStepped && settled.takeFirst(i, name, leaps));
+  if (hasStepped) settled.at(i)->strength = std::min(1.0, old->strength + kNewStrength);
+  if (hasLept && isFilm) settled.at(i)->strength = kNewStrength;
 }
 
 /// Numbers of names, the heaviest first.

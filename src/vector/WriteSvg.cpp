@@ -175,7 +175,8 @@ void SvgWriter::write(const Plate& plate) {
       "xlink:href=\"data:image/png;base64,",
       idOf("plate", "plate"), numberText(plate.low.x), numberText(plate.low.y), numberText(plate.size.x),
       numberText(plate.size.y));
-  mText += base64Of(pngOf(*plate.image));
+  const bool hasAlpha = channelIndex(*plate.image, "A") >= 0;
+  mText += base64Of(pngOf(*plate.image, hasAlpha ? Alpha::With : Alpha::Without));
   put("\"/>\n");
 }
 

@@ -42,6 +42,16 @@ inline double coverOf(const Image& image) {
   return cover;
 }
 
+/// A contour of 200 curves.
+inline Outline wave(int which) {
+  Outline outline{{which * 30.123, 500.456}, {}, true};
+  for (int i = 0; i < 200; ++i) {
+    glm::dvec2 at(which * 30.123 + i * 7.321, 500.456 + (i * 37 + which) % 100 * 13.77);
+    outline.curves.push_back({at, at + glm::dvec2(3.317, 9.713), at + glm::dvec2(8.111, 2.222)});
+  }
+  return outline;
+}
+
 /// Text that nobody should write, and that files must hold all the same.
 inline const std::string kHostileText = "<\"&'>]]>--> \x01\xff\xc3 (\\)%s{}\xe6\xbc\xa2\xf0\x9f\x98\x80";
 

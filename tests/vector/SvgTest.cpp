@@ -39,16 +39,9 @@ TEST(Svg, NamesAreIdsOnceEach) {
   EXPECT_EQ(countOf(svg, "<title>Lung</title>"), 3u);
 }
 
-TEST(Svg, FourHundredThousandNumbersAreSmall) {
+TEST(Svg, LinesAndLabelsAreSmall) {
   Drawing drawing{{4000, 3000}, 300.0, "", {{"contours", {}}, {"labels", {}}}};
-  for (int i = 0; i < 100; ++i) {
-    Outline outline{{i * 30.123, 500.456}, {}, true};
-    for (int j = 0; j < 200; ++j) {
-      glm::dvec2 at(i * 30.123 + j * 7.321, 500.456 + (j * 37 + i) % 100 * 13.77);
-      outline.curves.push_back({at, at + glm::dvec2(3.317, 9.713), at + glm::dvec2(8.111, 2.222)});
-    }
-    drawing.layers[0].items.push_back(stroked({outline}, Pen{}));
-  }
+  for (int i = 0; i < 100; ++i) drawing.layers[0].items.push_back(stroked({wave(i)}, Pen{}));
   for (int i = 0; i < 40; ++i)
     drawing.layers[1].items.push_back(
         Words{"Musculus longus", {50, 60.0 * i}, 40.0, Font::Sans, kBlack, 1.0, Pen{kWhite, 9.0}});

@@ -1,0 +1,195 @@
+#include "vector/WritePdf.h"
+
+#include <fmt/format.h>
+#define POINTERHOLDER_TRANSITION 4  // qpdf then has std::shared_ptr alone
+
+#include <qpdf/QPDF.hh>
+#include <qpdf/QPDFPageDocumentHelper.hh>
+#include <qpdf/QPDFWriter.hh>
+
+#include "core/Error.h"
+#include "core/ImageChannels.h"
+#include "core/ReplaceFile.h"
+#include "vector/Bounds.h"
+#include "vector/CairoPages.h"
+#include "vector/Png.h"
+#include "vector/Unicode.h"
+
+namespace velum::vector {
+namespace {
+
+using Object = QPDFObjectHandle;
+
+/// What one content stream draws: a plate, or else a page of Cairo.
+struct Part {
+  const Plate* plate = nullptr;
+  std::size_t page = 0;
+};
+
+/// A drawing on its way into a document. Cairo draws lines and letters, a page for what stands between two plates;
+/// here these become forms on one page, each in its layer.
+class PdfWriter {
+ public:
+  explicit PdfWriter(const Drawing& drawing);
+  std::string takeText();
+
+ private:
+  void plan();
+  void addForms();
+  void addLayers();
+  std::string contentOf(const std::vector<Part>& parts);
+  Object imageOf(const Image& image);
+  Object streamOf(const Image& image, Alpha alpha);
+  std::string number(double pixels) const { return fmt::format("{:.4f}", pixels * mPoints); }
+  /// Numbers of dictionaries.
+  Object real(double pixels) const { return Object::newReal(pixels * mPoints, 4); }
+
+  const Drawing& mDrawing;
+  double mPoints;                         ///< 1/72 inch for a pixel
+  std::vector<std::vector<Part>> mParts;  ///< of each layer
+  std::vector<std::vector<const Item*>> mPages;
+  std::vector<Object> mForms;  ///< of each page
+  std::string mDrawnBytes;     ///< which mDrawn reads
+  QPDF mDrawn, mPdf;
+  Object mObjects = Object::newDictionary(), mGroups = Object::newDictionary();  ///< by names of the content
+  std::string mContent;
+};
+
+PdfWriter::PdfWriter(const Drawing& drawing) : mDrawing(drawing), mPoints(72.0 / drawing.dpi) {
+  mPdf.emptyPDF();
+  plan();
+  addForms();
+  addLayers();
+}
+
+void PdfWriter::plan() {
+  for (const Layer& layer : mDrawing.layers) {
+    std::vector<Part>& parts = mParts.emplace_back();
+    for (const Item& item : layer.items) {
+      if (!isDrawable(item)) continue;
+      if (auto* plate = std::get_if<Plate>(&item)) {
+        parts.push_back({plate, 0});
+        continue;
+      }
+      if (parts.empty() || parts.back().plate) {
+        parts.push_back({nullptr, mPages.size()});
+        mPages.emplace_back();
+      }
+      mPages.back().push_back(&item);
+    }
+  }
+}
+
+void PdfWriter::addForms() {
+  if (mPages.empty()) return;
+  mDrawnBytes = pagesOf(mPages, mDrawing.size, mPoints);
+  mDrawn.processMemoryFile("drawing", mDrawnBytes.data(), mDrawnBytes.size());
+  for (QPDFPageObjectHelper& page : QPDFPageDocumentHelper(mDrawn).getAllPages()) {
+    Object form = mPdf.copyForeignObject(page.getFormXObjectForPage());
+    // As if it stood on the page: programs that edit it would show a group in the layer.
+    form.getDict().removeKey("/Group");
+    mForms.push_back(form);
+  }
+}
+
+Object PdfWriter::streamOf(const Image& image, Alpha alpha) {
+  const bool isColor = alpha != Alpha::Alone;
+  // Rows as in a PNG: what is predicted of them packs better.
+  Object how = Object::newDictionary(), stream = Object::newStream(&mPdf), dictionary = stream.getDict();
+  how.replaceKey("/Predictor", Object::newInteger(15));
+  how.replaceKey("/Colors", Object::newInteger(isColor ? 3 : 1));
+  how.replaceKey("/BitsPerComponent", Object::newInteger(8));
+  how.replaceKey("/Columns", Object::newInteger(image.width));
+  stream.replaceStreamData(packedRowsOf(pngOf(image, alpha)), Object::newName("/FlateDecode"), how);
+  dictionary.replaceKey("/Type", Object::newName("/XObject"));
+  dictionary.replaceKey("/Subtype", Object::newName("/Image"));
+  dictionary.replaceKey("/Width", Object::newInteger(image.width));
+  dictionary.replaceKey("/Height", Object::newInteger(image.height));
+  dictionary.replaceKey("/ColorSpace", Object::newName(isColor ? "/DeviceRGB" : "/DeviceGray"));
+  dictionary.replaceKey("/BitsPerComponent", Object::newInteger(8));
+  return stream;
+}
+
+Object PdfWriter::imageOf(const Image& image) {
+  Object stream = streamOf(image, Alpha::Without);
+  if (channelIndex(image, "A") >= 0) stream.getDict().replaceKey("/SMask", streamOf(image, Alpha::Alone));
+  return stream;
+}
+
+std::string PdfWriter::contentOf(const std::vector<Part>& parts) {
+  std::string content;
+  for (const Part& part : parts) {
+    std::string name = fmt::format("/X{}", mObjects.getKeys().size());
+    mObjects.replaceKey(name, part.plate ? imageOf(*part.plate->image) : mForms[part.page]);
+    if (part.plate) {
+      double bottom = mDrawing.size.y - part.plate->low.y - part.plate->size.y;
+      content += fmt::format("q {} 0 0 {} {} {} cm {} Do Q\n", number(part.plate->size.x), number(part.plate->size.y),
+                             number(part.plate->low.x), number(bottom), name);
+    } else {
+      content += fmt::format("q {} Do Q\n", name);
+    }
+  }
+  return content;
+}
+
+void PdfWriter::addLayers() {
+  std::vector<Object> groups;
+  for (std::size_t i = 0; i < mParts.size(); ++i) {
+    Object group = Object::newDictionary();
+    group.replaceKey("/Type", Object::newName("/OCG"));
+    group.replaceKey("/Name", Object::newUnicodeString(cleanText(mDrawing.layers[i].name)));
+    groups.push_back(mPdf.makeIndirectObject(group));
+    std::string name = fmt::format("/L{}", i);
+    mGroups.replaceKey(name, groups.back());
+    mContent += fmt::format("/OC {} BDC\n{}EMC\n", name, contentOf(mParts[i]));
+  }
+  Object shown = Object::newDictionary(), properties = Object::newDictionary();
+  shown.replaceKey("/Order", Object::newArray(groups));
+  shown.replaceKey("/ON", Object::newArray(groups));
+  properties.replaceKey("/OCGs", Object::newArray(groups));
+  properties.replaceKey("/D", shown);
+  if (!groups.empty()) mPdf.getRoot().replaceKey("/OCProperties", properties);
+}
+
+std::string PdfWriter::takeText() {
+  // The page, on which what is transparent is mixed in the colours that it is given in.
+  Object page = Object::parse("<< /Type /Page /Group << /Type /Group /S /Transparency /CS /DeviceRGB /I true >> >>");
+  Object resources = Object::newDictionary();
+  resources.replaceKey("/XObject", mObjects);
+  resources.replaceKey("/Properties", mGroups);
+  page.replaceKey("/MediaBox", Object::newArray({Object::newInteger(0), Object::newInteger(0), real(mDrawing.size.x),
+                                                 real(mDrawing.size.y)}));
+  page.replaceKey("/Resources", resources);
+  page.replaceKey("/Contents", Object::newStream(&mPdf, mContent));
+  QPDFPageDocumentHelper(mPdf).addPage(QPDFPageObjectHelper(mPdf.makeIndirectObject(page)), false);
+
+  Object information = Object::newDictionary();
+  if (!mDrawing.title.empty()) information.replaceKey("/Title", Object::newUnicodeString(cleanText(mDrawing.title)));
+  information.replaceKey("/Producer", Object::newString("Velum"));
+  mPdf.getTrailer().replaceKey("/Info", mPdf.makeIndirectObject(information));
+  mPdf.getRoot().replaceKey("/ViewerPreferences", Object::parse("<< /DisplayDocTitle true >>"));
+
+  QPDFWriter writer(mPdf);
+  writer.setOutputMemory();
+  writer.setMinimumPDFVersion("1.5");
+  writer.setDeterministicID(true);
+  writer.write();
+  auto bytes = writer.getBufferSharedPointer();
+  return {reinterpret_cast<const char*>(bytes->getBuffer()), bytes->getSize()};
+}
+
+}  // namespace
+
+std::string pdfOf(const Drawing& drawing) {
+  try {
+    return PdfWriter(drawing).takeText();
+  } catch (const Error&) {
+    throw;
+  } catch (const std::exception& error) {
+    throw Error(ExitCode::Input, std::string("the drawing cannot be written as PDF: ") + error.what());
+  }
+}
+
+void writePdf(const Drawing& drawing, const std::filesystem::path& path) { replaceFile(path, pdfOf(drawing)); }
+
+}  // namespace velum::vector

@@ -29,12 +29,19 @@ class Example(CliTest):
         there = self.install()
         self.run_all(CMAKE, "-S", ROOT / "docs/example", "-B", "example", f"-DCMAKE_PREFIX_PATH={there}")
         self.run_all(CMAKE, "--build", "example")
-        said = self.run_all("example/example", self.sample(), "drawn.png")
+        said = self.run_all("example/example", self.sample(), "drawn.png", "film/")
         self.assertIn("drawn.png: 640 x 480 pixels, 1 cut", said)
         # It is what velum-batch draws of the scene that rides in it; and not a picture of nothing.
         self.run_batch("render", "drawn.png", "-o", "again.png", "--size", "640x480")
         self.run_batch("compare", "drawn.png", "again.png")
         self.assertGreater((self.folder / "drawn.png").stat().st_size, 4000)
+        self.assertIn("film/: 6 of 6 frames", said)
+        # A frame holds its moment as a scene of its own.
+        frames = sorted(path.name for path in (self.folder / "film").glob("*.png"))
+        self.assertEqual(len(frames), 6)
+        middle = self.folder / "film" / frames[3]
+        self.run_batch("render", middle, "-o", "moment.png", "--size", "160x120")
+        self.run_batch("compare", middle, "moment.png")
 
     def test_all_headers_are_installed_with_what_they_include(self):
         there = self.install()

@@ -1,6 +1,7 @@
 // Fields set by their paths, with all that follows: whoever sets them.
 #include "session/document/SetFields.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "TempFolder.h"
@@ -9,6 +10,9 @@
 #include "io/labels/WriteLabels.h"
 #include "io/phantoms/Sample.h"
 #include "io/volumes/WriteVolume.h"
+#include "session/Session.h"
+#include "session/command/Command.h"
+#include "session/command/FilmCommands.h"
 #include "session/document/Open.h"
 
 namespace velum::session {
@@ -124,6 +128,41 @@ TEST_F(SetFields, SurfacesThatWereMadeInMemoryStayAsTheyAre) {
   auto second = mScene.surfaces[1].data;
   set("rayCast.mode", "mip");
   EXPECT_TRUE(mScene.surfaces[1].data == second);
+}
+
+TEST_F(SetFields, TracksOfOneFieldBecomeOneWhateverBringsThem) {
+  scene::addCut(mScene, {});
+  auto keys = [](const char* path, double time) {
+    return fmt::format(R"({{"path": "{}", "keys": [{{"time": {}, "value": [1, 2, 3]}}]}})", path, time);
+  };
+  auto notes = set("timeline.tracks", "[" + keys("cuts.0.centre", 1) + "," + keys("cuts[#1].centre", 2) + "]");
+  ASSERT_EQ(notes.size(), 1u);
+  EXPECT_NE(notes[0].find("cuts[#1].centre has two tracks"), notes[0].npos) << notes[0];
+  ASSERT_EQ(mScene.timeline.tracks.size(), 1u);
+  EXPECT_EQ(mScene.timeline.tracks[0].keys.size(), 2u);
+  // A file, with a structure by its name.
+  int id = mScene.labels.structures[0].id;
+  std::string name = mScene.labels.structures[0].name;
+  scene::Scene twice = mScene;
+  twice.timeline.tracks.push_back({"cuts.0.centre", true, {{3.0, {"[4,5,6]"}}}});
+  for (const std::string& key : {name, fmt::format("#{}", id)})
+    twice.timeline.tracks.push_back({fmt::format("labels.structures[{}].opacity", key), true, {{0.0, {"0.5"}}}});
+  scene::Source source;
+  source.path = path("twice.json");
+  saveScene(twice, source.path);
+  notes.clear();
+  scene::Scene opened = open(source, sProgress, {}, &notes);
+  EXPECT_EQ(notes.size(), 2u);
+  ASSERT_EQ(opened.timeline.tracks.size(), 2u);
+  EXPECT_EQ(opened.timeline.tracks[0].keys.size(), 3u);
+  EXPECT_EQ(opened.timeline.tracks[1].path, fmt::format("labels.structures[#{}].opacity", id));
+  // Keys that are added.
+  Session session(opened);
+  for (const std::string& field : {std::string("cuts.0.centre"), "labels.structures[" + name + "].opacity"})
+    run(session, SetFilmKey{field, 7.0, {}}, sProgress);
+  ASSERT_EQ(session.scene().timeline.tracks.size(), 2u);
+  EXPECT_EQ(session.scene().timeline.tracks[0].keys.size(), 4u);
+  EXPECT_EQ(session.scene().timeline.tracks[1].keys.size(), 2u);
 }
 
 TEST_F(SetFields, WhatIsRefusedChangesNothing) {

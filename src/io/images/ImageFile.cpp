@@ -21,6 +21,7 @@
 #include "io/images/ExrHeader.h"
 #include "io/images/ImageFormat.h"
 #include "io/images/PngChunks.h"
+#include "io/images/TextStandIn.h"
 #include "io/read/ByteSource.h"
 #include "io/read/SinkStream.h"
 #include "io/read/StderrQuiet.h"
@@ -115,7 +116,9 @@ OIIO::ImageSpec specFor(const Image& image, const std::string& format, OIIO::Typ
 /// What the library writes goes to our file, which remembers what the disk refused: the library's close may not.
 class SinkProxy : public OIIO::Filesystem::IOProxy {
  public:
-  explicit SinkProxy(ReplaceFile& file) : IOProxy(file.target().string(), Write), mStream(file) {}
+  /// @param text  stands in for a text that is to be in the file
+  SinkProxy(ReplaceFile& file, TextStandIn& text)
+      : IOProxy(file.target().string(), Write), mStream(file), mText(text) {}
 
   const char* proxytype() const override { return "velum"; }
   size_t write(const void* bytes, size_t count) override {
@@ -124,8 +127,9 @@ class SinkProxy : public OIIO::Filesystem::IOProxy {
     return written;
   }
   size_t pwrite(const void* bytes, size_t count, std::int64_t offset) override {
+    std::string_view piece = mText.put({static_cast<const char*>(bytes), count});
     mStream.seekp(offset);
-    mStream.write(static_cast<const char*>(bytes), std::streamsize(count));
+    mStream.write(piece.data(), std::streamsize(count));
     mSize = std::max(mSize, offset + std::int64_t(count));
     return mStream.good() ? count : 0;
   }
@@ -133,6 +137,7 @@ class SinkProxy : public OIIO::Filesystem::IOProxy {
 
  private:
   SinkStream mStream;
+  TextStandIn& mText;
   std::int64_t mSize = 0;
 };
 
@@ -145,8 +150,7 @@ void encode(OIIO::ImageOutput& out, const std::string& name, const OIIO::ImageSp
   if (!done) throw InputError(fmt::format("{}: cannot be written ({})", name, out.geterror()));
 }
 
-/// A PNG file in memory. The library keeps every text that it is given for as long as the program runs, which are ten
-/// thousand scenes in a long film: it does not get the description.
+/// A PNG file in memory. The library does not get the description, see TextStandIn.
 std::vector<unsigned char> pngOf(OIIO::ImageOutput& out, const std::string& name, const OIIO::ImageSpec& spec,
                                  const void* pixels, const std::string& description) {
   std::vector<unsigned char> bytes;
@@ -233,7 +237,8 @@ void plugin::writeImage(const Image& image, const Path& path, const std::string&
                : bits == 16 ? quantized<std::uint16_t>(shown.pixels)
                             : quantized<std::uint8_t>(shown.pixels);
   const void* pixels = isFloat ? static_cast<const void*>(shown.pixels.data()) : whole.data();
-  auto spec = specFor(shown, format, sampleType(isFloat, bits), description, dpi);
+  TextStandIn text(description);
+  auto spec = specFor(shown, format, sampleType(isFloat, bits), text.shown(), dpi);
 
   if (format == "openexr")
     for (const ImageAttribute& attribute : attributes) spec.attribute(attribute.name, attribute.value);
@@ -241,9 +246,10 @@ void plugin::writeImage(const Image& image, const Path& path, const std::string&
   if (format == "png") return writePng(pngOf(*out, path.string(), spec, pixels, description), path);
   ReplaceFile file(path);
   {
-    SinkProxy proxy(file);
+    SinkProxy proxy(file, text);
     out->set_ioproxy(&proxy);
     encode(*out, path.string(), spec, pixels, [&] { file.throwIfRefused(); });
+    if (!text.isPut()) throw InputError(fmt::format("{}: this OpenImageIO keeps the scene out of it", path.string()));
   }
   file.commit();
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <map>
 
 #include "core/Error.h"
 #include "scene/ModelLayer.h"
@@ -101,7 +102,46 @@ std::string capitalised(std::string text) {
   return text;
 }
 
+/// Gives a track the keys of another one of the same field, too. @return what was done, for people
+std::string join(Track& track, const Track& other) {
+  std::string told = fmt::format("timeline: {} has two tracks; they are one now, with the keys of both", track.path);
+  track.enabled |= other.enabled;
+  auto& keys = track.keys;
+  keys.insert(keys.end(), other.keys.begin(), other.keys.end());
+  std::ranges::stable_sort(keys, {}, &Key::time);
+  std::size_t lost = 0;
+  auto isSame = [&](const Key& key, const Key& next) {
+    bool isAtOneTime = next.time - key.time < kSameKey;
+    lost += isAtOneTime && !(next == key);
+    return isAtOneTime;
+  };
+  keys.erase(std::unique(keys.begin(), keys.end(), isSame), keys.end());
+  if (lost > 0) told += fmt::format("; where both had one at a time, the first one's stays (left out: {})", lost);
+  if (keys.size() <= kMostKeys) return told;
+  keys.resize(kMostKeys);
+  return told + fmt::format("; of these only the first {}, more there cannot be", kMostKeys);
+}
+
 }  // namespace
+
+std::vector<std::string> joinTracks(Scene& scene) {
+  std::vector<std::string> told;
+  std::vector<Track> tracks;
+  std::map<std::string, std::size_t> places;
+  for (Track& track : scene.timeline.tracks) {
+    try {
+      track.path = stablePath(scene, track.path);
+    } catch (const ArgumentError&) {  // of a field that is not there, or not yet
+    }
+    auto [there, isNew] = places.try_emplace(track.path, tracks.size());
+    if (isNew)
+      tracks.push_back(std::move(track));
+    else
+      told.push_back(join(tracks[there->second], track));
+  }
+  scene.timeline.tracks = std::move(tracks);
+  return told;
+}
 
 std::string stablePath(const Scene& scene, std::string_view path) {
   std::string out;

@@ -14,6 +14,11 @@ namespace velum::scene {
 /// keys: "cuts.0.centre" and "cuts[Front].centre" become "cuts[#3].centre". @throw ArgumentError where no field is
 std::string stablePath(const Scene& scene, std::string_view path);
 
+/// For films from outside: gives tracks the stable paths of their fields, and makes one track of several of one field,
+/// with the keys of all; where these have keys at the same time, that of the first stays.
+/// @return what was joined, one line each, for people
+std::vector<std::string> joinTracks(Scene& scene);
+
 /// The field of which a key is made when a field changes: the camera as a whole, curves as a whole, else the field
 /// itself; by its stable path. Nothing where a film cannot change it.
 /// @param leaf  path of a field as fieldChanges() gives it

@@ -17,14 +17,14 @@ using scene::Scene;
 
 /// The track's path for a field that somebody names. @throw ArgumentError where a film cannot change it
 std::string keyPath(const Scene& scene, const std::string& field) {
-  if (scene::findTrack(scene.timeline, field)) return field;
   std::string path = field;
   // What a track makes by itself, such as the row of a type, need not be there yet.
   try {
     path = scene::stablePath(scene, field);
   } catch (const ArgumentError&) {
-    scene::valueAt(scene, field);
+    if (!scene::findTrack(scene.timeline, field)) scene::valueAt(scene, field);
   }
+  if (scene::findTrack(scene.timeline, path)) return path;
   if (!scene::canChange(path)) throw ArgumentError(fmt::format("{} cannot change in a film", field));
   return path;
 }

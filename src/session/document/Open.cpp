@@ -23,6 +23,7 @@
 #include "scene/TypesFromLabels.h"
 #include "scene/VisibleFrame.h"
 #include "scene/json/Json.h"
+#include "scene/timeline/Tracks.h"
 #include "session/document/Folders.h"
 #include "session/document/LabelPlace.h"
 #include "session/document/PaperFile.h"
@@ -180,13 +181,11 @@ fs::path relativeTo(const std::string& path, const fs::path& folder) {
 }
 
 scene::Scene withRelativePaths(scene::Scene scene, const fs::path& folder) {
-  scene.volume.source.path = relativeTo(scene.volume.source.path, folder).string();
-  scene.labels.source.path = relativeTo(scene.labels.source.path, folder).string();
+  for (scene::Source* source :
+       {&scene.volume.source, &scene.labels.source, &scene.model.source, &scene.finish.ownPaper.source})
+    source->path = relativeTo(source->path, folder).string();
   for (auto& surface : scene.surfaces) surface.source.path = relativeTo(surface.source.path, folder).string();
-  scene.model.source.path = relativeTo(scene.model.source.path, folder).string();
   for (auto& sphere : scene.finish.spheres) sphere.source.path = relativeTo(sphere.source.path, folder).string();
-  std::string& paper = scene.finish.ownPaper.source.path;
-  paper = relativeTo(paper, folder).string();
   return scene;
 }
 
@@ -290,6 +289,7 @@ void loadData(scene::Scene& scene, const fs::path& folder, Progress& progress, c
   }
   for (const std::string& note : loadOwnPictures(scene, folder)) Notes{notes}.add(note);
   if (std::string note = whatLegendLacks(scene); !note.empty()) Notes{notes}.add(note);
+  for (const std::string& note : scene::joinTracks(scene)) Notes{notes}.add(note);
 }
 
 std::string sceneTextFor(const scene::Scene& scene, const fs::path& path) {

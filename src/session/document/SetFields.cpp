@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "core/Error.h"
+#include "scene/timeline/Tracks.h"
 #include "session/document/Body.h"
 #include "session/document/LitSphereFiles.h"
 #include "session/document/Open.h"
@@ -177,6 +178,8 @@ std::vector<std::string> followFields(scene::Scene& after, const scene::Scene& b
   }
   settleShapes(after, progress);
   followMembranes(after, before);
+  if (after.timeline.tracks != before.timeline.tracks)
+    for (const auto& note : scene::joinTracks(after)) notes.push_back(note);
   for (const auto& note : followPictures(after, before))
     if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(note);
   return notes;

@@ -24,8 +24,8 @@ void setField(scene::Scene& scene, const std::string& path, const std::string& v
 bool mustFollow(const scene::Scene& after, const scene::Scene& before);
 
 /// Makes what a scene holds fit what its fields say: another source is read (as rereadVolume() where only voxel size or
-/// layout differ), a volume loses its table or gets it back, shapes are smoothed, lit spheres and paper are read.
-/// Regions that grow are left to settleGrowths(), or to a session. Any thread.
+/// layout differ), a volume loses its table or gets it back, shapes are smoothed, lit spheres and paper are read,
+/// tracks of one field become one. Regions that grow are left to settleGrowths(), or to a session. Any thread.
 /// @param before  the scene before the change, whose data did fit its fields  @return what the user should know, one
 /// line each
 /// @throw InputError for data that cannot be read; ArgumentError where a field asks for what cannot be; Cancelled

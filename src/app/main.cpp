@@ -54,6 +54,7 @@ int main(int argc, char** argv) {
       {"membrane", "settle the membranes of a scene and report", app::registerMembrane},
       {"grow", "grow a structure out of a volume, and report", app::registerGrow},
       {"count", "say how much of a model or of structures shows, is hidden, is cut away", app::registerCount},
+      {"measure", "lengths, areas, volumes and values of marks and structures, as a table", app::registerMeasure},
       {"bench", "turn the camera and time frames", app::registerBench},
       {"compare", "picture against picture", app::registerCompare},
       {"sample", "make a phantom with ground truth", app::registerSample},

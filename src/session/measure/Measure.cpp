@@ -1,10 +1,17 @@
 #include "session/measure/Measure.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "scene/Mark.h"
 #include "scene/Scene.h"
+#include "session/measure/Left.h"
+#include "session/measure/Region.h"
+#include "session/measure/SurfaceWay.h"
+#include "session/measure/ValueQuantities.h"
+#include "session/measure/Values.h"
 
 namespace velum::session {
 
@@ -45,6 +52,59 @@ Measured refusal(std::string problem) {
   return measured;
 }
 
+Measured measureAlongSurface(const scene::Scene& scene, const Mark& mark, Progress& progress) {
+  Measured measured;
+  double length = 0.0;
+  for (std::size_t i = 1; i < mark.points.size(); ++i) {
+    SurfaceWay found = wayOverSurface(scene, mark.points[i - 1], mark.points[i], progress);
+    if (!found.problem.empty()) return refusal(found.problem);
+    length += found.way.length;
+    auto& points = found.way.points;
+    measured.way.insert(measured.way.end(), points.begin() + (i > 1 ? 1 : 0), points.end());
+  }
+  measured.quantities = {lengthQuantity(tellingOf(scene), length)};
+  measured.text = quantityText(measured.quantities.front());
+  return measured;
+}
+
+Measured measureBallOrBox(const scene::Scene& scene, const Mark& mark, Progress& progress) {
+  if (!scene.volume.data) return refusal("there is no volume whose values could be measured");
+  bool isBall = mark.kind == MarkKind::Circle;
+  double radius = glm::distance(mark.points[0], mark.points[1]);
+  StructureValues values = isBall ? valuesInBall(scene, mark.points[0], radius, progress)
+                                  : valuesInBox(scene, mark.points[0], mark.points[1], progress);
+  if (values.voxels == 0) return refusal("it holds no voxel that has a value");
+  Measured measured;
+  addValues(measured, *scene.volume.data, values);
+  return measured;
+}
+
+Measured measureProfile(const scene::Scene& scene, const Mark& mark, Progress& progress) {
+  if (!scene.volume.data) return refusal("there is no volume whose values could be measured");
+  Measured measured;
+  measured.profile = profileAlong(scene, mark.points[0], mark.points[1], progress);
+  double least = 1e300, most = -1e300;
+  for (const ProfileSample& sample : measured.profile)
+    if (std::isfinite(sample.value)) least = std::min(least, sample.value), most = std::max(most, sample.value);
+  if (least > most) return refusal("it meets no voxel that has a value");
+  auto valueOf = [&](const char* name, double value) {
+    return valueQuantity(*scene.volume.data, name, value, {least, most});
+  };
+  Quantity length = lengthQuantity(tellingOf(scene), glm::distance(mark.points[0], mark.points[1]));
+  measured.quantities = {length, valueOf("least", least), valueOf("most", most)};
+  measured.text = fmt::format("{}\n{} to {}", quantityText(length), bareText(measured.quantities[1]),
+                              quantityText(measured.quantities[2]));
+  return measured;
+}
+
+Measured measureRegion(const scene::Scene& scene, const Mark& mark, Progress& progress) {
+  auto all = measureLeft(scene, mark.structure, progress);
+  auto found = all.find(mark.structure);
+  if (mark.structure == 0 || found == all.end())
+    return refusal(fmt::format("there is no structure {} that has voxels", mark.structure));
+  return measureStructure(scene, mark.structure, found->second, progress);
+}
+
 }  // namespace
 
 const Quantity* findQuantity(const Measured& measured, std::string_view name) {
@@ -76,11 +136,19 @@ Measured measure(const scene::Scene& scene, const Mark& mark, Progress& progress
   switch (mark.kind) {
     case MarkKind::Distance:
     case MarkKind::Path:
-      return only(lengthQuantity(telling, wayAlong(mark.points)));
+      return mark.alongSurface ? measureAlongSurface(scene, mark, progress)
+                               : only(lengthQuantity(telling, wayAlong(mark.points)));
     case MarkKind::Angle:
       return only(angleAt(telling, mark.points));
     case MarkKind::Area:
       return only(areaQuantity(telling, areaWithin(mark.points)));
+    case MarkKind::Circle:
+    case MarkKind::Box:
+      return measureBallOrBox(scene, mark, progress);
+    case MarkKind::Profile:
+      return measureProfile(scene, mark, progress);
+    case MarkKind::Region:
+      return measureRegion(scene, mark, progress);
     default:
       return {};
   }

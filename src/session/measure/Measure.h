@@ -6,6 +6,7 @@
 
 #include "core/Task.h"
 #include "scene/SceneFwd.h"
+#include "session/measure/Profile.h"
 #include "session/measure/Quantity.h"
 
 namespace velum::scene {
@@ -14,14 +15,6 @@ struct Mark;
 
 /// What marks measure. World positions are in the scene's unit.
 namespace velum::session {
-
-/// A value on a line.
-struct ProfileSample {
-  double distance = 0.0;  ///< from the line's first point, scene units
-  glm::dvec3 place{0.0};  ///< world
-  double value = 0.0;     ///< in the data's unit; NaN outside the volume
-  bool operator==(const ProfileSample&) const = default;
-};
 
 /// What a mark measures.
 struct Measured {

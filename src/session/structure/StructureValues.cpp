@@ -8,46 +8,13 @@
 
 #include "core/FinestVoxels.h"
 #include "core/Parallel.h"
+#include "session/structure/ValueSum.h"
 
 namespace velum::session {
 
 namespace {
 
-/// Sums over the voxels of one structure, about its first value, so that few digits are lost.
-struct ValueSum {
-  std::uint64_t voxels = 0;
-  double first = 0, sum = 0, squares = 0;
-  double least = std::numeric_limits<double>::infinity(), most = -least;
-
-  void add(double value) {
-    if (voxels++ == 0) first = value;
-    double off = value - first;
-    sum += off;
-    squares += off * off;
-    least = std::min(least, value);
-    most = std::max(most, value);
-  }
-  void join(const ValueSum& other) {
-    if (other.voxels == 0) return;
-    if (voxels == 0) {
-      *this = other;
-      return;
-    }
-    double shift = other.first - first, count = double(other.voxels);
-    squares += other.squares + 2 * shift * other.sum + count * shift * shift;
-    sum += other.sum + count * shift;
-    voxels += other.voxels;
-    least = std::min(least, other.least);
-    most = std::max(most, other.most);
-  }
-};
 using Sums = std::map<int, ValueSum>;
-
-StructureValues valuesOf(const ValueSum& sum) {
-  double count = double(sum.voxels), mean = sum.sum / count;
-  return {sum.voxels, sum.first + mean, std::sqrt(std::max(0.0, sum.squares / count - mean * mean)), sum.least,
-          sum.most};
-}
 
 /// The label at a voxel of a scan.
 struct LabelAt {

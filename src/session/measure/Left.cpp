@@ -1,0 +1,161 @@
+#include "session/measure/Left.h"
+
+#include <array>
+#include <cmath>
+#include <optional>
+#include <unordered_map>
+
+#include "core/LabelCover.h"
+#include "core/Parallel.h"
+#include "render/kept/KeptPlaces.h"
+#include "scene/Scene.h"
+#include "scene/StructureAt.h"
+
+namespace velum::session {
+
+namespace {
+
+constexpr int kBrick = LabelVolume::kBrickSize;
+constexpr int kPlaces = 32;
+/// A place counts for a face up to this distance, mean edges of a voxel, the less the further away: thin enough for
+/// what is round, thick enough that each face is met by many places.
+constexpr double kFaceReach = 0.5;
+/// The distance to a sheet is measured along its frame's axis, which is further than to a steep sheet beside the place.
+constexpr double kSheetFactor = 3.0;
+
+using Parts = std::unordered_map<std::uint16_t, StructureLeft>;
+
+void join(StructureLeft& a, const StructureLeft& b) {
+  a.whole += b.whole;
+  a.left += b.left;
+  for (const auto& [cut, area] : b.faces) a.faces[cut] += area;
+}
+
+/// Places that fill the unit cube evenly along any direction [R2].
+std::array<glm::dvec3, kPlaces> evenPlaces() {
+  constexpr double kRoot = 1.2207440846057596;
+  const glm::dvec3 step(1.0 / kRoot, 1.0 / (kRoot * kRoot), 1.0 / (kRoot * kRoot * kRoot));
+  std::array<glm::dvec3, kPlaces> places;
+  for (int i = 0; i < kPlaces; ++i) places[std::size_t(i)] = glm::fract(0.5 + double(i) * step);
+  return places;
+}
+
+/// How far the places of a voxel are shifted, so that those of all voxels along a plane differ.
+glm::dvec3 shiftOf(glm::ivec3 voxel) {
+  static const glm::dmat3 kRoots(glm::sqrt(glm::dvec3(2, 7, 17)), glm::sqrt(glm::dvec3(3, 11, 19)),
+                                 glm::sqrt(glm::dvec3(5, 13, 23)));
+  return glm::fract(kRoots * glm::dvec3(voxel));
+}
+
+class BrickMeasure {
+ public:
+  BrickMeasure(const scene::Scene& scene, int only)
+      : mLabels(*scene.labels.data),
+        mField(scene::structureFieldOf(scene)),
+        mWorldFromVoxel(mLabels.worldFromVoxel()),
+        mKept(scene, glm::dvec3(mWorldFromVoxel * glm::dvec4(0.5 * glm::dvec3(mLabels.dims() - 1), 1.0))),
+        mOnly(only),
+        mPlaces(evenPlaces()) {
+    glm::dmat3 axes(mWorldFromVoxel);
+    mVoxel = std::abs(glm::determinant(axes));
+    mFaceReach = kFaceReach * std::cbrt(mVoxel);
+    for (double x : {-0.5, 0.5})
+      for (double y : {-0.5, 0.5}) mRadius = std::max(mRadius, glm::length(axes * glm::dvec3(x, y, 0.5)));
+    mFactor = mKept.hasSheets() ? kSheetFactor : 1.0;
+  }
+
+  void add(Parts& parts, glm::ivec3 index) const {
+    const LabelVolume::Brick& ids = mLabels.brick(index);
+    glm::ivec3 first = index * kBrick, size = glm::min(mLabels.dims() - first, glm::ivec3(kBrick));
+    if (ids.size() == 1 && mField->brick(index).size() == 1) {
+      if (!isAsked(ids[0])) return;
+      glm::dvec3 middle = worldOf(glm::dvec3(first) + 0.5 * glm::dvec3(size - 1));
+      if (auto kept = keptAround(middle, ids[0], kBrick)) {
+        double volume = mVoxel * double(size.x) * double(size.y) * double(size.z);
+        addWhole(parts[ids[0]], volume, *kept);
+        return;
+      }
+    }
+    glm::ivec3 v;
+    for (v.z = 0; v.z < size.z; ++v.z)
+      for (v.y = 0; v.y < size.y; ++v.y)
+        for (v.x = 0; v.x < size.x; ++v.x) {
+          std::size_t at = (std::size_t(v.z) * kBrick + std::size_t(v.y)) * kBrick + std::size_t(v.x);
+          addVoxel(parts, first + v, ids[ids.size() == 1 ? 0 : at]);
+        }
+  }
+
+ private:
+  glm::dvec3 worldOf(glm::dvec3 voxel) const { return glm::dvec3(mWorldFromVoxel * glm::dvec4(voxel, 1.0)); }
+  bool isAsked(std::uint16_t id) const { return id != 0 && (mOnly == 0 || id == mOnly); }
+  static void addWhole(StructureLeft& sum, double volume, bool isKept) {
+    sum.whole += volume;
+    if (isKept) sum.left += volume;
+  }
+
+  /// Whether all of a structure about a place is kept; nothing where some of it may not be what the rest is.
+  std::optional<bool> keptAround(glm::dvec3 middle, std::uint16_t id, double voxels) const {
+    if (mKept.isEmpty()) return true;
+    double distance = mKept.distance(middle, id).distance;
+    if (std::abs(distance) <= mFactor * (voxels * mRadius + mFaceReach)) return std::nullopt;
+    return distance > 0.0;
+  }
+
+  void addVoxel(Parts& parts, glm::ivec3 voxel, std::uint16_t id) const {
+    bool hasBorder = mField->hasBorder(voxel);
+    if (!hasBorder && !isAsked(id)) return;
+    auto kept = keptAround(worldOf(voxel), id, 1.0);
+    if (!hasBorder && kept) return addWhole(parts[id], mVoxel, *kept);
+    glm::dvec3 shift = shiftOf(voxel), corner = glm::dvec3(voxel) - 0.5;
+    constexpr double kShare = 1.0 / kPlaces;
+    for (const glm::dvec3& place : mPlaces) {
+      glm::dvec3 at = corner + glm::fract(place + shift);
+      std::uint16_t here = hasBorder ? mField->at(at).id : id;
+      if (!isAsked(here)) continue;
+      StructureLeft& sum = parts[here];
+      if (kept && here == id) {
+        addWhole(sum, kShare * mVoxel, *kept);
+        continue;
+      }
+      render::KeptDistance distance = mKept.distance(worldOf(at), here);
+      addWhole(sum, kShare * mVoxel, distance.distance >= 0.0);
+      // All that lies about a face, weighted by a bump whose integral is 1.
+      double off = std::abs(distance.distance) / mFaceReach;
+      if (off < 1.0) sum.faces[distance.cut] += kShare * mVoxel * (1.0 + std::cos(M_PI * off)) / (2.0 * mFaceReach);
+    }
+  }
+
+  const LabelVolume& mLabels;
+  std::shared_ptr<const StructureField> mField;
+  glm::dmat4 mWorldFromVoxel;
+  render::KeptPlaces mKept;
+  int mOnly;
+  std::array<glm::dvec3, kPlaces> mPlaces;
+  double mVoxel = 0.0, mRadius = 0.0, mFaceReach = 0.0, mFactor = 1.0;
+};
+
+}  // namespace
+
+std::map<int, StructureLeft> measureLeft(const scene::Scene& scene, int only, Progress& progress) {
+  std::map<int, StructureLeft> all;
+  if (!scene.labels.data) return all;
+  BrickMeasure measure(scene, only);
+  glm::ivec3 grid = scene.labels.data->brickGrid();
+  auto joined = [](Parts a, const Parts& b) {
+    for (const auto& [id, part] : b) join(a[id], part);
+    return a;
+  };
+  for (int z = 0; z < grid.z; ++z) {
+    progress.report(double(z) / grid.z, "Measuring structures");
+    auto body = [&](int first, int end) {
+      Parts parts;
+      for (int i = first; i < end && !progress.isCancelled(); ++i) measure.add(parts, {i % grid.x, i / grid.x, z});
+      return parts;
+    };
+    for (const auto& [id, part] : parallelReduce(0, grid.x * grid.y, 4, Parts(), body, joined)) join(all[id], part);
+  }
+  progress.throwIfCancelled();
+  return all;
+}
+
+}  // namespace velum::session

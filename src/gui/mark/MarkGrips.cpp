@@ -80,6 +80,7 @@ bool MarkGrips::press(const PointerEvent& event) {
     return false;
   }
   mSelection.setMark(grip.mark);
+  if (grip.part == MarkPart::Line && isLeft && !event.at.isOnSection()) return false;  // the drag turns the camera
   choosePoint(grip.part == MarkPart::Point ? int(grip.point) : -1);
   mHeld = mHover = grip;
   mStart = *selected();

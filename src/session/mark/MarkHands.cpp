@@ -93,6 +93,18 @@ std::pair<MarkGrip, double> gripOf(const Mark& mark, const ViewSpace& view, glm:
   return best;
 }
 
+/// Where words that have no place of their own stand from theirs, pixels: above a line, beside a steep one.
+glm::dvec2 wordsAway(const ViewSpace& view, const Mark& mark) {
+  if (mark.kind == MarkKind::Label || mark.kind == MarkKind::Name) return glm::dvec2(2.5, -2.0) * kWordsAway;
+  bool isLine = mark.kind == MarkKind::Distance || mark.kind == MarkKind::Profile;
+  auto lines = isLine ? markLines(view, mark) : std::vector<Line>();
+  glm::dvec2 along = lines.empty() ? glm::dvec2(1, 0) : lines[0].back() - lines[0].front();
+  if (glm::length(along) < 1.0) return {0.0, -kWordsAway};
+  glm::dvec2 across = glm::normalize(glm::dvec2(along.y, -along.x));
+  if (across.y > 0.0) across = -across;
+  return {across.x * 2.4 * kWordsAway, across.y * kWordsAway};
+}
+
 int rankOf(MarkPart part) { return part == MarkPart::None ? 9 : static_cast<int>(part); }
 
 }  // namespace
@@ -158,8 +170,7 @@ std::optional<glm::dvec2> wordsPlace(const ViewSpace& view, const Mark& mark) {
   auto place = wordsBelongTo(view, mark);
   if (!place) return std::nullopt;
   if (mark.wordsAt) return *place + *mark.wordsAt * view.size().y;
-  bool isAside = mark.kind == MarkKind::Label || mark.kind == MarkKind::Name;
-  return *place + (isAside ? glm::dvec2(2.5, -2.0) : glm::dvec2(0.0, -1.0)) * kWordsAway;
+  return *place + wordsAway(view, mark);
 }
 
 MarkGrip markAt(const scene::Scene& scene, const ViewSpace& view, glm::dvec2 pixel, const MarkReach& reach) {

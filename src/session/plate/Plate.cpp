@@ -14,9 +14,7 @@
 #include "session/lettering/Lettering.h"
 #include "session/model/TrueLevels.h"
 #include "session/plate/PlateLines.h"
-#if __has_include("vector/WritePdf.h")
 #include "vector/WritePdf.h"
-#endif
 #include "vector/WriteSvg.h"
 
 namespace velum::session {
@@ -101,9 +99,7 @@ vector::Drawing drawSectionPlate(const scene::Scene& scene, scene::SectionKind k
 
 void savePlate(const vector::Drawing& drawing, const scene::Scene&, const std::filesystem::path& path) {
   if (lowerExtension(path) == ".svg") return vector::writeSvg(drawing, path);
-#if __has_include("vector/WritePdf.h")
   vector::writePdf(drawing, path);
-#endif
 }
 
 }  // namespace velum::session

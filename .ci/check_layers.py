@@ -29,7 +29,7 @@ ROOMS = {  # module: {room: rooms of the module it may include (its own is impli
     "membrane": {"forces": "", "sheet": "forces"},
     # The module's own folder has both the frame, which all know, and the renderer, which knows all.
     "render": {"upload": ".", "kept": ". upload", "residency": ". upload", "passes": ". upload residency", "section": ". kept residency"},
-    "session": {"bar": "", "lettering": ". mark measure model section", "mark": ". measure model structure",
+    "session": {"bar": "", "lettering": ". mark measure model section structure", "mark": ". measure model structure",
                 "command": ". cut document extrusion growth look mark membrane model picture section structure film",
                 "document": "growth model", "model": ". bar cut", "growth": ".", "section": "", "structure": "",
                 "measure": "structure", "cut": ".", "look": "document",

@@ -27,6 +27,29 @@ std::string unknownVerb(int argc, char** argv, const Verbs& verbs) {
                      meant.empty() ? "" : fmt::format(" (is '{}' meant?)", meant), fmt::join(names, ", "));
 }
 
+struct Row {
+  const char* name;
+  const char* doc;
+  velum::app::Run (*registerVerb)(CLI::App&);
+};
+constexpr Row kVerbs[] = {
+    {"info", "say what a file is", velum::app::registerInfo},
+    {"render", "make a picture", velum::app::registerRender},
+    {"film", "make a film: a video, or pictures that several machines draw", velum::app::registerFilm},
+    {"membrane", "settle the membranes of a scene and report", velum::app::registerMembrane},
+    {"grow", "grow a structure out of a volume, and report", velum::app::registerGrow},
+    {"count", "say how much of a model or of structures shows, is hidden, is cut away", velum::app::registerCount},
+    {"measure", "lengths, areas, volumes and values of marks and structures, as a table", velum::app::registerMeasure},
+    {"bench", "turn the camera and time frames", velum::app::registerBench},
+    {"compare", "picture against picture", velum::app::registerCompare},
+    {"sample", "make a phantom with ground truth", velum::app::registerSample},
+    {"convert", "between formats of volumes and labels; labels to surfaces", velum::app::registerConvert},
+    {"recover", "unsaved work of sessions that have died", velum::app::registerRecover},
+    {"run", "a script of commands", velum::app::registerRunScript},
+    {"help", "the commands of scripts", velum::app::registerHelp},
+    {"view", "a bare window", velum::app::registerView},
+    {"completion", "what a shell needs to complete these words", velum::app::registerCompletion}};
+
 }  // namespace
 
 /// velum-batch: every verb of Velum without a display. Errors are one line on stderr; exit codes are those of ExitCode.
@@ -41,29 +64,6 @@ int main(int argc, char** argv) {
       "3 there is no graphics driver that will do, 4 pictures differ (compare), 128 and more: stopped by a signal\n"
       "(142: after --timeout).");
   program.require_subcommand(1);
-  // The verbs.
-  struct Row {
-    const char* name;
-    const char* doc;
-    app::Run (*registerVerb)(CLI::App&);
-  };
-  static constexpr Row kVerbs[] = {
-      {"info", "say what a file is", app::registerInfo},
-      {"render", "make a picture", app::registerRender},
-      {"film", "make a film: a video, or pictures that several machines draw", app::registerFilm},
-      {"membrane", "settle the membranes of a scene and report", app::registerMembrane},
-      {"grow", "grow a structure out of a volume, and report", app::registerGrow},
-      {"count", "say how much of a model or of structures shows, is hidden, is cut away", app::registerCount},
-      {"measure", "lengths, areas, volumes and values of marks and structures, as a table", app::registerMeasure},
-      {"bench", "turn the camera and time frames", app::registerBench},
-      {"compare", "picture against picture", app::registerCompare},
-      {"sample", "make a phantom with ground truth", app::registerSample},
-      {"convert", "between formats of volumes and labels; labels to surfaces", app::registerConvert},
-      {"recover", "unsaved work of sessions that have died", app::registerRecover},
-      {"run", "a script of commands", app::registerRunScript},
-      {"help", "the commands of scripts", app::registerHelp},
-      {"view", "a bare window", app::registerView},
-      {"completion", "what a shell needs to complete these words", app::registerCompletion}};
   Verbs verbs;
   for (const Row& row : kVerbs) {
     CLI::App* verb = program.add_subcommand(row.name, row.doc);

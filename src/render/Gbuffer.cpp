@@ -132,8 +132,9 @@ PixelIds Gbuffer::idsOfPixels(const FrameData& data) const {
   mIds.read(ids.data(), ids.size() * sizeof(ids[0]));
   PixelIds out;
   for (const glm::uvec2& id : ids) {
-    int type = typeOf(data, {glm::vec4(0.0f), id});
-    out.structures.push_back(type < 0 && id.x > 0 ? std::int32_t(id.x) : -1);
+    Texel texel{glm::vec4(0.0f), id};
+    int type = typeOf(data, texel);
+    out.structures.push_back(texel.isEmpty() ? -1 : type < 0 ? std::int32_t(id.x) : 0);
     if (data.frame.scene.model.data) out.types.push_back(type);
   }
   return out;

@@ -44,10 +44,10 @@ struct Pick {
   double value = 0;                 ///< Data value there (nearest voxel).
 };
 
-/// Which structures and types of the scene's model are seen, row by row from the top; -1: none.
+/// What pixels show, row by row from the top.
 struct PixelIds {
-  std::vector<std::int32_t> structures;
-  std::vector<std::int32_t> types;  ///< empty without a model
+  std::vector<std::int32_t> structures;  ///< ids; 0: something without a structure; -1: nothing
+  std::vector<std::int32_t> types;       ///< of the scene's model; -1: none; empty without a model
 };
 
 /// Which layers to read back, and how finely.

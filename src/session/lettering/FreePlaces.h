@@ -18,11 +18,14 @@ class FreePlaces {
   /// Takes a rectangle wherever it lies.
   void add(glm::dvec2 low, glm::dvec2 size, double gap) { mTaken.push_back({low, low + size, gap}); }
 
- private:
+  /// A rectangle that is taken, and how far others keep away from it.
   struct Taken {
     glm::dvec2 low, high;
     double gap;
   };
+  const std::vector<Taken>& taken() const { return mTaken; }
+
+ private:
   bool isFree(glm::dvec2 at, glm::dvec2 size, double margin, double gap) const;
 
   glm::dvec2 mPicture;

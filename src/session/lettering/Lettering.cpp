@@ -1,6 +1,8 @@
 #include "session/lettering/Lettering.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "scene/Project.h"
 #include "scene/Scene.h"
@@ -28,7 +30,7 @@ std::optional<ScaleBar> barOf(const scene::Scene& scene, double perPixel, int wi
 
 bool hasLettering(const scene::Lettering& lettering) {
   return lettering.legend || lettering.scaleBar || lettering.timeStamp || !lettering.captions.empty() ||
-         !lettering.marks.empty();
+         !lettering.marks.empty() || lettering.names;
 }
 
 /// What always stands there goes before what comes and goes, so that it keeps its place.
@@ -44,6 +46,10 @@ std::vector<LetteringBlock> blocksOf(LetteringLayout& layout, const MarkView& vi
   MarkLayout marks(view, seen.measured, ground, layout.places());
   for (const scene::Mark& mark : scene.lettering.marks) marks.add(mark);
   std::vector<LetteringBlock> all = std::move(marks).blocks();
+  std::vector<LetteringBlock> names = layNames(scene, glm::ivec2(view.space().size()), seen.names, seen.measured,
+                                               ground, layout.places(), seen.namesBefore)
+                                          .blocks;
+  std::ranges::move(names, std::back_inserter(all));
   for (LetteringBlock& block : std::move(layout).blocks()) all.push_back(std::move(block));
   return all;
 }
@@ -64,6 +70,24 @@ std::map<int, Measured> measuredMarks(const scene::Scene& scene, Progress& progr
     if (mark.visible && !isMeasuredAtOnce(mark)) all.emplace(mark.id, measure(scene, mark, progress));
   return all;
 }
+
+render::Layers withLetteringLayers(render::Layers layers, const scene::Scene& scene) {
+  bool hasNames = needsSeenNames(scene.lettering);
+  layers.type = layers.type || (scene.model.data && (scene.lettering.legend || hasNames));
+  layers.structure = layers.structure || hasNames;
+  layers.instance = layers.instance || hasNames;
+  return layers;
+}
+
+Seen seenIn(const Image& image, const scene::Scene& scene, Progress& progress) {
+  Seen seen;
+  if (scene.lettering.legend && scene.model.data) seen.pixels = countPixels(image, scene.model.data->types.size());
+  seen.measured = measuredMarks(scene, progress);
+  if (needsSeenNames(scene.lettering)) seen.names = seenNames(scene, image);
+  return seen;
+}
+
+Seen seenInSection(const scene::Scene& scene, Progress& progress) { return {{}, measuredMarks(scene, progress), {}}; }
 
 std::vector<LetteringBlock> letteringBlocks(const scene::Scene& scene, glm::ivec2 size, const Seen& seen) {
   if (!hasLettering(scene.lettering)) return {};

@@ -5,11 +5,13 @@
 #include <string>
 #include <vector>
 
+#include "render/Renderer.h"
 #include "scene/SceneFwd.h"
 #include "scene/Sections.h"
 #include "session/ViewSpace.h"
 #include "session/lettering/Legend.h"
 #include "session/lettering/LetteringBlock.h"
+#include "session/lettering/NameLayout.h"
 #include "session/measure/Measure.h"
 
 /// What is written over pictures (scene::Lettering): legend, scale bar, time, captions and marks.
@@ -30,10 +32,20 @@ std::optional<ScaleBar> scaleBarOf(const scene::Scene& scene, scene::SectionKind
 struct Seen {
   TypePixels pixels;                 ///< for the legend
   std::map<int, Measured> measured;  ///< by the ids of marks, see measuredMarks()
+  SeenNames names;                   ///< see seenNames()
+  const std::vector<NamePlace>* namesBefore =
+      nullptr;  ///< where names stood in the frame before; null: a still picture
 };
 /// What the visible marks of a scene measure, of those that are not measured at once. @param scene  settled: with the
 /// shapes of its sheets  @throw as measure(). Any thread.
 std::map<int, Measured> measuredMarks(const scene::Scene& scene, Progress& progress);
+
+/// Layers of a picture with those from which seenIn() sees what the scene's lettering is about.
+render::Layers withLetteringLayers(render::Layers layers, const scene::Scene& scene);
+/// What a picture with these layers shows. @param scene  settled  @throw as measuredMarks(). Any thread.
+Seen seenIn(const Image& image, const scene::Scene& scene, Progress& progress);
+/// The same for a section: it has no names.
+Seen seenInSection(const scene::Scene& scene, Progress& progress);
 
 /// What is to be laid over a picture of so many pixels: dark on a light ground, light on a dark one, each letter on a
 /// little of the ground's colour. Sizes go with the picture's rows, or with its page.

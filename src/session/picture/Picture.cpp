@@ -115,17 +115,14 @@ Image drawPicture(render::Renderer& renderer, const scene::Scene& scene, const P
   render::Layers layers;
   if (options.layers) layers = {true, true, true, true, true, bool(scene.model.data)};
   layers.isFine = options.bits > 8;
-  bool hasTypes = scene.lettering.legend && scene.model.data;
-  layers.type = layers.type || hasTypes;
+  render::Layers asked = withLetteringLayers(layers, scene);
   int window = std::min(4096, limits.texture2d);
-  Image image = render::renderPicture(renderer, frame, layers, window, progress);
-  TypePixels types = hasTypes ? countPixels(image, scene.model.data->types.size()) : TypePixels{};
-  layOver(letteringBlocks(frame.scene, options.size, {types, measuredMarks(scene, progress)}), image);
-  if (hasTypes && !options.layers) {
-    std::vector<std::string> asked = image.channels;
-    std::erase(asked, "type");
-    image = channelsOf(image, asked);
-  }
+  Image image = render::renderPicture(renderer, frame, asked, window, progress);
+  layOver(letteringBlocks(frame.scene, options.size, seenIn(image, frame.scene, progress)), image);
+  std::vector<std::string> channels = image.channels;
+  for (auto [isAsked, name] : {std::pair(layers.type, "type"), {layers.structure, "id"}, {layers.instance, "instance"}})
+    if (!isAsked) std::erase(channels, name);
+  if (channels != image.channels) image = channelsOf(image, channels);
   if (!options.layers || !hasInlayLayers(frame.scene)) return image;
   // As they were drawn: what is put together elsewhere is finished there.
   frame.scene.background.transparent = true;
@@ -145,7 +142,7 @@ Image drawSectionPicture(const scene::Scene& scene, scene::SectionKind kind, con
   image.pixels.reserve(section.pixels.size() * 4);
   for (std::uint32_t pixel : section.pixels)
     for (int shift : {16, 8, 0, 24}) image.pixels.push_back(float(pixel >> shift & 255u) / 255.0f);
-  layOver(letteringBlocks(scene, kind, options.size, {{}, measuredMarks(scene, progress)}), image);
+  layOver(letteringBlocks(scene, kind, options.size, seenInSection(scene, progress)), image);
   return image;
 }
 

@@ -75,12 +75,11 @@ vector::Drawing drawPlate(render::Renderer& renderer, const scene::Scene& scene,
   frame.scene.finish.contours = frame.scene.finish.hatching = 0.0;
   frame.scene.finish.paper = scene::Paper::None;
   frame.scene.background.transparent = true;
-  Image image = render::renderPicture(renderer, frame, plateLayers(lined), window, progress);
-  bool hasTypes = lined.lettering.legend && lined.model.data;
-  TypePixels types = hasTypes ? countPixels(image, lined.model.data->types.size()) : TypePixels{};
+  Image image =
+      render::renderPicture(renderer, frame, withLetteringLayers(plateLayers(lined), lined), window, progress);
   drawing.layers.push_back(plateLayer("plate", channelsOf(image, {"R", "G", "B", "A"})));
   addLayers(drawing, tracedLines(image, lined, progress));
-  addLayers(drawing, layersOf(letteringBlocks(lined, options.size, {types, measuredMarks(scene, progress)})));
+  addLayers(drawing, layersOf(letteringBlocks(lined, options.size, seenIn(image, lined, progress))));
   return drawing;
 }
 
@@ -93,7 +92,7 @@ vector::Drawing drawSectionPlate(const scene::Scene& scene, scene::SectionKind k
   std::vector<std::string> color{"R", "G", "B"};
   if (options.transparent) color.push_back("A");
   drawing.layers.push_back(plateLayer("plate", channelsOf(image, color)));
-  addLayers(drawing, layersOf(letteringBlocks(scene, kind, options.size, {{}, measuredMarks(scene, progress)})));
+  addLayers(drawing, layersOf(letteringBlocks(scene, kind, options.size, seenInSection(scene, progress))));
   return drawing;
 }
 

@@ -59,7 +59,7 @@ render::Layers plateLayers(const scene::Scene& scene) {
   render::Layers layers;
   bool hasLines = scene.finish.contours > 0.0 || scene.finish.hatching > 0.0;
   layers.depth = layers.structure = layers.instance = layers.normal = hasLines;
-  layers.type = bool(scene.model.data) && (hasLines || scene.lettering.legend);
+  layers.type = bool(scene.model.data) && hasLines;
   return layers;
 }
 

@@ -20,6 +20,7 @@
 #include "scene/json/Paths.h"
 #include "session/command/DocumentCommands.h"
 #include "session/command/LetteringCommands.h"
+#include "session/command/MarkCommands.h"
 #include "session/command/LookCommands.h"
 #include "session/command/ViewCommands.h"
 #include "session/document/Open.h"
@@ -274,6 +275,12 @@ void addLettering(CLI::App& verb, LetteringOptions& lettering) {
                 "colours and names of a model's types and of structures over the picture (lettering.legend)");
   verb.add_flag("--scale-bar", lettering.scaleBar, "a bar that says how long things are (lettering.scaleBar)");
   verb.add_flag("--time-stamp", lettering.timeStamp, "the time of the time step (lettering.timeStamp)");
+  verb.add_flag("--names", lettering.names,
+                "names of the structures and types that are seen, beside the picture, with leaders (lettering.names)");
+  verb.add_option("--style", lettering.style, "how lettering looks: screen, journal, atlas, blackboard, poster");
+  verb.add_option("--page-width", lettering.pageWidth,
+                  "width of the printed picture, mm: letters and lines have their points there (lettering.pageWidth)")
+      ->check(CLI::Range(1.0, 5000.0));
   verb.add_option("--caption", lettering.captions,
                   "words over the picture, below; may be repeated (lettering.captions, whose fields say more)")
       ->allow_extra_args(false);
@@ -283,6 +290,10 @@ void writeOver(session::Session& session, const LetteringOptions& lettering) {
   if (lettering.legend) app::run(session, session::SetField{"lettering.legend", "true"});
   if (lettering.scaleBar) app::run(session, session::SetField{"lettering.scaleBar", "true"});
   if (lettering.timeStamp) app::run(session, session::SetField{"lettering.timeStamp", "true"});
+  if (lettering.names) app::run(session, session::SetField{"lettering.names", "true"});
+  if (!lettering.style.empty()) app::run(session, session::ChooseLetteringStyle{lettering.style}, {{"style", "--style"}});
+  if (lettering.pageWidth > 0.0)
+    app::run(session, session::SetField{"lettering.pageWidth", fmt::format("{}", lettering.pageWidth)});
   for (const std::string& text : lettering.captions) app::run(session, session::AddCaption{text});
 }
 

@@ -30,7 +30,9 @@ void addInput(CLI::App& verb, InputOptions& input, bool withScene);
 /// The options of verbs that write over pictures.
 struct LetteringOptions {
   std::vector<std::string> captions;
-  bool legend = false, scaleBar = false, timeStamp = false;
+  std::string style;
+  bool legend = false, scaleBar = false, timeStamp = false, names = false;
+  double pageWidth = 0.0;  ///< mm; 0: as the scene says
 };
 void addLettering(CLI::App& verb, LetteringOptions& lettering);
 /// Runs the commands that the options stand for.

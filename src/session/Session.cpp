@@ -13,7 +13,7 @@
 #include "core/Memory.h"
 #include "session/Rest.h"
 #include "session/document/Folders.h"
-#include "session/film/Film.h"
+#include "session/film/FilmDrawer.h"
 #include "session/film/MakeFilm.h"
 #include "session/picture/Picture.h"
 #include "session/plate/Plate.h"
@@ -205,18 +205,14 @@ std::vector<std::string> Session::savePicture(const PictureOptions& options, std
 FilmReport Session::film(FilmOutput output, Progress& progress) {
   output.framesPerSecond = scene().timeline.framesPerSecond;
   expectFilmOutput(output);
-  Film film(scene());
-  std::string driver = "no graphics";
   bool needsContext = !output.section || hasMembranes(scene());
-  if (needsContext) driver = renderer().stats().renderer;
+  std::string driver = needsContext ? renderer().stats().renderer : "no graphics";
+  FilmDrawer drawer(scene(), output, mRenderer.get(), mContext ? &mContext->limits() : nullptr);
   auto draw = [&](int frame, double share, Progress& heard) {
     if (needsContext) bindContext();
-    Film::Frame at = film.at(frame, share, heard);
-    Image image = output.section ? drawSectionPicture(at.drawn, *output.section, output.picture, heard)
-                                 : drawPicture(*mRenderer, at.drawn, output.picture, mContext->limits(), heard);
-    return FilmFrame{std::move(image), std::move(at.scene)};
+    return drawer.draw(frame, share, heard);
   };
-  return makeFilm({film.count(), draw}, output, filmIdentity(scene(), output, driver), progress);
+  return makeFilm({drawer.count(), draw}, output, filmIdentity(scene(), output, driver), progress);
 }
 
 std::vector<MembraneReport> Session::membraneReports(MembraneQuestions questions, Progress& progress) {

@@ -33,10 +33,15 @@ bool hasLettering(const scene::Lettering& lettering) {
          !lettering.marks.empty() || lettering.names;
 }
 
+/// All that is written over a picture, and where its names stand.
+struct Laid {
+  std::vector<LetteringBlock> blocks;
+  std::vector<NamePlace> names;
+};
+
 /// What always stands there goes before what comes and goes, so that it keeps its place.
-std::vector<LetteringBlock> blocksOf(LetteringLayout& layout, const MarkView& view, glm::vec3 ground,
-                                     const std::optional<ScaleBar>& bar, const std::vector<LegendEntry>& entries,
-                                     const Seen& seen) {
+Laid layAll(LetteringLayout& layout, const MarkView& view, glm::vec3 ground, const std::optional<ScaleBar>& bar,
+            const std::vector<LegendEntry>& entries, const Seen& seen) {
   const scene::Scene& scene = view.scene();
   if (bar) layout.addScaleBar(*bar);
   auto stamp = scene.lettering.timeStamp ? timeStampOf(scene) : std::nullopt;
@@ -45,13 +50,21 @@ std::vector<LetteringBlock> blocksOf(LetteringLayout& layout, const MarkView& vi
   layout.addCaptions();
   MarkLayout marks(view, seen.measured, ground, layout.places());
   for (const scene::Mark& mark : scene.lettering.marks) marks.add(mark);
-  std::vector<LetteringBlock> all = std::move(marks).blocks();
-  std::vector<LetteringBlock> names = layNames(scene, glm::ivec2(view.space().size()), seen.names, seen.measured,
-                                               ground, layout.places(), seen.namesBefore)
-                                          .blocks;
-  std::ranges::move(names, std::back_inserter(all));
-  for (LetteringBlock& block : std::move(layout).blocks()) all.push_back(std::move(block));
+  LaidNames names = layNames(scene, glm::ivec2(view.space().size()), seen.names, seen.measured, ground, layout.places(),
+                             seen.namesBefore, seen.between);
+  Laid all{std::move(marks).blocks(), std::move(names.places)};
+  std::ranges::move(names.blocks, std::back_inserter(all.blocks));
+  std::ranges::move(std::move(layout).blocks(), std::back_inserter(all.blocks));
   return all;
+}
+
+Laid layPicture(const scene::Scene& scene, glm::ivec2 size, const Seen& seen) {
+  if (!hasLettering(scene.lettering)) return {};
+  LetteringLayout layout(scene, size);
+  MarkView view(scene, ViewSpace(scene.camera, glm::dvec2(size)));
+  auto bar = scene.lettering.scaleBar ? scaleBarOf(scene, size) : std::nullopt;
+  return layAll(layout, view, groundOf(scene, scene::CaptionPlace::Centre), bar,
+                scene.lettering.legend ? legendEntries(scene, seen.pixels) : std::vector<LegendEntry>(), seen);
 }
 
 }  // namespace
@@ -79,23 +92,24 @@ render::Layers withLetteringLayers(render::Layers layers, const scene::Scene& sc
   return layers;
 }
 
-Seen seenIn(const Image& image, const scene::Scene& scene, Progress& progress) {
+Seen seenIn(const Image& image, const scene::Scene& scene, Progress& progress, const NamesBetween* between) {
   Seen seen;
   if (scene.lettering.legend && scene.model.data) seen.pixels = countPixels(image, scene.model.data->types.size());
   seen.measured = measuredMarks(scene, progress);
-  if (needsSeenNames(scene.lettering)) seen.names = seenNames(scene, image);
+  if (needsSeenNames(scene.lettering))
+    seen.names = between ? seenNear(scene, image, between->near) : seenNames(scene, image);
+  seen.between = between;
   return seen;
 }
 
 Seen seenInSection(const scene::Scene& scene, Progress& progress) { return {{}, measuredMarks(scene, progress), {}}; }
 
 std::vector<LetteringBlock> letteringBlocks(const scene::Scene& scene, glm::ivec2 size, const Seen& seen) {
-  if (!hasLettering(scene.lettering)) return {};
-  LetteringLayout layout(scene, size);
-  MarkView view(scene, ViewSpace(scene.camera, glm::dvec2(size)));
-  auto bar = scene.lettering.scaleBar ? scaleBarOf(scene, size) : std::nullopt;
-  return blocksOf(layout, view, groundOf(scene, scene::CaptionPlace::Centre), bar,
-                  scene.lettering.legend ? legendEntries(scene, seen.pixels) : std::vector<LegendEntry>(), seen);
+  return layPicture(scene, size, seen).blocks;
+}
+
+std::vector<NamePlace> namePlaces(const scene::Scene& scene, glm::ivec2 size, const Seen& seen) {
+  return layPicture(scene, size, seen).names;
 }
 
 std::vector<LetteringBlock> letteringBlocks(const scene::Scene& scene, scene::SectionKind kind, glm::ivec2 size,
@@ -105,7 +119,7 @@ std::vector<LetteringBlock> letteringBlocks(const scene::Scene& scene, scene::Se
   LetteringLayout layout(scene, size, scene.background.bottom);
   MarkView view(scene, ViewSpace(scene::makeSectionPlane(scene, kind, glm::dvec2(size))));
   auto bar = scene.lettering.scaleBar ? scaleBarOf(scene, kind, size) : std::nullopt;
-  return blocksOf(layout, view, scene.background.bottom, bar, {}, seen);
+  return layAll(layout, view, scene.background.bottom, bar, {}, seen).blocks;
 }
 
 std::vector<LetteringBlock> markBlocks(const scene::Scene& scene, const ViewSpace& space, const Seen& seen) {

@@ -34,7 +34,8 @@ struct Seen {
   std::map<int, Measured> measured;  ///< by the ids of marks, see measuredMarks()
   SeenNames names;                   ///< see seenNames()
   const std::vector<NamePlace>* namesBefore =
-      nullptr;  ///< where names stood in the frame before; null: a still picture
+      nullptr;                            ///< where names stood in the frame before; null: a still picture
+  const NamesBetween* between = nullptr;  ///< of a film: see NamesBetween
 };
 /// What the visible marks of a scene measure, of those that are not measured at once. @param scene  settled: with the
 /// shapes of its sheets  @throw as measure(). Any thread.
@@ -43,7 +44,8 @@ std::map<int, Measured> measuredMarks(const scene::Scene& scene, Progress& progr
 /// Layers of a picture with those from which seenIn() sees what the scene's lettering is about.
 render::Layers withLetteringLayers(render::Layers layers, const scene::Scene& scene);
 /// What a picture with these layers shows. @param scene  settled  @throw as measuredMarks(). Any thread.
-Seen seenIn(const Image& image, const scene::Scene& scene, Progress& progress);
+/// @param between  of a frame of a film; it outlives what is returned
+Seen seenIn(const Image& image, const scene::Scene& scene, Progress& progress, const NamesBetween* between = nullptr);
 /// The same for a section: it has no names.
 Seen seenInSection(const scene::Scene& scene, Progress& progress);
 
@@ -53,6 +55,8 @@ std::vector<LetteringBlock> letteringBlocks(const scene::Scene& scene, glm::ivec
 /// The same for a picture of a section: it has no legend.
 std::vector<LetteringBlock> letteringBlocks(const scene::Scene& scene, scene::SectionKind kind, glm::ivec2 size,
                                             const Seen& seen);
+/// Where the names of a picture stand.
+std::vector<NamePlace> namePlaces(const scene::Scene& scene, glm::ivec2 size, const Seen& seen);
 /// The marks alone, for a view. @param space  what the pixels of the view mean
 std::vector<LetteringBlock> markBlocks(const scene::Scene& scene, const ViewSpace& space, const Seen& seen);
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "scene/Scene.h"
+#include "session/lettering/Leaders.h"
 #include "session/lettering/LetteringLayout.h"
 #include "session/mark/MarkHands.h"
 #include "session/mark/MarkWords.h"
@@ -14,6 +15,7 @@ namespace {
 
 constexpr double kNameLine = 1.22, kNameCap = 0.72, kNameDot = 0.15;  // ems
 constexpr double kWidestWords = 0.24;                                 // of the picture's width
+constexpr double kFarthestGlide = 12.0;                               // ems: what goes farther fades
 constexpr double kMarkWeight = 1e12;                                  // marks that the user has set stay before all
 
 /// A name with all that is drawn of it.
@@ -45,13 +47,14 @@ class NameLayout {
     mWords.push_back(std::move(words));
   }
 
-  LaidNames lay(const SeenNames& seen, const FreePlaces& places, const std::vector<NamePlace>* before) {
+  LaidNames lay(const SeenNames& seen, const FreePlaces& places, const std::vector<NamePlace>* before,
+                const NamesBetween* between) {
     NameRoom room{mSize, seen.subject, {}, mScene.lettering.nameOrder, mStyle.em()};
     for (const FreePlaces::Taken& taken : places.taken())
       room.taken.push_back({taken.low - taken.gap, taken.high + taken.gap});
     std::vector<NameToPlace> names;
     for (const NameWords& words : mWords) names.push_back(words.name);
-    LaidNames laid{{}, placeNames(names, room, before)};
+    LaidNames laid{{}, between ? pointed(placesBetween(*between, mStyle.em()), room) : placeNames(names, room, before)};
     for (const NamePlace& place : laid.places) {
       auto words = std::ranges::find(mWords, place.key, [](const NameWords& of) { return of.name.key; });
       addLeader(laid.blocks, *words, place);
@@ -61,6 +64,17 @@ class NameLayout {
   }
 
  private:
+  /// Places with leaders to the anchors of now; without those of which nothing is seen now.
+  std::vector<NamePlace> pointed(const std::vector<NamePlace>& places, const NameRoom& room) const {
+    std::vector<NamePlace> out;
+    for (const NamePlace& place : places) {
+      auto words = std::ranges::find(mWords, place.key, [](const NameWords& of) { return of.name.key; });
+      if (words == mWords.end()) continue;
+      out.push_back(placeAt(words->name, place.block.low, room));
+      out.back().strength = place.strength;
+    }
+    return out;
+  }
   LetteringBlock blockOf(const char* layer, const NameWords& words, const NamePlace& place) const {
     return {layer,
             {},
@@ -100,9 +114,35 @@ class NameLayout {
 
 }  // namespace
 
+std::vector<NamePlace> placesBetween(const NamesBetween& names, double em) {
+  std::vector<NamePlace> out;
+  auto faded = [&](NamePlace place, double strength) {
+    place.strength *= std::clamp(strength, 0.0, 1.0);
+    if (place.strength > 0.0) out.push_back(std::move(place));
+  };
+  for (const NamePlace& from : names.from) {
+    auto to = std::ranges::find(names.to, from.key, &NamePlace::key);
+    if (to == names.to.end() || glm::distance(from.block.low, to->block.low) > kFarthestGlide * em) {
+      faded(from, 1.0 - 2.0 * names.share);
+      continue;
+    }
+    NamePlace place = from;
+    place.block.low = glm::mix(from.block.low, to->block.low, names.share);
+    place.block.high = place.block.low + from.block.high - from.block.low;
+    place.strength = std::lerp(from.strength, to->strength, names.share);
+    out.push_back(std::move(place));
+  }
+  for (const NamePlace& to : names.to) {
+    auto from = std::ranges::find(names.from, to.key, &NamePlace::key);
+    if (from == names.from.end() || glm::distance(from->block.low, to.block.low) > kFarthestGlide * em)
+      faded(to, 2.0 * names.share - 1.0);
+  }
+  return out;
+}
+
 LaidNames layNames(const scene::Scene& scene, glm::ivec2 size, const SeenNames& seen,
                    const std::map<int, Measured>& measured, glm::vec3 ground, const FreePlaces& places,
-                   const std::vector<NamePlace>* before) {
+                   const std::vector<NamePlace>* before, const NamesBetween* between) {
   if (seen.names.empty() && seen.marks.empty()) return {};
   NameLayout layout(scene, size, ground);
   for (const SeenName& name : seen.names)
@@ -114,7 +154,7 @@ LaidNames layNames(const scene::Scene& scene, glm::ivec2 size, const SeenNames& 
     std::string words = markWords(scene, *mark, found == measured.end() ? "" : found->second.text);
     layout.add(2 * id + 1, words, name.anchor, kMarkWeight, mark);
   }
-  return layout.lay(seen, places, before);
+  return layout.lay(seen, places, before, between);
 }
 
 }  // namespace velum::session

@@ -17,10 +17,20 @@ struct LaidNames {
   std::vector<NamePlace> places;  ///< for the next frame
 };
 
+/// Names of a frame of a film on their way from their places at one moment to those at another.
+struct NamesBetween {
+  std::vector<NamePlace> from, to;
+  double share = 0.0;  ///< of the way, 0..1
+  SeenNames near;      ///< the names of both, with places near which the frame should point
+};
+/// What moves in one piece stands on its way; what goes far, or is at one of the two moments only, fades.
+std::vector<NamePlace> placesBetween(const NamesBetween& names, double em);
+
 /// @param ground  before which all stands, sRGB  @param measured  of marks that are regions  @param places  where other
-/// lettering stands  @param before  see placeNames()
+/// lettering stands  @param before  see placeNames()  @param between  of a film: places that are chosen already; null:
+/// none are
 LaidNames layNames(const scene::Scene& scene, glm::ivec2 size, const SeenNames& seen,
                    const std::map<int, Measured>& measured, glm::vec3 ground, const FreePlaces& places,
-                   const std::vector<NamePlace>* before);
+                   const std::vector<NamePlace>* before, const NamesBetween* between = nullptr);
 
 }  // namespace velum::session

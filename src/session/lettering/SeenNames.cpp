@@ -80,4 +80,14 @@ SeenNames seenNames(const scene::Scene& scene, const Image& image, const SeenNam
   return seenNames(scene, {size, structures, types, step}, before);
 }
 
+SeenNames seenNear(const scene::Scene& scene, const Image& image, const SeenNames& near) {
+  scene::Scene all = scene;
+  all.lettering.mostNames = scene::kMostNames;
+  SeenNames seen = seenNames(all, image, near);
+  std::erase_if(seen.names, [&](const SeenName& name) {
+    return std::ranges::find(near.names, name.key, &SeenName::key) == near.names.end();
+  });
+  return seen;
+}
+
 }  // namespace velum::session

@@ -26,5 +26,7 @@ SeenNames seenNames(const scene::Scene& scene, const SeenMap& map, const SeenNam
 
 /// Of a picture with the channels "id" and "instance" (render::Layers), and "type" where there is a model.
 SeenNames seenNames(const scene::Scene& scene, const Image& image, const SeenNames& before = {});
+/// Of a picture in whose film names have their places already: those names, pointing near where they are told to.
+SeenNames seenNear(const scene::Scene& scene, const Image& image, const SeenNames& near);
 
 }  // namespace velum::session

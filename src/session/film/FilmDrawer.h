@@ -1,0 +1,34 @@
+#pragma once
+#include <memory>
+#include <optional>
+
+#include "render/Renderer.h"
+#include "session/film/Film.h"
+#include "session/film/FilmNames.h"
+#include "session/film/MakeFilm.h"
+
+namespace velum::session {
+
+/// Draws the frames of a scene's film, each at rest, with its lettering. GL thread, but for sections of scenes without
+/// membranes.
+class FilmDrawer {
+ public:
+  /// @param renderer, limits  of the context that draws; null: there is none  @param output  outlives this object
+  FilmDrawer(const scene::Scene& scene, const FilmOutput& output, render::Renderer* renderer,
+             const gpu::Limits* limits);
+  int count() const { return mFilm.count(); }
+  /// See FrameSource. @throw Cancelled, gpu::GpuError, InputError where forces cannot be made
+  FilmFrame draw(int frame, double share, Progress& progress);
+
+ private:
+  FilmNames::Look lookAt(int frame, Progress& progress);
+
+  const FilmOutput& mOutput;
+  render::Renderer* mRenderer;
+  const gpu::Limits* mLimits;
+  Film mFilm;
+  std::unique_ptr<Film> mAhead;  ///< where names are looked at before the film is there
+  std::optional<FilmNames> mNames;
+};
+
+}  // namespace velum::session

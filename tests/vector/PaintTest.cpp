@@ -162,16 +162,7 @@ TEST(Paint, LargePicturesHaveNoSeams) {
 }
 
 TEST(Paint, WhatCannotBeDrawnIsLeftOut) {
-  const double nan = std::numeric_limits<double>::quiet_NaN(), far = std::numeric_limits<double>::infinity();
-  std::vector<Item> items = {filled({circle({nan, 0}, 3)}),
-                             stroked({circle({10, 10}, 3)}, {kBlack, 0.0}),
-                             Words{"a", {far, 0.0}},
-                             Words{"a", {10.0, 10.0}, -1.0},
-                             Plate{},
-                             Plate{plainImage(2, 2), {0, 0}, {0, 5}},
-                             Shape{},
-                             Words{"", {10.0, 10.0}}};
-  EXPECT_EQ(inkOfItems(items), 0.0);
+  EXPECT_EQ(inkOfItems(undrawable()), 0.0);
   // Dashes that say nothing are none.
   Outline line = outlineThrough({{50, 100}, {150, 100}}, false);
   EXPECT_EQ(inkOfItems({stroked({line}, {kBlack, 10.0, 1.0, {0.0, 0.0}})}),
@@ -197,7 +188,7 @@ TEST(Paint, ManyLabelsTakeLittleTime) {
   }
   RecordProperty("ms", std::to_string(least));
   if (getenv("T")) printf("%g ms\n", least);
-  EXPECT_LT(least, 100.0) << "about 10 ms where others build";  // sanitizers take ten times as long
+  EXPECT_LT(least, 1000.0) << "10 ms, and twenty times that under a sanitizer";
 }
 
 }  // namespace

@@ -148,6 +148,9 @@ TEST_F(PdfPrograms, AnyTextIsAFile) {
   if (has("qpdf")) {
     EXPECT_NE(run("qpdf --check hostile.pdf").find("No syntax"), std::string::npos);
   }
+  writePdf({{10, 10}, 72.0, "", {{"a", undrawable()}}}, mFolder / "none.pdf");
+  EXPECT_NE(run("pdftocairo -png -singlefile none.pdf none && echo fine").find("fine"), std::string::npos);
+  EXPECT_EQ(outputOf("cat " + (mFolder / "err.txt").string()), "");
   writePdf({{10, 10}, 72.0, "", {}}, mFolder / "empty.pdf");
   EXPECT_NE(run("pdfinfo empty.pdf").find("10 x 10 pts"), std::string::npos);
 }

@@ -39,6 +39,13 @@ TEST(Svg, NamesAreIdsOnceEach) {
   EXPECT_EQ(countOf(svg, "<title>Lung</title>"), 3u);
 }
 
+TEST(Svg, WhatCannotBeDrawnIsLeftOut) {
+  std::string svg = svgOf({{10, 10}, 300.0, "", {{"a", undrawable()}}});
+  EXPECT_EQ(svg.find("nan"), std::string::npos);
+  EXPECT_EQ(svg.find("inf\""), std::string::npos);
+  EXPECT_EQ(svg.find("<path"), std::string::npos);
+}
+
 TEST(Svg, LinesAndLabelsAreSmall) {
   Drawing drawing{{4000, 3000}, 300.0, "", {{"contours", {}}, {"labels", {}}}};
   for (int i = 0; i < 100; ++i) drawing.layers[0].items.push_back(stroked({wave(i)}, Pen{}));

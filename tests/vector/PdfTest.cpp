@@ -55,7 +55,8 @@ TEST_F(PdfPrograms, APlateKeepsItsPixelsAndItsAlpha) {
   Image noise = plainImage(64, 48, kBlack, 1.0f);
   unsigned random = 11;
   for (float& sample : noise.pixels) sample = float((random = random * 1664525u + 1013904223u) >> 24) / 255.0f;
-  writePdf({{64, 48}, 72.0, "", {{"a", {Plate{noise, {0, 0}, {64, 48}}}}}}, mFolder / "noise.pdf");
+  Item placed = Plate{noise, {5, 8}, {64, 48}};
+  writePdf({{90, 80}, 72.0, "", {{"a", {placed}}}}, mFolder / "noise.pdf");
   run("pdfimages -png noise.pdf noise");
   Image color = readPng("noise-000.png"), alpha = readPng("noise-001.png");
   ASSERT_EQ(color.width, 64);
@@ -66,8 +67,8 @@ TEST_F(PdfPrograms, APlateKeepsItsPixelsAndItsAlpha) {
       ASSERT_NEAR(sampleOf(alpha, x, y, 0), sampleOf(noise, x, y, 3), 1e-6);
     }
   run("pdftocairo -png -singlefile -r 72 noise.pdf drawn");
-  Image image = plainImage(64, 48);
-  paint(std::vector<Item>{Plate{noise, {0, 0}, {64, 48}}}, image);
+  Image image = plainImage(90, 80);
+  paint(std::vector<Item>{placed}, image);
   EXPECT_LT(differenceOf(readPng("drawn.png"), image).mean, 1.0 / 255.0);
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <thread>
 
 #include "Drawings.h"
 #include "vector/Bounds.h"
@@ -173,6 +174,17 @@ TEST(Paint, LargePicturesHaveNoSeams) {
   Image near = plainImage(200, 40);
   paint(std::vector<Item>{Words{"Seam", {80.0, 8.0}, 10.0}}, near);
   for (int x = 0; x < 200; ++x) ASSERT_EQ(sampleOf(image, x + 4000, 5, 0), sampleOf(near, x, 5, 0));
+}
+
+TEST(Paint, ThreadsPaintAtOnce) {
+  const Drawing drawing = plate();
+  Image alone = plainImage(400, 300);
+  paint(drawing.layers, alone);
+  std::vector<Image> images(4, plainImage(400, 300));
+  std::vector<std::thread> threads;
+  for (Image& image : images) threads.emplace_back([&] { paint(drawing.layers, image); });
+  for (std::thread& thread : threads) thread.join();
+  for (const Image& image : images) EXPECT_EQ(image.pixels, alone.pixels);
 }
 
 TEST(Paint, WhatCannotBeDrawnIsLeftOut) {

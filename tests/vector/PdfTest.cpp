@@ -1,5 +1,7 @@
 #include "vector/WritePdf.h"
 
+#include <thread>
+
 #include "Programs.h"
 #include "vector/Letters.h"
 #include "vector/Paint.h"
@@ -11,6 +13,15 @@ TEST(Pdf, TheSameDrawingHasTheSameBytes) {
   std::string pdf = pdfOf(plate());
   EXPECT_EQ(pdf, pdfOf(plate()));
   EXPECT_EQ(pdf.substr(0, 8), "%PDF-1.5");
+}
+
+TEST(Pdf, ThreadsWriteAtOnce) {
+  const Drawing drawing = plate();
+  std::vector<std::string> files(4);
+  std::vector<std::thread> threads;
+  for (std::string& file : files) threads.emplace_back([&] { file = pdfOf(drawing); });
+  for (std::thread& thread : threads) thread.join();
+  for (const std::string& file : files) EXPECT_EQ(file, pdfOf(drawing));
 }
 
 TEST(Pdf, LinesAndLabelsAreSmall) {

@@ -21,14 +21,23 @@ bool isSound(const Outline& outline) {
          });
 }
 
-bool isSound(const std::optional<Pen>& pen) { return !pen || isLength(pen->width); }
+bool isTone(const glm::vec3& color, double opacity) {
+  return std::isfinite(color.r) && std::isfinite(color.g) && std::isfinite(color.b) && std::isfinite(opacity);
+}
+
+bool isSound(const std::optional<Pen>& pen) {
+  return !pen || (isLength(pen->width) && isTone(pen->color, pen->opacity));
+}
 
 bool isSound(const Shape& shape) {
   return (shape.pen || shape.fill) && isSound(shape.pen) &&
+         (!shape.fill || isTone(shape.fill->color, shape.fill->opacity)) &&
          std::ranges::all_of(shape.outlines, [](const Outline& outline) { return isSound(outline); });
 }
 
-bool isSound(const Words& words) { return isLength(words.em) && isPlace(words.start) && isSound(words.halo); }
+bool isSound(const Words& words) {
+  return isLength(words.em) && isPlace(words.start) && isTone(words.color, words.opacity) && isSound(words.halo);
+}
 
 bool isSound(const Plate& plate) {
   return plate.image && plate.image->width > 0 && plate.image->height > 0 && isPlace(plate.low) &&

@@ -10,7 +10,8 @@ namespace velum::vector {
 /// names and in their order; lines are lines; text is text that can be searched, in fonts of which the file holds the
 /// letters that it uses; a plate has its own pixels, as bytes and without loss, and its own alpha. A halo is lines. A
 /// letter that a font lacks is a box. What cannot be drawn (isDrawable) is left out. The same drawing has the same
-/// bytes. Any thread; takes a second for a plate of 8 megapixels, else some ms.
+/// bytes. Any thread; takes a second for a plate of 8 megapixels, 0.1 s for
+/// 40 labels with halos, 0.2 s for 100 contours of 200 curves.
 /// @throw Error without memory
 std::string pdfOf(const Drawing& drawing);
 

@@ -22,8 +22,7 @@ constexpr const char* kHead =
   xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape" xmlns:cc="http://creativecommons.org/ns#"
   xmlns:dc="http://purl.org/dc/elements/1.1/" xmlns:rdf="http://www.w3.org/1999/02/22-rdf-syntax-ns#"
   version="1.1" width="{0}mm" height="{1}mm" viewBox="0 0 {2} {3}">
-<title>{4}</title>
-<metadata><rdf:RDF><cc:Work rdf:about=""><dc:format>image/svg+xml</dc:format><dc:title>{4}</dc:title>)"
+{5}<metadata><rdf:RDF><cc:Work rdf:about=""><dc:format>image/svg+xml</dc:format><dc:title>{4}</dc:title>)"
     R"(<dc:creator><cc:Agent><dc:title>Velum</dc:title></cc:Agent></dc:creator></cc:Work></rdf:RDF></metadata>
 )";
 
@@ -189,9 +188,10 @@ void SvgWriter::write(const Layer& layer) {
 }
 
 SvgWriter::SvgWriter(const Drawing& drawing) {
+  const std::string title = xmlText(drawing.title);
   auto millimetres = [&](double pixels) { return numberText(pixels * 25.4 / drawing.dpi, 4); };
   put(fmt::runtime(kHead), millimetres(drawing.size.x), millimetres(drawing.size.y), numberText(drawing.size.x),
-      numberText(drawing.size.y), xmlText(drawing.title));
+      numberText(drawing.size.y), title, title.empty() ? "" : "<title>" + title + "</title>\n");
   for (const Layer& layer : drawing.layers) write(layer);
   put("</svg>\n");
 }

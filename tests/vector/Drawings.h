@@ -1,5 +1,6 @@
 #pragma once
 #include <glm/glm.hpp>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,23 @@ inline double coverOf(const Image& image) {
   for (int y = 0; y < image.height; ++y)
     for (int x = 0; x < image.width; ++x) cover += 1.0 - double(sampleOf(image, x, y, 0));
   return cover;
+}
+
+/// Items that cannot be drawn.
+inline std::vector<Item> undrawable() {
+  const double nan = std::numeric_limits<double>::quiet_NaN(), far = std::numeric_limits<double>::infinity();
+  Words pale{"a", {10.0, 10.0}, 9.0, Font::Sans, kBlack, nan};
+  return {filled({circle({nan, 0}, 3)}),
+          filled({circle({9, 9}, 3)}, {0.0f, float(nan), 0.0f}),
+          stroked({circle({10, 10}, 3)}, {kBlack, 0.0}),
+          stroked({circle({10, 10}, 3)}, {kBlack, far}),
+          Shape{"nothing", {circle({10, 10}, 3)}},
+          pale,
+          Words{"a", {far, 0.0}},
+          Words{"a", {10.0, 10.0}, -1.0},
+          Words{"", {10.0, 10.0}},
+          Plate{},
+          Plate{plainImage(2, 2), {0, 0}, {0, 5}}};
 }
 
 /// A contour of 200 curves.

@@ -68,6 +68,8 @@ TEST(Letters, OfTextThatIsNoneAreDrawnAllTheSame) {
   EXPECT_EQ(cleanText(std::string("a\0b\x1b\x7f", 5)), "a" + bad + "b" + bad + bad);
   EXPECT_EQ(cleanText("\xff\xc3"), bad + bad);
   EXPECT_EQ(cleanText("\xc0\x80"), bad + bad) << "longer than it needs";
+  EXPECT_EQ(cleanText("\xe0\x82\xb5"), bad + bad + bad) << "longer than it needs";
+  EXPECT_EQ(cleanText("\xf0\x82\x82\xac"), bad + bad + bad + bad) << "longer than it needs";
   EXPECT_EQ(cleanText("\xed\xa0\x80"), bad + bad + bad) << "half of a pair";
   EXPECT_EQ(cleanText("\xef\xbf\xbf\xc2\x85"), bad + bad);
   EXPECT_EQ(cleanText("\xf4\x90\x80\x80"), bad + bad + bad + bad) << "beyond the last letter";

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <thread>
 
 #include "Drawings.h"
 #include "vector/Bounds.h"
@@ -45,6 +46,20 @@ TEST(Paint, OutlinesInOutlinesAreHolesWhicheverWayTheyGo) {
           reversed = outlineThrough({{40, 40}, {40, 80}, {80, 80}, {80, 40}}, true);
   EXPECT_NEAR(inkOfItems({filled({outer, inner})}), 10000.0 - 1600.0, 1e-6);
   EXPECT_NEAR(inkOfItems({filled({outer, reversed})}), 10000.0 - 1600.0, 1e-6);
+}
+
+TEST(Paint, LettersThatOverlapHaveNoHoles) {
+  // A stroke through a letter, behind a shape of the other rule.
+  std::vector<Item> letters = {Words{"H\u0336", {100.0, 100.0}, 40.0, Font::Serif}}, both = letters;
+  both.insert(both.begin(), filled({circle({20, 20}, 10)}));
+  EXPECT_NEAR(inkOfItems(both) - inkOfItems(letters), inkOfItems({both[0]}), 1e-3);
+}
+
+TEST(Paint, ClosedLinesAreClosedWhereverTheyEnd) {
+  std::vector<glm::dvec2> places = {{10, 10}, {190, 10}, {190, 190}};
+  Outline open = outlineThrough(places, false), closed = outlineThrough(places, true);
+  open.isClosed = true;
+  EXPECT_NEAR(inkOfItems({stroked({open}, {kBlack, 2.0})}), inkOfItems({stroked({closed}, {kBlack, 2.0})}), 1e-3);
 }
 
 TEST(Paint, LinesHaveRoundEndsAndDashes) {
@@ -154,24 +169,26 @@ TEST(Paint, ARasterIsWhatPaintingDoes) {
 
 TEST(Paint, LargePicturesHaveNoSeams) {
   Image image = plainImage(4200, 40);
-  paint(std::vector<Item>{filled({rectangle({4000, 10}, {4190, 30})}), Words{"Seam", {4080.0, 8.0}, 10.0}}, image);
-  for (int x = 4000; x < 4190; ++x) ASSERT_EQ(sampleOf(image, x, 20, 0), 0.0f);
+  paint(std::vector<Item>{filled({rectangle({0, 10}, {4190, 30})}), Words{"Seam", {4080.0, 8.0}, 10.0}}, image);
+  for (int x = 0; x < 4200; ++x) ASSERT_EQ(sampleOf(image, x, 20, 0), x < 4190 ? 0.0f : 1.0f);
   Image near = plainImage(200, 40);
   paint(std::vector<Item>{Words{"Seam", {80.0, 8.0}, 10.0}}, near);
   for (int x = 0; x < 200; ++x) ASSERT_EQ(sampleOf(image, x + 4000, 5, 0), sampleOf(near, x, 5, 0));
 }
 
+TEST(Paint, ThreadsPaintAtOnce) {
+  const Drawing drawing = plate();
+  Image alone = plainImage(400, 300);
+  paint(drawing.layers, alone);
+  std::vector<Image> images(4, plainImage(400, 300));
+  std::vector<std::thread> threads;
+  for (Image& image : images) threads.emplace_back([&] { paint(drawing.layers, image); });
+  for (std::thread& thread : threads) thread.join();
+  for (const Image& image : images) EXPECT_EQ(image.pixels, alone.pixels);
+}
+
 TEST(Paint, WhatCannotBeDrawnIsLeftOut) {
-  const double nan = std::numeric_limits<double>::quiet_NaN(), far = std::numeric_limits<double>::infinity();
-  std::vector<Item> items = {filled({circle({nan, 0}, 3)}),
-                             stroked({circle({10, 10}, 3)}, {kBlack, 0.0}),
-                             Words{"a", {far, 0.0}},
-                             Words{"a", {10.0, 10.0}, -1.0},
-                             Plate{},
-                             Plate{plainImage(2, 2), {0, 0}, {0, 5}},
-                             Shape{},
-                             Words{"", {10.0, 10.0}}};
-  EXPECT_EQ(inkOfItems(items), 0.0);
+  EXPECT_EQ(inkOfItems(undrawable()), 0.0);
   // Dashes that say nothing are none.
   Outline line = outlineThrough({{50, 100}, {150, 100}}, false);
   EXPECT_EQ(inkOfItems({stroked({line}, {kBlack, 10.0, 1.0, {0.0, 0.0}})}),
@@ -197,7 +214,7 @@ TEST(Paint, ManyLabelsTakeLittleTime) {
   }
   RecordProperty("ms", std::to_string(least));
   if (getenv("T")) printf("%g ms\n", least);
-  EXPECT_LT(least, 100.0) << "about 10 ms where others build";  // sanitizers take ten times as long
+  EXPECT_LT(least, 1000.0) << "10 ms, and twenty times that under a sanitizer";
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "vector/WritePdf.h"
 
+#include <thread>
+
 #include "Programs.h"
 #include "vector/Letters.h"
 #include "vector/Paint.h"
@@ -11,6 +13,15 @@ TEST(Pdf, TheSameDrawingHasTheSameBytes) {
   std::string pdf = pdfOf(plate());
   EXPECT_EQ(pdf, pdfOf(plate()));
   EXPECT_EQ(pdf.substr(0, 8), "%PDF-1.5");
+}
+
+TEST(Pdf, ThreadsWriteAtOnce) {
+  const Drawing drawing = plate();
+  std::vector<std::string> files(4);
+  std::vector<std::thread> threads;
+  for (std::string& file : files) threads.emplace_back([&] { file = pdfOf(drawing); });
+  for (std::thread& thread : threads) thread.join();
+  for (const std::string& file : files) EXPECT_EQ(file, pdfOf(drawing));
 }
 
 TEST(Pdf, LinesAndLabelsAreSmall) {
@@ -55,7 +66,8 @@ TEST_F(PdfPrograms, APlateKeepsItsPixelsAndItsAlpha) {
   Image noise = plainImage(64, 48, kBlack, 1.0f);
   unsigned random = 11;
   for (float& sample : noise.pixels) sample = float((random = random * 1664525u + 1013904223u) >> 24) / 255.0f;
-  writePdf({{64, 48}, 72.0, "", {{"a", {Plate{noise, {0, 0}, {64, 48}}}}}}, mFolder / "noise.pdf");
+  Item placed = Plate{noise, {5, 8}, {64, 48}};
+  writePdf({{90, 80}, 72.0, "", {{"a", {placed}}}}, mFolder / "noise.pdf");
   run("pdfimages -png noise.pdf noise");
   Image color = readPng("noise-000.png"), alpha = readPng("noise-001.png");
   ASSERT_EQ(color.width, 64);
@@ -66,8 +78,8 @@ TEST_F(PdfPrograms, APlateKeepsItsPixelsAndItsAlpha) {
       ASSERT_NEAR(sampleOf(alpha, x, y, 0), sampleOf(noise, x, y, 3), 1e-6);
     }
   run("pdftocairo -png -singlefile -r 72 noise.pdf drawn");
-  Image image = plainImage(64, 48);
-  paint(std::vector<Item>{Plate{noise, {0, 0}, {64, 48}}}, image);
+  Image image = plainImage(90, 80);
+  paint(std::vector<Item>{placed}, image);
   EXPECT_LT(differenceOf(readPng("drawn.png"), image).mean, 1.0 / 255.0);
 }
 
@@ -148,6 +160,9 @@ TEST_F(PdfPrograms, AnyTextIsAFile) {
   if (has("qpdf")) {
     EXPECT_NE(run("qpdf --check hostile.pdf").find("No syntax"), std::string::npos);
   }
+  writePdf({{10, 10}, 72.0, "", {{"a", undrawable()}}}, mFolder / "none.pdf");
+  EXPECT_NE(run("pdftocairo -png -singlefile none.pdf none && echo fine").find("fine"), std::string::npos);
+  EXPECT_EQ(outputOf("cat " + (mFolder / "err.txt").string()), "");
   writePdf({{10, 10}, 72.0, "", {}}, mFolder / "empty.pdf");
   EXPECT_NE(run("pdfinfo empty.pdf").find("10 x 10 pts"), std::string::npos);
 }

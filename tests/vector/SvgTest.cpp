@@ -23,6 +23,9 @@ TEST(Svg, LinesAreShortAndExact) {
       {100, 100}, 300.0, "", {{"a", {stroked({outlineThrough({{0, -0.001}, {10.126, 5}, {3, 7}}, true)}, Pen{})}}}};
   std::string svg = svgOf(drawing);
   EXPECT_NE(svg.find("d=\"M0 0L10.13 5L3 7Z\""), std::string::npos) << svg;
+  drawing.layers[0].items = {
+      stroked({Outline{{1, 2}, {straight({1, 2}, {5, 6}), straight({5, 6}, {9, 2})}, true}}, Pen{})};
+  EXPECT_NE(svgOf(drawing).find("d=\"M1 2L5 6L9 2Z\""), std::string::npos) << svgOf(drawing);
   drawing.layers[0].items = {stroked({Outline{{1, 2}, {{{-3, 4}, {5, -6.5}, {7, 8}}}, false}}, Pen{})};
   EXPECT_NE(svgOf(drawing).find("d=\"M1 2C-3 4 5-6.5 7 8\""), std::string::npos) << svgOf(drawing);
 }
@@ -37,6 +40,13 @@ TEST(Svg, NamesAreIdsOnceEach) {
     EXPECT_EQ(countOf(svg, id), 1u) << id;
   EXPECT_EQ(countOf(svg, "inkscape:groupmode=\"layer\" inkscape:label=\"Lung\""), 2u);
   EXPECT_EQ(countOf(svg, "<title>Lung</title>"), 3u);
+}
+
+TEST(Svg, WhatCannotBeDrawnIsLeftOut) {
+  std::string svg = svgOf({{10, 10}, 300.0, "", {{"a", undrawable()}}});
+  EXPECT_EQ(svg.find("nan"), std::string::npos);
+  EXPECT_EQ(svg.find("inf\""), std::string::npos);
+  EXPECT_EQ(svg.find("<path"), std::string::npos);
 }
 
 TEST(Svg, LinesAndLabelsAreSmall) {

@@ -30,15 +30,6 @@ Derivatives derivativesOn(glm::dvec2 from, const Curve& curve, double t) {
   return {3.0 * (s * s * a + 2.0 * s * t * b + t * t * c), 6.0 * (s * (b - a) + t * (c - b))};
 }
 
-/// A better place on the curve for a point: a step of Newton's.
-double nearer(glm::dvec2 from, const Curve& curve, glm::dvec2 point, double t) {
-  glm::dvec2 way = placeOn(from, curve, t) - point;
-  auto [first, second] = derivativesOn(from, curve, t);
-  double slope = glm::dot(first, first) + glm::dot(way, second);
-  double step = slope > 1e-9 ? glm::dot(way, first) / slope : 0.0;
-  return std::clamp(t - std::clamp(step, -0.2, 0.2), 0.0, 1.0);
-}
-
 /// What is sought: handles, each along one direction or in both axes.
 class Handles {
  public:
@@ -158,6 +149,16 @@ bool isSimple(const CurveEnd& from, const Curve& curve, const CurveEnd& to, doub
 glm::dvec2 placeOn(glm::dvec2 from, const Curve& curve, double t) {
   double s = 1.0 - t;
   return s * s * s * from + 3.0 * s * s * t * curve.control1 + 3.0 * s * t * t * curve.control2 + t * t * t * curve.end;
+}
+
+glm::dvec2 wayOn(glm::dvec2 from, const Curve& curve, double t) { return derivativesOn(from, curve, t).first; }
+
+double nearer(glm::dvec2 from, const Curve& curve, glm::dvec2 point, double t) {
+  glm::dvec2 way = placeOn(from, curve, t) - point;
+  auto [first, second] = derivativesOn(from, curve, t);
+  double slope = glm::dot(first, first) + glm::dot(way, second);
+  double step = slope > 1e-9 ? glm::dot(way, first) / slope : 0.0;
+  return std::clamp(t - std::clamp(step, -0.2, 0.2), 0.0, 1.0);
 }
 
 std::optional<Curve> fitCubic(const Track& track, int first, int end, const CurveEnd& from, const CurveEnd& to,

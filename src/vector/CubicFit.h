@@ -27,6 +27,10 @@ struct Nearness {
 };
 
 glm::dvec2 placeOn(glm::dvec2 from, const Curve& curve, double t);
+/// The way a curve goes there, not unit.
+glm::dvec2 wayOn(glm::dvec2 from, const Curve& curve, double t);
+/// A place on a curve that is nearer to a point than another one: a step of Newton's. @param t  0..1
+double nearer(glm::dvec2 from, const Curve& curve, glm::dvec2 point, double t);
 
 /// The curve of least squares between two ends [SCHNEIDER]; nothing where none is as near as is asked for, or where it
 /// would turn back on itself. Differs: what is near is asked of the fence, and where no direction is known at an end it

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "vector/LineFit.h"
+#include "vector/SettleCurves.h"
 #include "vector/StraightRuns.h"
 
 namespace velum::vector {
@@ -98,16 +99,24 @@ class CurveFitter {
         divide(joints[from], joints[from + 1]);
         good = from + 1;
       } else {
-        mOutline.curves.push_back(*best);
+        append(*best, joints[from], joints[good]);
       }
       from = good;
     }
+    if (!isClosed || joints.front().isCorner) mPieces.back().isSmoothAfter = false;
+    settleCurves(mTrack, mPieces, mOutline);
     return std::move(mOutline);
   }
 
  private:
   static int firstAfter(const Joint& joint) { return int(std::floor(joint.index)) + 1; }
   static int lastBefore(const Joint& joint) { return int(std::ceil(joint.index)); }
+
+  void append(const Curve& curve, const Joint& from, const Joint& to) {
+    mOutline.curves.push_back(curve);
+    int first = firstAfter(from);
+    mPieces.push_back({first, std::max(first, lastBefore(to)), !to.isCorner && bool(to.end.direction)});
+  }
 
   bool mayJoin(const std::vector<Joint>& joints, std::size_t from, std::size_t to) const {
     if (to >= joints.size()) return false;
@@ -124,12 +133,12 @@ class CurveFitter {
   /// them.
   void divide(const Joint& from, const Joint& to) {
     if (auto curve = between(from, to)) {
-      mOutline.curves.push_back(*curve);
+      append(*curve, from, to);
       return;
     }
     int first = firstAfter(from), end = lastBefore(to);
     if (end - first < 3) {
-      mOutline.curves.push_back(simple(from.end, to.end));
+      append(simple(from.end, to.end), from, to);
       return;
     }
     int middle = (first + end - 1) / 2, wide = std::min(3, (end - first) / 2);
@@ -154,6 +163,7 @@ class CurveFitter {
   const LineFits& mFits;
   Nearness mNearness;
   Outline mOutline;
+  std::vector<FittedPiece> mPieces;
 };
 
 /// Says of each joint how far the line has turned up to there.

@@ -92,7 +92,9 @@ SeenPixel seenPixel(const SurfaceMap& map, const View& view, glm::ivec2 pixel, s
   glm::dvec3 up = glm::cross(toEye, right);
   if (glm::dot(normal, toEye) < 0.0) normal = -normal;
   double along = std::max(distance * glm::dot(ray, view.forward), 1e-9);
-  return {{float(glm::dot(normal, right)), float(glm::dot(normal, up))},
+  // The renderer keeps them in 16 bits: on what is nearly flat this decides which way strokes go.
+  auto kept = [](double part) { return float(std::round(std::clamp(part, -1.0, 1.0) * 32767.0) / 32767.0); };
+  return {{kept(glm::dot(normal, right)), kept(glm::dot(normal, up))},
           float(view.isOrthographic ? along : 1.0 / along),
           id};
 }

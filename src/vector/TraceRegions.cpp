@@ -5,6 +5,7 @@
 #include <map>
 
 #include "core/Assert.h"
+#include "core/Parallel.h"
 #include "vector/FitCurves.h"
 #include "vector/Junctions.h"
 #include "vector/PixelBorders.h"
@@ -154,11 +155,15 @@ RegionMap traceRegions(const IdMap& map, const RegionOptions& options, Progress&
   }
   std::vector<Junction> junctions = placeJunctions(borders, tracks);
   RegionMap out;
-  for (std::size_t i = 0; i < tracks.size(); ++i) {
-    const PixelBorder& border = borders.borders[i];
-    if (i % 64 == 0) progress.report(0.5 + 0.5 * double(i) / double(tracks.size()), "tracing regions");
-    out.borders.push_back({smoothLine(border, tracks[i], borders, junctions), border.left, border.right});
-  }
+  out.borders.resize(tracks.size());
+  parallelForRanges(std::size_t(0), tracks.size(), std::size_t(16), [&](std::size_t first, std::size_t end) {
+    progress.throwIfCancelled();
+    for (std::size_t i = first; i < end; ++i) {
+      const PixelBorder& border = borders.borders[i];
+      out.borders[i] = {smoothLine(border, tracks[i], borders, junctions), border.left, border.right};
+    }
+  });
+  progress.report(0.9, "tracing regions");
   std::map<int, Region> regions = outlinesOf(borders, out.borders);
   for (int id : ids)
     if (id > 0) regions[id].area += 1.0;

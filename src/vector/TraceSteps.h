@@ -43,8 +43,9 @@ struct Stroke {
   int id = 0;             ///< region on which it lies
 };
 
-/// How much of a line each pixel has, 0..1, by the formulas of shaders/render/edges_data.glsl; without the lines
-/// between regions and around them, which are traceRegions()'s. Any thread, on all cores.
+/// How much of a line each pixel has, 0..1, by the formulas of shaders/render/edges_data.glsl, but for the share
+/// of its band that a line covers, which a pen's width says. Without the lines between regions and around them, which
+/// are traceRegions()'s. Any thread, on all cores.
 std::vector<float> edgeStrengths(const SurfaceMap& map, const View& view, const StepOptions& options);
 
 /// Strokes along the middles of the bands that edgeStrengths() finds, within about half a pixel. A line whose strength

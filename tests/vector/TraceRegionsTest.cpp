@@ -184,7 +184,9 @@ TEST(TraceRegions, NoiseIsTracedWithoutHarm) {
   for (double least : {0.0, 12.0}) {
     Picture picture = paint({150, 130}, [&](glm::dvec2) { return int(random() % 4u); });
     RegionMap traced = trace(picture, least);
-    if (least == 0.0) EXPECT_EQ(faultsOf(picture, traced).wrongInside, 0);
+    if (least == 0.0) {
+      EXPECT_EQ(faultsOf(picture, traced).wrongInside, 0);
+    }
     for (const Region& region : traced.regions)
       for (const Outline& outline : region.outlines)
         walkAlong(outline, 0.5, [](glm::dvec2 p) { EXPECT_TRUE(p.x > -1 && p.x < 151 && p.y > -1 && p.y < 131); });

@@ -17,7 +17,7 @@ constexpr double kRingReach = 60;       // slots from the direction of an anchor
 constexpr std::size_t kMostStarts = 8;  // that are tried for the order around
 constexpr double kTurn = 3.0;           // how soon a block that goes around turns its corner to the subject
 constexpr double kRadial = 0.1;         // of the radius, by the square of the turn: what it costs not to stand there
-constexpr double kStaysFor = 0.3;       // of a way in a film: so much shorter must a leader be for it
+constexpr double kStaysFor = 0.5;       // of a way in a film: so much shorter must a leader be for it
 constexpr double kSmallest = 0.35, kRingShrink = 0.8;  // of the ellipse around the subject
 constexpr double kNoPlace = std::numeric_limits<double>::infinity();
 

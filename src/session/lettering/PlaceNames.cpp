@@ -47,6 +47,9 @@ class Settled {
         glm::any(glm::greaterThan(place.block.high, mRoom.size)))
       return false;
     Segment leader{place.leader.front(), place.leader.back()};
+    if (!glm::all(glm::greaterThanEqual(leader.to, glm::dvec2(0))) ||
+        !glm::all(glm::lessThanEqual(leader.to, mRoom.size)))
+      return false;
     Rectangle own = grown(place.block, 1.0);
     if (glm::all(glm::lessThan(own.low, leader.to)) && glm::all(glm::lessThan(leader.to, own.high))) return false;
     auto isOver = [&](const Rectangle& taken) { return isCrossing(taken, place.block) || isCrossing(leader, taken); };

@@ -144,6 +144,26 @@ TEST(PlaceNames, LeadersAreNearlyAsShortAsTheShortestOfAllColumns) {
   std::printf("leaders at worst %.3f of the shortest\n", worst);
 }
 
+TEST(PlaceNames, FewLeadersPassCloselyByTheAnchorOfAnother) {
+  std::mt19937 random(47);
+  int close = 0, all = 0;
+  for (int round = 0; round < 60; ++round) {
+    auto order = round % 2 == 0 ? scene::NameOrder::Columns : scene::NameOrder::Around;
+    NamedScene scene = namedScene(random, 20, {0.5, 0.8}, order);
+    for (const NamePlace& place : placeNames(scene.names, scene.room)) {
+      ++all;
+      bool isClose = false;
+      for (const NameToPlace& name : scene.names)
+        for (int i = 0; i <= 300 && name.key != place.key && glm::distance(name.anchor, place.leader.back()) > 11.2;
+             ++i)
+          isClose |= glm::distance(glm::mix(place.leader.front(), place.leader.back(), i / 300.0), name.anchor) < 5.0;
+      close += isClose;
+    }
+  }
+  std::printf("%d of %d leaders pass closely by another's anchor\n", close, all);
+  EXPECT_LT(close, all / 40);
+}
+
 TEST(PlaceNames, WhatIsFixedByHandStaysAndOthersAvoidIt) {
   std::mt19937 random(31);
   for (int round = 0; round < 30; ++round) {

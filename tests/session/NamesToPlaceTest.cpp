@@ -21,13 +21,13 @@ std::vector<std::int32_t> bands(const std::vector<std::pair<int, int>>& rows, in
   return keys;
 }
 
-std::vector<std::string> wordsOf(const std::vector<SeenName>& names) {
+std::vector<std::string> seenWords(const std::vector<SeenName>& names) {
   std::vector<std::string> out;
   for (const SeenName& name : names) out.push_back(name.name);
   return out;
 }
 
-using Words = std::vector<std::string>;
+using NamedWords = std::vector<std::string>;
 
 /// Three structures, the model of lettered(), and both at once.
 scene::Scene namedInScene() {
@@ -44,14 +44,14 @@ TEST(NamesToPlace, StructuresAndTypesThatAreSeenMostComeFirst) {
   scene::Scene scene = namedInScene();
   auto types = bands({{3, 10}, {1, 4}, {2, 20}}, -1), structures = bands({{9, 2}, {0, 34}, {8, 6}, {7, 15}}, 0);
   auto names = namesToPlace(scene, {kSeenSize, structures, types, 2});
-  EXPECT_EQ(wordsOf(names), (Words{"type2", "liver", "type3", "spleen", "type1"})) << "nothing without a name";
+  EXPECT_EQ(seenWords(names), (NamedWords{"type2", "liver", "type3", "spleen", "type1"})) << "nothing without a name";
   EXPECT_EQ(names[0].pixels, 20u * 100 * 4);
   EXPECT_NEAR(names[0].anchor.y, 2 * 24, 4);
   EXPECT_NEAR(names[0].anchor.x, 100, 4);
   scene.lettering.mostNames = 2;
-  EXPECT_EQ(wordsOf(namesToPlace(scene, {kSeenSize, structures, types, 2})), (Words{"type2", "liver"}));
+  EXPECT_EQ(seenWords(namesToPlace(scene, {kSeenSize, structures, types, 2})), (NamedWords{"type2", "liver"}));
   scene.labels.visible = false;
-  EXPECT_EQ(wordsOf(namesToPlace(scene, {kSeenSize, structures, types, 2})), (Words{"type2", "type3"}));
+  EXPECT_EQ(seenWords(namesToPlace(scene, {kSeenSize, structures, types, 2})), (NamedWords{"type2", "type3"}));
 }
 
 TEST(NamesToPlace, AnAnchorLiesOnWhatItNames) {
@@ -69,7 +69,7 @@ TEST(NamesToPlace, ThoseThatAreListedAreNamedEvenWhereLittleIsSeenOfThem) {
   scene::Scene scene = namedInScene();
   auto types = bands({{3, 10}, {1, 4}, {2, 20}}, -1), structures = bands({{0, 59}}, 7);
   scene.lettering.named = {"root.a.type2", "liver", "spleen"};
-  EXPECT_EQ(wordsOf(namesToPlace(scene, {kSeenSize, structures, types, 1})), (Words{"type2", "liver"}))
+  EXPECT_EQ(seenWords(namesToPlace(scene, {kSeenSize, structures, types, 1})), (NamedWords{"type2", "liver"}))
       << "not what is hidden";
 }
 
@@ -78,12 +78,12 @@ TEST(NamesToPlace, ACompartmentHasOneNameForAllInItButWhatIsListedItself) {
   auto types = bands({{3, 10}, {1, 15}, {2, 20}}, -1);
   scene.lettering.named = {"root.b"};
   auto names = namesToPlace(scene, {kSeenSize, {}, types, 1});
-  EXPECT_EQ(wordsOf(names), Words{"b"});
+  EXPECT_EQ(seenWords(names), NamedWords{"b"});
   EXPECT_EQ(names[0].pixels, 2500u) << "of types 1 and 3, which lie in it";
   EXPECT_NEAR(names[0].anchor.y, 12.5, 3) << "in the middle of both together";
   scene.lettering.named = {"root.b", "root.b.type1"};
   names = namesToPlace(scene, {kSeenSize, {}, types, 1});
-  ASSERT_EQ(wordsOf(names), (Words{"b", "type1"}));
+  ASSERT_EQ(seenWords(names), (NamedWords{"b", "type1"}));
   EXPECT_LT(names[0].anchor.y, 10);
   EXPECT_GT(names[1].anchor.y, 10);
 }
@@ -93,7 +93,7 @@ TEST(NamesToPlace, WhatIsCalledAlikeHasOneName) {
   scene = after(scene, RenameType{"root.a.type0", "Spike"});
   scene = after(scene, RenameType{"root.b.type3", "Spike"});
   auto types = bands({{3, 10}, {0, 15}, {2, 20}}, -1);
-  EXPECT_EQ(wordsOf(namesToPlace(scene, {kSeenSize, {}, types, 1})), (Words{"Spike", "type2"}));
+  EXPECT_EQ(seenWords(namesToPlace(scene, {kSeenSize, {}, types, 1})), (NamedWords{"Spike", "type2"}));
 }
 
 TEST(NamesToPlace, ANameGivesWayOnlyToAClearlyLargerOneAndKeepsItsKeyAndItsAnchor) {
@@ -102,14 +102,14 @@ TEST(NamesToPlace, ANameGivesWayOnlyToAClearlyLargerOneAndKeepsItsKeyAndItsAncho
   auto first = bands({{3, 10}, {2, 9}}, -1), closer = bands({{3, 10}, {2, 12}}, -1),
        larger = bands({{3, 10}, {2, 14}}, -1);
   auto names = namesToPlace(scene, {kSeenSize, {}, first, 1});
-  EXPECT_EQ(wordsOf(names), Words{"type3"});
+  EXPECT_EQ(seenWords(names), NamedWords{"type3"});
   names[0].anchor.x = 20.5;
   auto next = namesToPlace(scene, {kSeenSize, {}, closer, 1}, names);
-  EXPECT_EQ(wordsOf(next), Words{"type3"});
+  EXPECT_EQ(seenWords(next), NamedWords{"type3"});
   EXPECT_EQ(next[0].key, names[0].key);
   EXPECT_EQ(next[0].anchor, names[0].anchor);
-  EXPECT_EQ(wordsOf(namesToPlace(scene, {kSeenSize, {}, closer, 1})), Words{"type2"});
-  EXPECT_EQ(wordsOf(namesToPlace(scene, {kSeenSize, {}, larger, 1}, names)), Words{"type2"});
+  EXPECT_EQ(seenWords(namesToPlace(scene, {kSeenSize, {}, closer, 1})), NamedWords{"type2"});
+  EXPECT_EQ(seenWords(namesToPlace(scene, {kSeenSize, {}, larger, 1}, names)), NamedWords{"type2"});
 }
 
 TEST(NamesToPlace, NothingIsNamedOfAnEmptyPictureAndAMapOfAnotherSizeIsRefused) {

@@ -68,16 +68,22 @@ TEST(PlaceNames, ColumnsAreFlushAndStandClearOfTheSubjectOnBothSides) {
 
 TEST(PlaceNames, WhereTheSubjectFillsThePictureNamesStandOverItAndStillCoverNothing) {
   std::mt19937 random(19);
-  std::size_t placed = 0;
+  std::size_t placed = 0, all = 0;
+  double placedWeight = 0.0, allWeight = 0.0;
   for (int round = 0; round < 60; ++round) {
     auto order = round % 2 == 0 ? scene::NameOrder::Columns : scene::NameOrder::Around;
     NamedScene scene = namedScene(random, 20, {1.5, 1.5}, order);
     auto places = placeNames(scene.names, scene.room);
     expectLaws(scene, places);
     placed += places.size();
+    all += scene.names.size();
+    for (const NamePlace& place : places) placedWeight += nameIn(scene, place.key).weight;
+    for (const NameToPlace& name : scene.names) allWeight += name.weight;
   }
-  std::printf("%zu of 1200 names placed over subjects that fill the picture\n", placed);
-  EXPECT_GT(placed, 1000u);
+  std::printf("%zu of %zu names placed over subjects that fill the picture\n", placed, all);
+  EXPECT_GT(placed, all * 9 / 10);
+  EXPECT_LT((allWeight - placedWeight) / double(all - placed), 0.8 * placedWeight / double(placed))
+      << "what gives way weighs less";
 }
 
 TEST(PlaceNames, WhatWeighsLeastIsLeftOutFirst) {
@@ -138,6 +144,26 @@ TEST(PlaceNames, LeadersAreNearlyAsShortAsTheShortestOfAllColumns) {
   std::printf("leaders at worst %.3f of the shortest\n", worst);
 }
 
+TEST(PlaceNames, FewLeadersPassCloselyByTheAnchorOfAnother) {
+  std::mt19937 random(47);
+  int close = 0, all = 0;
+  for (int round = 0; round < 60; ++round) {
+    auto order = round % 2 == 0 ? scene::NameOrder::Columns : scene::NameOrder::Around;
+    NamedScene scene = namedScene(random, 20, {0.5, 0.8}, order);
+    for (const NamePlace& place : placeNames(scene.names, scene.room)) {
+      ++all;
+      bool isClose = false;
+      for (const NameToPlace& name : scene.names)
+        for (int i = 0; i <= 300 && name.key != place.key && glm::distance(name.anchor, place.leader.back()) > 11.2;
+             ++i)
+          isClose |= glm::distance(glm::mix(place.leader.front(), place.leader.back(), i / 300.0), name.anchor) < 5.0;
+      close += isClose;
+    }
+  }
+  std::printf("%d of %d leaders pass closely by another's anchor\n", close, all);
+  EXPECT_LT(close, all / 40);
+}
+
 TEST(PlaceNames, WhatIsFixedByHandStaysAndOthersAvoidIt) {
   std::mt19937 random(31);
   for (int round = 0; round < 30; ++round) {
@@ -158,6 +184,9 @@ TEST(PlaceNames, APictureWithoutRoomOrNamesHasNoPlaces) {
     room.order = order;
     EXPECT_TRUE(placeNames({}, room).empty());
     EXPECT_TRUE(placeNames({{1, {60, 20}, {20, 15}, 1.0, {}}}, room).empty());
+    NameRoom large{{600, 400}, {}, {}, order, 16.0};
+    EXPECT_TRUE(placeNames({{1, {60, 20}, {-20, 15}, 1.0, {}}}, large).empty()) << "what is not in the picture";
+    EXPECT_EQ(placeNames({{1, {60, 20}, {300, 200}, 1.0, {}}}, large).size(), 1u) << "a subject that is not known";
   }
 }
 

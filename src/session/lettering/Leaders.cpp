@@ -49,6 +49,12 @@ bool isCrossing(const Rectangle& a, const Rectangle& b) {
   return glm::all(glm::lessThan(a.low, b.high)) && glm::all(glm::lessThan(b.low, a.high));
 }
 
+double distanceTo(const Segment& segment, glm::dvec2 place) {
+  glm::dvec2 way = segment.to - segment.from;
+  double square = glm::dot(way, way), along = square > 0.0 ? glm::dot(place - segment.from, way) / square : 0.0;
+  return glm::distance(place, segment.from + std::clamp(along, 0.0, 1.0) * way);
+}
+
 Rectangle grown(const Rectangle& rectangle, double by) { return {rectangle.low - by, rectangle.high + by}; }
 
 Segment leaderOf(const Rectangle& block, glm::dvec2 anchor, double away, scene::NameOrder order) {

@@ -14,6 +14,8 @@ bool isCrossing(const Segment& a, const Segment& b);
 bool isCrossing(const Segment& segment, const Rectangle& rectangle);
 /// True where two rectangles have a point of their insides in common.
 bool isCrossing(const Rectangle& a, const Rectangle& b);
+/// From a place to the nearest point of a piece, pixels.
+double distanceTo(const Segment& segment, glm::dvec2 place);
 Rectangle grown(const Rectangle& rectangle, double by);
 /// The leader to an anchor: from the side of a block that looks to it, of names around a subject from that which looks
 /// more to it; of others from above or below only where the anchor is there.
@@ -23,6 +25,8 @@ Segment leaderOf(const Rectangle& block, glm::dvec2 anchor, double away, scene::
 /// Ways in ems between what is written: from words to the picture's edge, to other words, to their leader, to the
 /// subject.
 constexpr double kNameMargin = 0.6, kNameGap = 0.3, kLeaderGap = 0.3, kSubjectGap = 1.6;
+/// How near to another's anchor a leader seems to lead there, ems.
+constexpr double kAnchorGap = 0.35;
 
 /// A place of a name with its leader. @param low  corner of the block
 NamePlace placeAt(const NameToPlace& name, glm::dvec2 low, const NameRoom& room);

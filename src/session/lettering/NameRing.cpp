@@ -17,16 +17,27 @@ constexpr double kRingReach = 60;       // slots from the direction of an anchor
 constexpr std::size_t kMostStarts = 8;  // that are tried for the order around
 constexpr double kTurn = 3.0;           // how soon a block that goes around turns its corner to the subject
 constexpr double kRadial = 0.1;         // of the radius, by the square of the turn: what it costs not to stand there
-constexpr double kStaysFor = 0.3;       // of a way in a film: so much shorter must a leader be for it
+constexpr double kStaysFor = 0.5;       // of a way in a film: so much shorter must a leader be for it
 constexpr double kSmallest = 0.35, kRingShrink = 0.8;  // of the ellipse around the subject
 constexpr double kNoPlace = std::numeric_limits<double>::infinity();
 
-struct Ellipse {
+/// A line around a subject: an ellipse, or one whose exponent is over 2, which comes nearer to a box.
+struct NameEllipse {
   glm::dvec2 middle{0}, axes{1};
+  double exponent = 2.0;
 };
 
-/// The smallest ellipse around the middle of a silhouette with the proportions of its box.
-Ellipse ellipseAround(const Silhouette& silhouette, glm::dvec2 picture) {
+double lengthBy(double exponent, glm::dvec2 way) {
+  if (exponent == 2.0) return glm::length(way);
+  return std::pow(std::pow(std::abs(way.x), exponent) + std::pow(std::abs(way.y), exponent), 1.0 / exponent);
+}
+
+/// The smallest such line around the middle of a silhouette with the proportions of its box.
+NameEllipse ellipseAround(const Silhouette& silhouette, glm::dvec2 picture) {
+  struct Kind {
+    double exponent, area;  ///< with axes of 1
+  };
+  constexpr Kind kKinds[] = {{2.0, 3.142}, {3.0, 3.533}, {4.0, 3.708}, {6.0, 3.855}};
   glm::dvec2 low(kNoPlace), high(-kNoPlace);
   auto forCorners = [&](auto visit) {
     for (std::size_t i = 0; i < silhouette.rows.size(); ++i)
@@ -39,10 +50,16 @@ Ellipse ellipseAround(const Silhouette& silhouette, glm::dvec2 picture) {
     high = glm::max(high, corner);
   });
   if (low.x > high.x) return {picture * 0.5, picture * 0.25};
-  Ellipse out{(low + high) * 0.5, glm::max((high - low) * 0.5, glm::dvec2(1))};
-  double scale = 0.0;
-  forCorners([&](glm::dvec2 corner) { scale = std::max(scale, glm::length((corner - out.middle) / out.axes)); });
-  out.axes *= scale;
+  glm::dvec2 middle = (low + high) * 0.5, half = glm::max((high - low) * 0.5, glm::dvec2(1));
+  NameEllipse out;
+  double least = kNoPlace;
+  for (Kind kind : kKinds) {
+    double scale = 0.0;
+    forCorners([&](glm::dvec2 corner) { scale = std::max(scale, lengthBy(kind.exponent, (corner - middle) / half)); });
+    if (scale * scale * kind.area >= least) continue;
+    least = scale * scale * kind.area;
+    out = {middle, half * scale, kind.exponent};
+  }
   return out;
 }
 
@@ -53,11 +70,11 @@ class RingSearch {
   std::vector<std::optional<glm::dvec2>> search() {
     std::vector<std::size_t> all(mWaiting.names.size());
     std::iota(all.begin(), all.end(), std::size_t(0));
-    Ellipse around = ellipseAround(mRoom.subject, mRoom.size);
+    NameEllipse around = ellipseAround(mRoom.subject, mRoom.size);
     std::vector<std::optional<glm::dvec2>> places(all.size());
     for (; !all.empty(); dropLightest(all))
       for (double share = 1.0; share >= kSmallest; share *= kRingShrink) {
-        mRing = {around.middle, around.axes * share + kSubjectGap * mRoom.em};
+        mRing = {around.middle, around.axes * share + kSubjectGap * mRoom.em, around.exponent};
         if (!arrange(all)) continue;
         for (std::size_t k = 0; k < mOrder.size(); ++k) places[mOrder[k]] = blockOf(k).low;
         return places;
@@ -85,7 +102,9 @@ class RingSearch {
   Rectangle blockAt(std::size_t i, std::size_t slot) const {
     double angle = double(slot) * glm::two_pi<double>() / kSlots;
     glm::dvec2 toRing(std::cos(angle), std::sin(angle)), half = name(i).size * 0.5;
-    glm::dvec2 normal = glm::normalize(toRing / mRing.axes);
+    toRing /= lengthBy(mRing.exponent, toRing);
+    glm::dvec2 slope = glm::sign(toRing) * glm::pow(glm::abs(toRing), glm::dvec2(mRing.exponent - 1.0));
+    glm::dvec2 normal = glm::normalize(slope / mRing.axes);
     glm::dvec2 offset = half * glm::clamp(normal * kTurn, -1.0, 1.0);
     double lacks = glm::dot(half, glm::abs(normal)) - glm::dot(offset, normal);
     glm::dvec2 middle = mRing.middle + toRing * mRing.axes + offset + normal * lacks;
@@ -235,7 +254,7 @@ class RingSearch {
 
   const WaitingNames& mWaiting;
   const NameRoom& mRoom;
-  Ellipse mRing;
+  NameEllipse mRing;
   std::size_t mStart = 0;                       ///< slot from which on names stand in their order
   std::vector<std::size_t> mOrder;              ///< names, clockwise
   std::vector<std::size_t> mSlots;              ///< of names in that order

@@ -47,6 +47,9 @@ class Settled {
         glm::any(glm::greaterThan(place.block.high, mRoom.size)))
       return false;
     Segment leader{place.leader.front(), place.leader.back()};
+    if (!glm::all(glm::greaterThanEqual(leader.to, glm::dvec2(0))) ||
+        !glm::all(glm::lessThanEqual(leader.to, mRoom.size)))
+      return false;
     Rectangle own = grown(place.block, 1.0);
     if (glm::all(glm::lessThan(own.low, leader.to)) && glm::all(glm::lessThan(leader.to, own.high))) return false;
     auto isOver = [&](const Rectangle& taken) { return isCrossing(taken, place.block) || isCrossing(leader, taken); };
@@ -78,6 +81,32 @@ class Settled {
   std::vector<NamePlace> mTaken;
   std::vector<std::optional<NamePlace>> mPlaces;
 };
+
+/// True where the leader of a place seems to lead to the anchor of another name.
+bool isMistaken(const NamePlace& place, const std::vector<NameToPlace>& names, double em) {
+  Segment leader{place.leader.front(), place.leader.back()};
+  return std::any_of(names.begin(), names.end(), [&](const NameToPlace& other) {
+    return glm::distance(other.anchor, leader.to) > 2.0 * kAnchorGap * em &&
+           distanceTo(leader, other.anchor) < kAnchorGap * em;
+  });
+}
+
+/// Moves wanted places a little up or down where their leaders seem to lead to the anchor of another name, if nothing
+/// is in the way there.
+void clearAnchors(const std::vector<NameToPlace>& names, const NameRoom& room, Wanted& wanted) {
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (!wanted[i] || !isMistaken(placeAt(names[i], *wanted[i], room), names, room.em)) continue;
+    for (double way : {0.3, -0.3, 0.6, -0.6, 0.9, -0.9}) {
+      NamePlace place = placeAt(names[i], *wanted[i] + glm::dvec2(0.0, way * room.em), room);
+      bool isFree = !isMistaken(place, names, room.em);
+      for (std::size_t j = 0; j < names.size() && isFree; ++j)
+        isFree = j == i || !wanted[j] || !areInTheWay(place, placeAt(names[j], *wanted[j], room), room.em);
+      if (!isFree) continue;
+      wanted[i] = place.block.low;
+      break;
+    }
+  }
+}
 
 /// Where a name may be that was somewhere in the frame before: on its way to the wanted place, where it was, or aside
 /// of what comes its way.
@@ -143,6 +172,7 @@ std::vector<NamePlace> placeNames(const std::vector<NameToPlace>& names, const N
     if (old) waiting.names.back().weight *= kHeavierPlaced;
   }
   Wanted wanted = room.order == scene::NameOrder::Columns ? columnPlaces(waiting, rest) : ringPlaces(waiting, rest);
+  clearAnchors(waiting.names, room, wanted);
   for (std::size_t i : heaviestFirst(waiting.names))
     settleName(numbers[i], waiting.names[i], wanted[i], waiting.before[i], before != nullptr, room.em, settled);
   return settled.places();

@@ -44,11 +44,11 @@ struct NamePlace {
 double mostNameStep(double em);
 
 /// Finds places for names, so that no block covers another, a leader of another, what is taken, or its own anchor, no
-/// two leaders cross, and all blocks are in the picture; only what was fixed by hand may. Columns: left and right of
-/// the subject, flush towards it, each name as near to the height of its anchor as the others let it ([BOUNDARY]);
-/// where the subject leaves no room over its sides. Around: on an ellipse around the subject, in the order of the
-/// anchors. A function of its arguments alone: a film is the same however often it is drawn, from the same first frame.
-/// Any thread; 10 ms for 40 names.
+/// two leaders cross, and all blocks and anchors are in the picture; only what was fixed by hand may. Columns: left and
+/// right of the subject, flush towards it, each name as near to the height of its anchor as the others let it
+/// ([BOUNDARY]); where the subject leaves no room over its sides. Around: on a line around the subject, in the
+/// order of the anchors. A function of its arguments alone: a film is the same however often it is drawn, from the same
+/// first frame. Any thread; 10 ms for 40 names.
 /// @param before  places in the frame before: names keep their order and side until that would let leaders cross or is
 /// clearly worse, and move by mostNameStep() at most; one that must leap, or is new, begins with little strength.
 /// Null: a still picture, or the first frame

@@ -43,8 +43,7 @@ int main(int argc, char** argv) {
   program.require_subcommand(1);
   // The verbs.
   struct Row {
-    const char* name;
-    const char* doc;
+    const char *name, *doc;
     app::Run (*registerVerb)(CLI::App&);
   };
   static constexpr Row kVerbs[] = {

@@ -23,7 +23,7 @@ class Measure(CliTest):
         self.assertEqual((float(rows[0]["value"]), rows[0]["unit"]), (5.0, "mm"))
         self.assertGreater(int(rows[1]["voxels"]), 10)
         self.assertEqual(float(rows[2]["value"]), 90.0)
-        self.assertIn(b"distance 1 Width, or so: 5.0 mm", self.run_batch(
+        self.assertIn(b"distance 1 Width, or so: 5 mm", self.run_batch(
             "measure", path, "--mark", "distance points=0,0,0;3,4,0 text=Width, or so").stdout)
 
     def test_marks_of_a_scene(self):
@@ -46,7 +46,7 @@ class Measure(CliTest):
 
     def test_structures_and_faces_honour_cuts(self):
         path = self.sample(voxels=64)
-        labels = self.folder / "two-spheres-labels.nrrd"
+        labels = self.folder / "two-spheres_labels.seg.nrrd"
         whole = self.table("--labels", labels, "--structures")
         self.assertGreaterEqual(len(whole), 2)
         self.assertEqual({row["share"] for row in whole}, {"100.00"})

@@ -16,7 +16,8 @@ namespace velum::session {
 namespace {
 
 constexpr int kBrick = LabelVolume::kBrickSize;
-constexpr int kPlaces = 32;
+/// Places that are looked at in a voxel that a border passes, and in one that a face passes.
+constexpr std::size_t kBorderPlaces = 32, kFacePlaces = 192;
 /// A place counts for a face up to this distance, mean edges of a voxel, the less the further away: thin enough for
 /// what is round, thick enough that each face is met by many places.
 constexpr double kFaceReach = 0.5;
@@ -47,12 +48,12 @@ struct Part {
 };
 using Parts = std::unordered_map<std::uint16_t, Part>;
 
-/// Places that fill the unit cube evenly along any direction [R2].
-std::array<glm::dvec3, kPlaces> evenPlaces() {
+/// Places that fill the unit cube evenly along any direction, as do the first of them [R2].
+std::array<glm::dvec3, kFacePlaces> evenPlaces() {
   constexpr double kRoot = 1.2207440846057596;
   const glm::dvec3 step(1.0 / kRoot, 1.0 / (kRoot * kRoot), 1.0 / (kRoot * kRoot * kRoot));
-  std::array<glm::dvec3, kPlaces> places;
-  for (int i = 0; i < kPlaces; ++i) places[std::size_t(i)] = glm::fract(0.5 + double(i) * step);
+  std::array<glm::dvec3, kFacePlaces> places;
+  for (std::size_t i = 0; i < kFacePlaces; ++i) places[i] = glm::fract(0.5 + double(i) * step);
   return places;
 }
 
@@ -122,22 +123,22 @@ class BrickMeasure {
     auto kept = keptAround(worldOf(voxel), id, 1.0);
     if (!hasBorder && kept) return parts[id].addPlaces(mVoxel, *kept);
     glm::dvec3 shift = shiftOf(voxel), corner = glm::dvec3(voxel) - 0.5;
-    constexpr double kShare = 1.0 / kPlaces;
-    for (const glm::dvec3& place : mPlaces) {
-      glm::dvec3 at = corner + glm::fract(place + shift);
+    std::size_t count = kept ? kBorderPlaces : kFacePlaces;
+    double share = 1.0 / double(count);
+    for (std::size_t i = 0; i < count; ++i) {
+      glm::dvec3 at = corner + glm::fract(mPlaces[i] + shift);
       std::uint16_t here = hasBorder ? mField->at(at).id : id;
       if (!isAsked(here)) continue;
       Part& part = parts[here];
       if (kept && here == id) {
-        part.addPlaces(kShare * mVoxel, *kept);
+        part.addPlaces(share * mVoxel, *kept);
         continue;
       }
       render::KeptDistance distance = mKept.distance(worldOf(at), here);
-      part.addPlaces(kShare * mVoxel, distance.distance >= 0.0);
+      part.addPlaces(share * mVoxel, distance.distance >= 0.0);
       // All that lies about a face, weighted by a bump whose integral is 1.
       double off = std::abs(distance.distance) / mFaceReach;
-      if (off < 1.0)
-        part.sum.faces[distance.cut] += kShare * mVoxel * (1.0 + std::cos(M_PI * off)) / (2.0 * mFaceReach);
+      if (off < 1.0) part.sum.faces[distance.cut] += share * mVoxel * (1.0 + std::cos(M_PI * off)) / (2.0 * mFaceReach);
     }
   }
 
@@ -146,7 +147,7 @@ class BrickMeasure {
   glm::dmat4 mWorldFromVoxel;
   render::KeptPlaces mKept;
   int mOnly;
-  std::array<glm::dvec3, kPlaces> mPlaces;
+  std::array<glm::dvec3, kFacePlaces> mPlaces;
   double mVoxel = 0.0, mRadius = 0.0, mFaceReach = 0.0, mFactor = 1.0;
 };
 

@@ -16,27 +16,44 @@ namespace velum::session {
 namespace {
 
 constexpr int kBrick = LabelVolume::kBrickSize;
-constexpr int kPlaces = 32;
+/// Places that are looked at in a voxel that a border passes, and in one that a face passes.
+constexpr std::size_t kBorderPlaces = 32, kFacePlaces = 192;
 /// A place counts for a face up to this distance, mean edges of a voxel, the less the further away: thin enough for
 /// what is round, thick enough that each face is met by many places.
 constexpr double kFaceReach = 0.5;
 /// The distance to a sheet is measured along its frame's axis, which is further than to a steep sheet beside the place.
 constexpr double kSheetFactor = 3.0;
 
-using Parts = std::unordered_map<std::uint16_t, StructureLeft>;
+/// Of one structure: what is counted between voxels beside what is told.
+struct Part {
+  StructureLeft sum;
+  double places = 0.0;  ///< volume of it by places, all and left
+  double placesLeft = 0.0;
 
-void join(StructureLeft& a, const StructureLeft& b) {
-  a.whole += b.whole;
-  a.left += b.left;
-  for (const auto& [cut, area] : b.faces) a.faces[cut] += area;
-}
+  void addVoxels(glm::ivec3 low, glm::ivec3 high, double volume) {
+    sum.whole += volume;
+    sum.low = glm::min(sum.low, low);
+    sum.high = glm::max(sum.high, high);
+  }
+  void addPlaces(double volume, bool isKept) {
+    places += volume;
+    if (isKept) placesLeft += volume;
+  }
+  void join(const Part& other) {
+    addVoxels(other.sum.low, other.sum.high, other.sum.whole);
+    places += other.places;
+    placesLeft += other.placesLeft;
+    for (const auto& [cut, area] : other.sum.faces) sum.faces[cut] += area;
+  }
+};
+using Parts = std::unordered_map<std::uint16_t, Part>;
 
-/// Places that fill the unit cube evenly along any direction [R2].
-std::array<glm::dvec3, kPlaces> evenPlaces() {
+/// Places that fill the unit cube evenly along any direction, as do the first of them [R2].
+std::array<glm::dvec3, kFacePlaces> evenPlaces() {
   constexpr double kRoot = 1.2207440846057596;
   const glm::dvec3 step(1.0 / kRoot, 1.0 / (kRoot * kRoot), 1.0 / (kRoot * kRoot * kRoot));
-  std::array<glm::dvec3, kPlaces> places;
-  for (int i = 0; i < kPlaces; ++i) places[std::size_t(i)] = glm::fract(0.5 + double(i) * step);
+  std::array<glm::dvec3, kFacePlaces> places;
+  for (std::size_t i = 0; i < kFacePlaces; ++i) places[i] = glm::fract(0.5 + double(i) * step);
   return places;
 }
 
@@ -72,7 +89,9 @@ class BrickMeasure {
       glm::dvec3 middle = worldOf(glm::dvec3(first) + 0.5 * glm::dvec3(size - 1));
       if (auto kept = keptAround(middle, ids[0], kBrick)) {
         double volume = mVoxel * double(size.x) * double(size.y) * double(size.z);
-        addWhole(parts[ids[0]], volume, *kept);
+        Part& part = parts[ids[0]];
+        part.addVoxels(first, first + size - 1, volume);
+        part.addPlaces(volume, *kept);
         return;
       }
     }
@@ -88,10 +107,6 @@ class BrickMeasure {
  private:
   glm::dvec3 worldOf(glm::dvec3 voxel) const { return glm::dvec3(mWorldFromVoxel * glm::dvec4(voxel, 1.0)); }
   bool isAsked(std::uint16_t id) const { return id != 0 && (mOnly == 0 || id == mOnly); }
-  static void addWhole(StructureLeft& sum, double volume, bool isKept) {
-    sum.whole += volume;
-    if (isKept) sum.left += volume;
-  }
 
   /// Whether all of a structure about a place is kept; nothing where some of it may not be what the rest is.
   std::optional<bool> keptAround(glm::dvec3 middle, std::uint16_t id, double voxels) const {
@@ -103,25 +118,27 @@ class BrickMeasure {
 
   void addVoxel(Parts& parts, glm::ivec3 voxel, std::uint16_t id) const {
     bool hasBorder = mField->hasBorder(voxel);
+    if (isAsked(id)) parts[id].addVoxels(voxel, voxel, mVoxel);
     if (!hasBorder && !isAsked(id)) return;
     auto kept = keptAround(worldOf(voxel), id, 1.0);
-    if (!hasBorder && kept) return addWhole(parts[id], mVoxel, *kept);
+    if (!hasBorder && kept) return parts[id].addPlaces(mVoxel, *kept);
     glm::dvec3 shift = shiftOf(voxel), corner = glm::dvec3(voxel) - 0.5;
-    constexpr double kShare = 1.0 / kPlaces;
-    for (const glm::dvec3& place : mPlaces) {
-      glm::dvec3 at = corner + glm::fract(place + shift);
+    std::size_t count = kept ? kBorderPlaces : kFacePlaces;
+    double share = 1.0 / double(count);
+    for (std::size_t i = 0; i < count; ++i) {
+      glm::dvec3 at = corner + glm::fract(mPlaces[i] + shift);
       std::uint16_t here = hasBorder ? mField->at(at).id : id;
       if (!isAsked(here)) continue;
-      StructureLeft& sum = parts[here];
+      Part& part = parts[here];
       if (kept && here == id) {
-        addWhole(sum, kShare * mVoxel, *kept);
+        part.addPlaces(share * mVoxel, *kept);
         continue;
       }
       render::KeptDistance distance = mKept.distance(worldOf(at), here);
-      addWhole(sum, kShare * mVoxel, distance.distance >= 0.0);
+      part.addPlaces(share * mVoxel, distance.distance >= 0.0);
       // All that lies about a face, weighted by a bump whose integral is 1.
       double off = std::abs(distance.distance) / mFaceReach;
-      if (off < 1.0) sum.faces[distance.cut] += kShare * mVoxel * (1.0 + std::cos(M_PI * off)) / (2.0 * mFaceReach);
+      if (off < 1.0) part.sum.faces[distance.cut] += share * mVoxel * (1.0 + std::cos(M_PI * off)) / (2.0 * mFaceReach);
     }
   }
 
@@ -130,19 +147,20 @@ class BrickMeasure {
   glm::dmat4 mWorldFromVoxel;
   render::KeptPlaces mKept;
   int mOnly;
-  std::array<glm::dvec3, kPlaces> mPlaces;
+  std::array<glm::dvec3, kFacePlaces> mPlaces;
   double mVoxel = 0.0, mRadius = 0.0, mFaceReach = 0.0, mFactor = 1.0;
 };
 
 }  // namespace
 
 std::map<int, StructureLeft> measureLeft(const scene::Scene& scene, int only, Progress& progress) {
-  std::map<int, StructureLeft> all;
-  if (!scene.labels.data) return all;
+  std::map<int, StructureLeft> left;
+  if (!scene.labels.data) return left;
   BrickMeasure measure(scene, only);
   glm::ivec3 grid = scene.labels.data->brickGrid();
+  std::map<int, Part> all;
   auto joined = [](Parts a, const Parts& b) {
-    for (const auto& [id, part] : b) join(a[id], part);
+    for (const auto& [id, part] : b) a[id].join(part);
     return a;
   };
   for (int z = 0; z < grid.z; ++z) {
@@ -152,10 +170,15 @@ std::map<int, StructureLeft> measureLeft(const scene::Scene& scene, int only, Pr
       for (int i = first; i < end && !progress.isCancelled(); ++i) measure.add(parts, {i % grid.x, i / grid.x, z});
       return parts;
     };
-    for (const auto& [id, part] : parallelReduce(0, grid.x * grid.y, 4, Parts(), body, joined)) join(all[id], part);
+    for (const auto& [id, part] : parallelReduce(0, grid.x * grid.y, 4, Parts(), body, joined)) all[id].join(part);
   }
   progress.throwIfCancelled();
-  return all;
+  for (auto& [id, part] : all) {
+    if (!(part.sum.whole > 0.0)) continue;
+    part.sum.left = part.placesLeft == part.places ? part.sum.whole : part.sum.whole * part.placesLeft / part.places;
+    left[id] = part.sum;
+  }
+  return left;
 }
 
 }  // namespace velum::session

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <queue>
 #include <unordered_map>
+#include <unordered_set>
 
 #include "core/Parallel.h"
 #include "session/measure/MeshNeighbours.h"
@@ -44,6 +45,46 @@ glm::dvec3 middleOf(const WayMesh& mesh, std::uint32_t triangle) {
   return (mesh.points[i[0]] + mesh.points[i[1]] + mesh.points[i[2]]) / 3.0;
 }
 
+/// The triangles about one, by how many sides are between.
+class Surroundings {
+ public:
+  explicit Surroundings(const Neighbours& neighbours) : mNeighbours(neighbours) {}
+
+  /// Those that are reached through few sides, each with the one from which it was reached, itself first.
+  struct Reached {
+    std::uint32_t triangle, from;
+    int sides;
+  };
+  const std::vector<Reached>& about(std::uint32_t triangle) {
+    constexpr int kMostSides = 7;  // enough ways that each direction is near one of them
+    mReached.assign(1, {triangle, triangle, 0});
+    mKnown.clear();
+    mKnown.insert(triangle);
+    for (std::size_t i = 0; i < mReached.size(); ++i) {
+      auto [at, from, sides] = mReached[i];
+      if (sides == kMostSides) break;
+      for (std::uint32_t next : mNeighbours[at])
+        if (mKnown.insert(next).second) mReached.push_back({next, at, sides + 1});
+    }
+    return mReached;
+  }
+  /// The triangles between one and another that is about it, the first left out.
+  void addWay(Strip& strip, std::uint32_t from, std::uint32_t to) {
+    const auto& reached = about(from);
+    Strip back;
+    while (to != from) {
+      back.push_back(to);
+      to = std::find_if(reached.begin(), reached.end(), [&](const Reached& r) { return r.triangle == to; })->from;
+    }
+    strip.insert(strip.end(), back.rbegin(), back.rend());
+  }
+
+ private:
+  const Neighbours& mNeighbours;
+  std::vector<Reached> mReached;
+  std::unordered_set<std::uint32_t> mKnown;
+};
+
 /// The triangles of a short way, each a neighbour of the one before it; empty where there is none.
 Strip firstStrip(const WayMesh& mesh, const Neighbours& neighbours, const MeshPlace& from, const MeshPlace& to,
                  Progress& progress) {
@@ -52,8 +93,12 @@ Strip firstStrip(const WayMesh& mesh, const Neighbours& neighbours, const MeshPl
   std::vector<std::uint32_t> before(neighbours.size(), kNone);
   using Entry = std::pair<double, std::uint32_t>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
-  // The sum with the straight line to the end is at least as long as a way through a triangle.
-  auto rest = [&](std::uint32_t triangle) { return glm::distance(middleOf(mesh, triangle), to.place); };
+  auto placeOf = [&](std::uint32_t triangle) {
+    return triangle == from.triangle ? from.place : triangle == to.triangle ? to.place : middleOf(mesh, triangle);
+  };
+  // The rest is as long as the straight line to the end, at least.
+  auto rest = [&](std::uint32_t triangle) { return glm::distance(placeOf(triangle), to.place); };
+  Surroundings surroundings(neighbours);
   lengths[from.triangle] = 0.0;
   open.push({rest(from.triangle), from.triangle});
   for (std::size_t steps = 0; !open.empty(); ++steps) {
@@ -61,24 +106,21 @@ Strip firstStrip(const WayMesh& mesh, const Neighbours& neighbours, const MeshPl
     auto [sum, at] = open.top();
     open.pop();
     if (at == to.triangle) break;
+    glm::dvec3 here = placeOf(at);
     if (sum > lengths[at] + rest(at) * (1.0 + 1e-12) + 1e-12) continue;
-    glm::dvec3 here = at == from.triangle ? from.place : middleOf(mesh, at);
-    for (std::uint32_t side = 0; side < 3; ++side) {
-      std::uint32_t next = neighbours[at][side];
-      if (next == at) continue;
-      const std::uint32_t* i = &mesh.indices[3 * std::size_t(at)];
-      glm::dvec3 gate = 0.5 * (mesh.points[i[side]] + mesh.points[i[(side + 1) % 3]]);
-      double length = lengths[at] + glm::distance(here, gate) + glm::distance(gate, middleOf(mesh, next));
-      if (length >= lengths[next]) continue;
-      lengths[next] = length;
-      before[next] = at;
-      open.push({length + rest(next), next});
+    for (const auto& next : surroundings.about(at)) {
+      double length = lengths[at] + glm::distance(here, placeOf(next.triangle));
+      if (length >= lengths[next.triangle]) continue;
+      lengths[next.triangle] = length;
+      before[next.triangle] = at;
+      open.push({length + rest(next.triangle), next.triangle});
     }
   }
-  Strip strip;
-  if (lengths[to.triangle] >= 1e300) return strip;
-  for (std::uint32_t at = to.triangle; at != kNone; at = before[at]) strip.push_back(at);
-  std::reverse(strip.begin(), strip.end());
+  if (lengths[to.triangle] >= 1e300) return {};
+  Strip steps;
+  for (std::uint32_t at = to.triangle; at != kNone; at = before[at]) steps.push_back(at);
+  Strip strip{from.triangle};
+  for (std::size_t i = steps.size() - 1; i-- > 0;) surroundings.addWay(strip, steps[i + 1], steps[i]);
   return strip;
 }
 
@@ -202,7 +244,7 @@ std::optional<MeshWay> wayOverMesh(const WayMesh& mesh, const MeshPlace& from, c
                                    Progress& progress) {
   constexpr int kMostRounds = 5000;
   Neighbours neighbours = neighboursOf(mesh.indices);
-  Strip strip = firstStrip(mesh, neighbours, from, to, progress);
+  Strip strip = withoutLoops(firstStrip(mesh, neighbours, from, to, progress));
   if (strip.empty()) return std::nullopt;
   Rerouting rerouting(mesh, neighbours);
   StripWay best = straightWay(mesh, strip, from.place, to.place);

@@ -29,8 +29,9 @@ struct MeshPlace {
 MeshPlace nearestPlace(const WayMesh& mesh, glm::dvec3 point);
 
 /// A way over triangles that no small change makes shorter. It is found among triangles, from middle to middle, and
-/// then drawn straight: unfolded into a plane, and led past the other side of a corner where that is shorter,
-/// until no corner is left at which it is. Nothing where the places do not hang together. @throw Cancelled. Any thread.
+/// then drawn straight: unfolded into a plane, and led past the other side of a corner where that is shorter, until no
+/// corner is left at which it is. Nothing where the places do not hang together.
+/// @throw Cancelled. Any thread.
 std::optional<MeshWay> wayOverMesh(const WayMesh& mesh, const MeshPlace& from, const MeshPlace& to, Progress& progress);
 
 }  // namespace velum::session

@@ -8,6 +8,7 @@
 
 #include "core/Text.h"
 #include "scene/Scene.h"
+#include "scene/SectionPlane.h"
 #include "scene/Units.h"
 
 namespace velum::session {
@@ -45,8 +46,7 @@ constexpr Saying kSayings[] = {
 int decimalsOf(double doubt) { return doubt > 0.0 ? std::clamp(int(std::floor(0.5 - std::log10(doubt))), -9, 9) : 9; }
 
 std::string numberText(double value, int decimals) {
-  double step = std::pow(10.0, -std::min(decimals, 0));
-  value = std::round(value / step) * step;
+  if (double step = std::pow(10.0, -decimals); decimals < 0) value = std::round(value / step) * step;
   if (decimals > 0 && std::abs(value) < 0.5 * std::pow(10.0, -decimals)) value = 0.0;
   return fmt::format("{:.{}f}", value == 0.0 ? 0.0 : value, std::max(decimals, 0));
 }
@@ -92,6 +92,8 @@ Telling tellingOf(const scene::Scene& scene) {
   bool isModel = scene.unit == LengthUnit::Angstrom;
   scene::LengthFormat format = scene::lengthFormat(scene);
   Telling telling{std::string(format.symbol), format.toldPerLength, std::pow(10.0, -format.decimals)};
+  bool isEmpty = !scene.volume.data && !scene.labels.data;
+  if (!isEmpty) telling.resolution = std::max(telling.resolution, 0.1 * scene::finestStep(scene) * telling.perLength);
   // Molecules are told in nanometres, and places in them are known to a tenth of an angstrom.
   if (isModel) telling = {"nm", 0.1, 0.1 * (scene.model.data ? 0.1 : telling.resolution)};
   return telling;

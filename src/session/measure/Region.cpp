@@ -17,7 +17,7 @@ Measured measureStructure(const scene::Scene& scene, int structure, const Struct
   Measured measured;
   Quantity volume = volumeQuantity(telling, left.left);
   Quantity share{"share", left.whole > 0.0 ? 100.0 * left.left / left.whole : 0.0, "%", 1};
-  double area = left.left > 0.0 ? surfaceLeft(scene, structure, progress) : 0.0;
+  double area = left.left > 0.0 ? surfaceLeft(scene, structure, left.low, left.high, progress) : 0.0;
   for (const auto& [cut, face] : left.faces) area += face;
   Quantity surface = areaQuantity(telling, area);
   surface.name = "surface";
@@ -26,7 +26,7 @@ Measured measureStructure(const scene::Scene& scene, int structure, const Struct
   measured.text = quantityText(volume) + (isCut ? fmt::format(", {} left", quantityText(share)) : "");
   measured.text += fmt::format("\nsurface {}", quantityText(surface));
   if (!scene.volume.data) return measured;
-  StructureValues values = valuesLeft(scene, structure, progress);
+  StructureValues values = valuesLeft(scene, structure, left.low, left.high, progress);
   if (values.voxels > 0) addValues(measured, *scene.volume.data, values);
   return measured;
 }

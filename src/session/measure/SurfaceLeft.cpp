@@ -12,7 +12,6 @@
 #include "scene/Scene.h"
 #include "scene/StructureAt.h"
 #include "session/measure/MeshNeighbours.h"
-#include "session/structure/StructureSizes.h"
 
 namespace velum::session {
 
@@ -93,15 +92,11 @@ int roundsFor(const glm::dmat4& worldFromVoxel) {
 
 }  // namespace
 
-double surfaceLeft(const scene::Scene& scene, int structure, Progress& progress) {
-  if (!scene.labels.data) return 0.0;
+double surfaceLeft(const scene::Scene& scene, int structure, glm::ivec3 low, glm::ivec3 high, Progress& progress) {
   const LabelVolume& labels = *scene.labels.data;
-  auto sizes = countStructures(labels, progress);
-  auto size = sizes.find(structure);
-  if (size == sizes.end()) return 0.0;
   auto field = scene::structureFieldOf(scene);
   auto id = std::uint16_t(structure);
-  Mesh mesh = io::extractSurface(*field, id, size->second.low, size->second.high, 0.0, progress);
+  Mesh mesh = io::extractSurface(*field, id, low, high, 0.0, progress);
   std::vector<double> areas = areasWithoutRipples(mesh, roundsFor(labels.worldFromVoxel()), progress);
   glm::dvec3 middle(labels.worldFromVoxel() * glm::dvec4(0.5 * glm::dvec3(labels.dims() - 1), 1.0));
   render::KeptPlaces kept(scene, middle);

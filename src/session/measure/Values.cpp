@@ -12,7 +12,6 @@
 #include "scene/Scene.h"
 #include "scene/Shown.h"
 #include "session/measure/ValueBetween.h"
-#include "session/structure/StructureSizes.h"
 #include "session/structure/ValueSum.h"
 
 namespace velum::session {
@@ -142,19 +141,16 @@ StructureValues valuesInBox(const scene::Scene& scene, glm::dvec3 a, glm::dvec3 
       volume, volume.rangeOf(low, high), [](glm::ivec3) { return true; }, progress);
 }
 
-StructureValues valuesLeft(const scene::Scene& scene, int structure, Progress& progress) {
+StructureValues valuesLeft(const scene::Scene& scene, int structure, glm::ivec3 first, glm::ivec3 last,
+                           Progress& progress) {
   ShownVolume volume(scene);
   const LabelVolume& labels = *scene.labels.data;
-  auto sizes = countStructures(labels, progress);
-  auto size = sizes.find(structure);
-  if (size == sizes.end()) return {};
   glm::dmat4 voxelFromLabel = volume.voxelFromWorld * labels.worldFromVoxel();
   glm::dmat4 labelFromVoxel = glm::inverse(voxelFromLabel);
   glm::dvec3 low(1e300), high(-1e300);
   for (int i = 0; i < 8; ++i) {
     glm::ivec3 corner(i & 1, i >> 1 & 1, i >> 2);
-    glm::dvec3 at =
-        glm::mix(glm::dvec3(size->second.low) - 0.5, glm::dvec3(size->second.high) + 0.5, glm::dvec3(corner));
+    glm::dvec3 at = glm::mix(glm::dvec3(first) - 0.5, glm::dvec3(last) + 0.5, glm::dvec3(corner));
     glm::dvec3 voxel(voxelFromLabel * glm::dvec4(at, 1.0));
     low = glm::min(low, voxel);
     high = glm::max(high, voxel);

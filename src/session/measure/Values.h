@@ -22,7 +22,9 @@ StructureValues valuesInBall(const scene::Scene& scene, glm::dvec3 middle, doubl
 StructureValues valuesInBox(const scene::Scene& scene, glm::dvec3 a, glm::dvec3 b, Progress& progress);
 
 /// Of the voxels whose middles lie in a structure and are left by the cuts. The scene must have labels.
-StructureValues valuesLeft(const scene::Scene& scene, int structure, Progress& progress);
+/// @param low, high  the box of the structure's voxels among the labels, both ends included
+StructureValues valuesLeft(const scene::Scene& scene, int structure, glm::ivec3 low, glm::ivec3 high,
+                           Progress& progress);
 
 /// Along a line: half the smallest edge of a voxel apart, or further where these were more than 20,000; linear between
 /// the middles of voxels. The first sample lies on `a`, the last on `b`.

@@ -124,6 +124,43 @@ TEST_F(Timelines, AControlMakesAKeyOfItsFieldAndShowsIt) {
   EXPECT_EQ(timesOf("finish.contours"), std::vector<double>{0.0});
 }
 
+TEST_F(Timelines, AControlWithoutARowOfItsOwnShowsItsKeyOverItsEnd) {
+  Progress progress;
+  session::run(mWindow->session(), session::parseCall("cut.add plane"), progress);
+  mWindow->selection().setCut(scene().cuts[0].id);
+  struct Control {
+    const char *page, *path;
+  };
+  for (auto [page, path] : {Control{"Look", "background.top"},
+                            {"Finish", "finish.structureSpheres"},
+                            {"Cuts", "cuts.0.face"},
+                            {"Cuts", "cuts.0.joined"}}) {
+    SCOPED_TRACE(path);
+    key(path, 0.0, "");
+    ASSERT_TRUE(mWindow->tabs().showPage(page));
+    document().setPlayhead(3.0);
+    ASSERT_TRUE(settle());
+    std::string track = scene::stablePath(scene(), path);
+    FieldKey* mark = nullptr;
+    for (auto* one : mWindow->findChildren<FieldKey*>())
+      if (one->isVisible() && !one->parentWidget()->layout()) mark = one;
+    ASSERT_TRUE(mark);
+    QWidget& control = *mark->parentWidget();
+    EXPECT_TRUE(control.rect().contains(mark->geometry()));
+    for (QWidget* above = mark; above; above = above->parentWidget())
+      if (auto* area = qobject_cast<QScrollArea*>(above)) area->ensureWidgetVisible(mark);
+    takeShot(*mWindow, QString("key-over-%1").arg(QString(path).section('.', -1)));
+    if (control.isEnabled()) {
+      QTest::mouseClick(mark, Qt::LeftButton);
+      EXPECT_EQ(timesOf(track), (std::vector<double>{0.0, 3.0}));
+      QTest::mouseClick(mark, Qt::LeftButton);
+      EXPECT_EQ(timesOf(track), std::vector<double>{0.0});
+    }
+    session::run(mWindow->session(), session::parseCall("film.clear"), progress);
+    EXPECT_FALSE(mark->isVisible());
+  }
+}
+
 TEST_F(Timelines, TheWayOfTheEyeIsSeenFromElsewhereAndItsKnobsAreDragged) {
   key("camera", 0.0, "");
   ASSERT_TRUE(QTest::qWaitFor([&] { return strip().isVisible(); }, kPatience));

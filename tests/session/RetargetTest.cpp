@@ -10,6 +10,9 @@
 #include "io/volumes/WriteVolume.h"
 #include "scene/timeline/SceneAt.h"
 #include "scene/timeline/Tracks.h"
+#include "session/Session.h"
+#include "session/command/Command.h"
+#include "session/command/DocumentCommands.h"
 #include "session/document/Open.h"
 
 namespace velum::session {
@@ -102,6 +105,87 @@ TEST_F(Retarget, DataOfAnotherKindGetsThePresetThatFitsIt) {
   if (made.volume.data->modality == other.modality) GTEST_SKIP() << "both are of one kind";
   EXPECT_FALSE(scene::findTrack(made.timeline, "volume.transfer.opacities"));
   EXPECT_FALSE(mNotes.empty());
+}
+
+TEST_F(Retarget, WhatIsOfStructuresThatTheOthersLackIsLeftOut) {
+  // The other labels have another structure under the number of this one.
+  int lost = mScene.labels.structures[0].id + 10;
+  mScene.labels.structures.push_back({.id = lost, .name = "not in the picture"});
+  mScene.labels.structures[1].name = "spleen";
+  mScene.timeline.tracks.push_back({fmt("labels.structures[#{}].opacity", lost), true, {{0.0, {"1"}}, {1.0, {"0.5"}}}});
+  mScene.timeline.tracks.push_back({fmt("cuts[#1].spares[{}].distance", lost), true, {{0.0, {"1"}}}});
+  scene::addMark(mScene.lettering.marks, {.kind = scene::MarkKind::Name, .points = {{1, 2, 3}}, .structure = lost});
+  scene::addMark(mScene.lettering.marks, {.kind = scene::MarkKind::Label, .points = {{1, 2, 3}}, .text = "here"});
+  mScene.surfaces.emplace_back();
+  scene::Scene other = retargeted(mScene, {path("two.nrrd"), path("two.seg.nrrd"), ""}, mProgress, mNotes);
+  EXPECT_EQ(other.timeline.tracks.size(), 2u);
+  ASSERT_EQ(other.lettering.marks.size(), 1u);
+  expectNear(other.lettering.marks[0].points[0], carried({1, 2, 3}), 1e-6);
+  EXPECT_TRUE(other.surfaces.empty());
+  std::string notes;
+  for (const auto& note : mNotes) notes += note + "\n";
+  EXPECT_NE(notes.find("do not have: spleen\n"), notes.npos) << notes;
+  EXPECT_TRUE(other.cuts[0].spares.empty());
+  EXPECT_NE(notes.find("surfaces"), notes.npos) << notes;
+}
+
+TEST_F(Retarget, StructuresOfBothAreOffered) {
+  std::vector<std::string> names;
+  for (const auto& structure : mScene.labels.structures) names.push_back(structure.name);
+  EXPECT_EQ(sharedStructures(mScene.labels, path("two.seg.nrrd"), mProgress), names);
+  mScene.labels.structures[0].name = "another name";
+  names.erase(names.begin());
+  EXPECT_EQ(sharedStructures(mScene.labels, path("two.seg.nrrd"), mProgress), names);
+  EXPECT_TRUE(sharedStructures({}, path("two.seg.nrrd"), mProgress).empty());
+  EXPECT_THROW(sharedStructures(mScene.labels, path("none.nrrd"), mProgress), InputError);
+}
+
+TEST_F(Retarget, TheCommandIsOneStepWhateverThePlayheadShows) {
+  Session session(mScene);
+  std::string line = "scene.carry " + path("two.nrrd") + " " + path("two.seg.nrrd");
+  session.document().setPlayhead(1.0);
+  session.document().setRecording(true);
+  run(session, parseCall(line), mProgress);
+  expectNear(session.scene().cuts[0].centre, carried({3, 4, 5}), 1e-6);
+  expectNear(session.document().shown().cuts[0].centre, carried({9, 4, 5}), 1e-6);
+  EXPECT_EQ(session.scene().timeline.tracks.size(), mScene.timeline.tracks.size()) << "nothing of it is a key";
+  EXPECT_EQ(session.document().lastCommandLines(), std::vector<std::string>{line});
+  EXPECT_TRUE(session.document().isRecording());
+  EXPECT_EQ(session.document().undoLabels().size(), 1u);
+  session.document().undo();
+  EXPECT_TRUE(session.scene() == mScene);
+  EXPECT_THROW(run(session, parseCall("scene.carry " + path("none.nrrd")), mProgress), InputError);
+  EXPECT_THROW(run(session, CarryScene{}, mProgress), ArgumentError);
+  EXPECT_TRUE(session.scene() == mScene);
+}
+
+TEST_F(Retarget, NoFileOfOtherDataIsWrittenOver) {
+  std::string story = path("story.json"), other = path("other.json");
+  saveScene(mScene, story);
+  Session session;
+  run(session, parseCall("open " + story), mProgress);
+  const WorkFile& file = session.file();
+  ASSERT_EQ(file.scenePath(), story);
+  run(session, parseCall("scene.carry " + path("two.nrrd")), mProgress);
+  EXPECT_EQ(file.scenePath(), "") << "saving asks where";
+  EXPECT_EQ(file.name(), "two.nrrd");
+  EXPECT_TRUE(file.isModified());
+  session.document().undo();
+  EXPECT_EQ(file.scenePath(), story);
+  EXPECT_EQ(file.name(), "story.json");
+  EXPECT_FALSE(file.isModified());
+  session.document().redo();
+  run(session, parseCall("save " + other), mProgress);
+  EXPECT_EQ(file.scenePath(), other);
+  session.document().undo();
+  EXPECT_EQ(file.scenePath(), "") << "of other data than the file that was saved last";
+  session.document().redo();
+  EXPECT_EQ(file.scenePath(), other);
+  // From one to the next: only the last one's file is known.
+  run(session, parseCall("scene.carry " + path("one.nrrd")), mProgress);
+  EXPECT_EQ(file.scenePath(), "");
+  run(session, parseCall("open " + story), mProgress);
+  EXPECT_EQ(file.scenePath(), story);
 }
 
 TEST_F(Retarget, WhatCannotBeIsSaid) {

@@ -100,6 +100,10 @@ void ColorButton::setColor(glm::vec3 color) {
   update();
 }
 
+QColor ColorButton::ink() const {
+  return qGray(mColor.rgb()) > 140 ? QColor(0x16, 0x18, 0x1c) : QColor(0xe3, 0xe7, 0xec);
+}
+
 void ColorButton::choose() {
   QColor color = QColorDialog::getColor(mColor, window(), mTitle);
   if (color.isValid()) emit picked({color.redF(), color.greenF(), color.blueF()});
@@ -112,7 +116,7 @@ void ColorButton::paintEvent(QPaintEvent*) {
   painter.setPen(QPen(hasFocus() || underMouse() ? kAccent : palette().color(QPalette::Dark), 1.0));
   painter.setBrush(mColor);
   painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 5, 5);
-  painter.setPen(qGray(mColor.rgb()) > 140 ? QColor(0x16, 0x18, 0x1c) : QColor(0xe3, 0xe7, 0xec));
+  painter.setPen(ink());
   painter.drawText(rect(), Qt::AlignCenter, text());
 }
 

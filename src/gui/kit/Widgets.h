@@ -45,6 +45,8 @@ class ColorButton : public QPushButton {
  public:
   explicit ColorButton(const QString& title, QWidget* parent = nullptr);
   void setColor(glm::vec3 color);
+  /// The colour of what is written on it.
+  QColor ink() const;
 
  signals:
   void picked(glm::vec3 color);

@@ -69,9 +69,7 @@ FieldForm::FieldForm(session::Document& document, QObject* parent, std::string r
 
 QWidget* FieldForm::add(const std::string& path, const QString& title, FieldText text) {
   VELUM_ASSERT(mGrid, "rows have a grid");
-  QWidget* control = make(mGrid->parentWidget(), path, title, std::move(text));
-  Row& row = mRows.back();
-  row.hasMark = true;
+  Row& row = makeRow(mGrid->parentWidget(), path, title, std::move(text));
   int line = mGrid->rowCount();
   bool hasTitle = row.facts.kind == FieldKind::Truth || row.facts.kind == FieldKind::Color;
   if (!hasTitle) {
@@ -80,8 +78,8 @@ QWidget* FieldForm::add(const std::string& path, const QString& title, FieldText
     row.key->watch(row.label);
   }
   mGrid->addWidget(row.key, line, 0, Qt::AlignRight | Qt::AlignVCenter);
-  mGrid->addWidget(control, line, 1);
-  return control;
+  mGrid->addWidget(row.control, line, 1);
+  return row.control;
 }
 
 void FieldForm::addWidget(QWidget* widget) { mGrid->addWidget(widget, mGrid->rowCount(), 1, Qt::AlignLeft); }
@@ -92,6 +90,12 @@ void FieldForm::setEnabled(bool isEnabled) {
 }
 
 QWidget* FieldForm::make(QWidget* parent, const std::string& path, const QString& title, FieldText text) {
+  Row& row = makeRow(parent, path, title, std::move(text));
+  row.key->standOver(row.control);
+  return row.control;
+}
+
+FieldForm::Row& FieldForm::makeRow(QWidget* parent, const std::string& path, const QString& title, FieldText text) {
   Row& row = mRows.emplace_back(Row{path, scene::fieldFacts(mRoot + path), std::move(text)});
   if (row.text.name.isEmpty()) row.text.name = title;
   // A colour says by itself what a click does.
@@ -103,7 +107,7 @@ QWidget* FieldForm::make(QWidget* parent, const std::string& path, const QString
   row.key = new FieldKey(
       mDocument, row.text.name, [this, &row] { return pathOf(row); }, parent);
   row.key->watch(row.control);
-  return row.control;
+  return row;
 }
 
 QWidget* FieldForm::makeControl(const Row& row, const QString& title, QWidget* parent) {
@@ -206,7 +210,7 @@ void FieldForm::refresh() {
     if (row.text.isShown && row.label) row.label->setVisible(row.text.isShown());
     if (row.text.isEnabled) row.control->setEnabled(row.text.isEnabled());
     std::string path = row.text.isShown && !row.text.isShown() ? std::string() : pathOf(row);
-    row.key->refresh(row.hasMark && !path.empty());
+    row.key->refresh(!path.empty());
     if (path.empty()) continue;
     show(row, row.text.number ? fmt::format("{}", row.text.number()) : scene::getField(mDocument.shown(), path));
   }

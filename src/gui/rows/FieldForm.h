@@ -40,7 +40,7 @@ struct FieldText {
 
 /// Rows of a form, each for a field of the scene: a label, and a control that is made from the field's fields() entry,
 /// shows the field and changes it by the command `set`. A drag is one undo step. The menus of label and control make
-/// keys of the field; a mark beside the label says that a film changes it.
+/// keys of the field; a mark beside the label, or over a control without a row, says that a film changes it.
 class FieldForm : public QObject {
   Q_OBJECT
  public:
@@ -79,10 +79,10 @@ class FieldForm : public QObject {
     FieldText text;
     QWidget* control = nullptr;
     QLabel* label = nullptr;
-    FieldKey* key = nullptr;  ///< its mark is shown only in rows of a grid
-    bool hasMark = false;
+    FieldKey* key = nullptr;
   };
   std::string pathOf(const Row& row) const;
+  Row& makeRow(QWidget* parent, const std::string& path, const QString& title, FieldText text);
   QWidget* makeControl(const Row& row, const QString& title, QWidget* parent);
   QWidget* makeNumber(const Row& row, QWidget* parent);
   QWidget* makeChoice(const Row& row, QWidget* parent);

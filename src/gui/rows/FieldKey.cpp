@@ -1,17 +1,24 @@
 #include "gui/rows/FieldKey.h"
 
+#include <QCheckBox>
+#include <QComboBox>
 #include <QContextMenuEvent>
 #include <QLineEdit>
 #include <QPainter>
+#include <algorithm>
 #include <memory>
 #include <utility>
 
+#include "gui/kit/Widgets.h"
 #include "scene/timeline/Tracks.h"
 #include "session/command/FilmCommands.h"
 
 namespace velum::gui {
 
 namespace {
+
+/// Pixels between a mark and the end of the control over which it stands; and what the arrow of a choice takes there.
+constexpr int kOverMargin = 4, kArrowRoom = 20;
 
 /// Whether a film has keys of a field, and one at the playhead.
 struct KeyState {
@@ -66,6 +73,21 @@ void FieldKey::watch(QWidget* control) {
   for (auto* inner : control->findChildren<QWidget*>()) inner->installEventFilter(this);
 }
 
+void FieldKey::standOver(QWidget* control) {
+  setParent(control);
+  mOver = control;
+  place();
+}
+
+/// Behind the words of a tick box, in front of the arrow of a choice.
+void FieldKey::place() {
+  int end = mOver->width() - kOverMargin;
+  if (qobject_cast<QCheckBox*>(mOver))
+    end = std::min(mOver->width(), mOver->sizeHint().width() + width() + kOverMargin);
+  if (qobject_cast<QComboBox*>(mOver)) end -= kArrowRoom;
+  move(end - width(), (mOver->height() - height()) / 2);
+}
+
 void FieldKey::refresh(bool isShown) {
   bool hasFilm = isShown && !mDocument.scene().timeline.tracks.empty();
   auto state = hasFilm ? keyState(mDocument, mPath()) : std::nullopt;
@@ -78,6 +100,7 @@ void FieldKey::refresh(bool isShown) {
 }
 
 bool FieldKey::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == mOver && event->type() == QEvent::Resize) place();
   if (event->type() != QEvent::ContextMenu || !keyState(mDocument, mPath()))
     return QAbstractButton::eventFilter(watched, event);
   auto* control = qobject_cast<QWidget*>(watched);
@@ -101,7 +124,8 @@ void FieldKey::paintEvent(QPaintEvent*) {
   painter.setRenderHint(QPainter::Antialiasing);
   painter.translate(5.5, 0.5 * height());
   double r = underMouse() ? 5.2 : 4.4;
-  QColor accent = palette().color(QPalette::Link);
+  auto* onColor = qobject_cast<ColorButton*>(mOver);
+  QColor accent = onColor ? onColor->ink() : palette().color(QPalette::Link);
   painter.setPen(QPen(accent, 1.3));
   painter.setBrush(mIsHere ? QBrush(accent) : QBrush(Qt::NoBrush));
   painter.drawPolygon(QPolygonF{{0, -r}, {r, 0}, {0, r}, {-r, 0}});

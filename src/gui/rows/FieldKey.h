@@ -24,6 +24,8 @@ class FieldKey : public QAbstractButton {
 
   /// Adds to the menus of a control, and of what is in it.
   void watch(QWidget* control);
+  /// Stands over the end of a control that has no row of its own.
+  void standOver(QWidget* control);
   /// @param isShown  the field's row is shown
   void refresh(bool isShown);
   QSize sizeHint() const override { return {12, 15}; }
@@ -33,11 +35,13 @@ class FieldKey : public QAbstractButton {
   void paintEvent(QPaintEvent* event) override;
 
  private:
+  void place();
   void showMenu(QWidget& control, QPoint globalPlace);
 
   session::Document& mDocument;
   std::function<std::string()> mPath;
-  bool mIsHere = false;  ///< a key is at the playhead
+  QWidget* mOver = nullptr;  ///< as of standOver()
+  bool mIsHere = false;      ///< a key is at the playhead
 };
 
 }  // namespace velum::gui

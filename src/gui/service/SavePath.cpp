@@ -77,4 +77,10 @@ QString saveFilters(io::FileKind kind) {
   return filters.join(";;");
 }
 
+QString volumeFilters(const QString& title) {
+  QStringList patterns;
+  for (const session::FilePatterns& format : session::volumePatterns()) patterns << patternsOf(format);
+  return QString("%1 (%2);;%3").arg(title, patterns.join(' '), QObject::tr("All files (*)"));
+}
+
 }  // namespace velum::gui

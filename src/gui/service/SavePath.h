@@ -18,4 +18,7 @@ QString patternsOf(const session::FilePatterns& format);
 /// The formats in which a kind of file can be written, as askSavePath() takes its filters.
 QString saveFilters(io::FileKind kind);
 
+/// Files of volumes and of labels, as QFileDialog takes its filters. @param title  what is asked for
+QString volumeFilters(const QString& title);
+
 }  // namespace velum::gui

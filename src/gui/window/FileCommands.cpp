@@ -29,8 +29,8 @@ QString openFilter() {
 
 }  // namespace
 
-FileCommands::FileCommands(const WindowParts& parts, FileLoads& loads, ExportCommands& exports)
-    : Room(parts), mLoads(loads), mExports(exports) {
+FileCommands::FileCommands(const WindowParts& parts, FileLoads& loads, ExportCommands& exports, CarryCommands& carries)
+    : Room(parts), mLoads(loads), mExports(exports), mCarries(carries) {
   QMenu* menu = parts.menu(MenuId::File);
   ActionTable& actions = parts.actions;
   addOpening(menu);
@@ -58,6 +58,7 @@ void FileCommands::addOpening(QMenu* menu) {
   keepRecentMenu(menu->addMenu(tr("Open &recent")), [this](const QString& path) { openAsked({path}); });
   actions.addForScene(menu, "file.add", tr("&Add labels or surfaces..."), tr("Open beside what is open"),
                       [this] { askOpen(true); });
+  mCarries.addAction(menu);
   addPhantoms(menu->addMenu(tr("Make a &phantom")));
   open->setIconText(tr("Open"));
 }
@@ -106,7 +107,7 @@ void FileCommands::openAsked(const QStringList& paths, bool add) {
 
 /// The folder of the open file; empty when nothing that is open has one.
 QString FileCommands::folder() const {
-  const std::string& path = mParts.session.file().path();
+  std::string path = mParts.session.file().path();
   return path.empty() ? QString() : QFileInfo(QString::fromStdString(path)).path();
 }
 
@@ -120,11 +121,8 @@ void FileCommands::askOpenFolder() {
 }
 
 void FileCommands::askOpenLabels() {
-  QStringList patterns;
-  for (const auto& kind : session::volumePatterns())
-    for (const auto& pattern : kind.patterns) patterns << QString::fromStdString(pattern);
   QString path = QFileDialog::getOpenFileName(&mParts.window, tr("Open labels beside what is open"), folder(),
-                                              tr("Labels (%1)").arg(patterns.join(' ')) + ";;" + tr("All files (*)"));
+                                              volumeFilters(tr("Labels")));
   if (!path.isEmpty()) mLoads.openLabels(path);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 #include "gui/view/Room.h"
+#include "gui/window/CarryCommands.h"
 #include "gui/window/ExportCommands.h"
 #include "gui/window/FileLoads.h"
 
@@ -9,7 +10,7 @@ namespace velum::gui {
 class FileCommands : public Room {
   Q_OBJECT
  public:
-  FileCommands(const WindowParts& parts, FileLoads& loads, ExportCommands& exports);
+  FileCommands(const WindowParts& parts, FileLoads& loads, ExportCommands& exports, CarryCommands& carries);
 
   /// Asks about unsaved changes. @return true when the open scene is saved, or the user gives its changes up
   bool mayLeave();
@@ -37,6 +38,7 @@ class FileCommands : public Room {
 
   FileLoads& mLoads;
   ExportCommands& mExports;
+  CarryCommands& mCarries;
 };
 
 }  // namespace velum::gui

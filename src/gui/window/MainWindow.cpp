@@ -66,7 +66,8 @@ void MainWindow::buildRooms() {
   mLoads = new FileLoads(parts);
   mLost = new LostWork(parts, *mFrame.recovery, *mLoads);
   mExports = add(new ExportCommands(parts));
-  mFiles = add(new FileCommands(parts, *mLoads, *mExports));
+  mCarries = add(new CarryCommands(parts));
+  mFiles = add(new FileCommands(parts, *mLoads, *mExports, *mCarries));
   auto* history = add(new HistoryCommands(parts));
   // Every number field shows its unit anew.
   connect(history, &HistoryCommands::preferencesChanged, this, [] {

@@ -112,6 +112,7 @@ class MainWindow : public QMainWindow {
   LostWork* mLost = nullptr;
   ExportCommands* mExports = nullptr;
   FilmCommands* mFilms = nullptr;
+  CarryCommands* mCarries = nullptr;
   FileCommands* mFiles = nullptr;
   PyramidCommands* mPyramids = nullptr;
   LookRoom* mLook = nullptr;

@@ -5,6 +5,7 @@
 #include "session/Session.h"
 #include "session/command/CommandRow.h"
 #include "session/document/SetFields.h"
+#include "session/film/Retarget.h"
 
 namespace velum::session {
 
@@ -49,6 +50,15 @@ Lines addFile(Session& session, const AddFile& arguments, Progress& progress) {
   return loaded.notes;
 }
 
+Lines carry(Session& session, const CarryScene& arguments, Progress& progress) {
+  Lines notes;
+  NewData data{wholePath(arguments.volume), arguments.labels.empty() ? std::string() : wholePath(arguments.labels),
+               arguments.structure};
+  scene::Scene scene = retargeted(session.scene(), data, progress, notes);
+  session.file().carry(std::move(scene), Call(arguments).line());
+  return notes;
+}
+
 Lines makePicture(Session& session, const MakePicture& arguments, Progress& progress) {
   return session.savePicture(optionsOf(arguments), {}, wholePath(arguments.path), progress);
 }
@@ -68,6 +78,8 @@ std::vector<Command> documentCommands() {
   return {
       actRow<OpenFile>("Opens a file or folder in the place of what is open.", "open head.nii.gz", open),
       actRow<AddFile>("Adds labels, a surface or a model beside what is open.", "add head_labels.seg.nrrd", addFile),
+      actRow<CarryScene>("Takes the scene and its film over to other data, such as another patient.",
+                         "scene.carry other.nii.gz other_labels.nii.gz liver", carry),
       actRow<SaveScene>("Writes the scene: what is open, and how it is shown.", "save work.json",
                         [](Session& session, const SaveScene& arguments, Progress&) {
                           session.file().save(wholePath(arguments.path));

@@ -65,6 +65,18 @@ struct AddFile {
   }
 };
 
+/// Takes the scene and its film over to other data: retargeted().
+struct CarryScene {
+  static constexpr std::string_view kName = "scene.carry";
+  std::string volume, labels, structure;
+  static void fields(auto& o, auto& visit) {
+    visit("volume", o.volume, FieldInfo{"", {}, "File or folder of the other volume."});
+    visit("labels", o.labels, FieldInfo{"", {}, "File of its labels; nothing: there are none."});
+    visit("structure", o.structure,
+          FieldInfo{"", {}, "Structure of both labels by which places are found again; nothing: by the data's boxes."});
+  }
+};
+
 /// Writes the scene.
 struct SaveScene {
   static constexpr std::string_view kName = "save";

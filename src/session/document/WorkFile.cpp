@@ -153,9 +153,14 @@ void readMissing(Loaded& loaded, Progress& progress, const DataPolicy& policy) {
 
 // What is open.
 
-std::string WorkFile::name() const { return std::filesystem::path(mPath).filename().string(); }
+bool WorkFile::isCarried() const { return mOwnVolume && mDocument.scene().volume.source.path != *mOwnVolume; }
+
+std::string WorkFile::path() const { return isCarried() ? mDocument.scene().volume.source.path : mPath; }
+
+std::string WorkFile::name() const { return std::filesystem::path(path()).filename().string(); }
 
 void WorkFile::open(Loaded loaded, const std::string& path) {
+  mOwnVolume.reset();
   mPath = path;
   // Recovered work that was never saved goes by the name of its data.
   const std::string& source = loaded.scene.volume.source.path;
@@ -198,7 +203,19 @@ void WorkFile::add(const Loaded& loaded) {
   });
 }
 
+void WorkFile::carry(scene::Scene scene, const std::string& command) {
+  if (!mOwnVolume) mOwnVolume = mDocument.scene().volume.source.path;
+  std::optional<double> playhead = mDocument.playhead();
+  // Nothing of it is a key, and no track keeps what it was.
+  mDocument.setPlayhead({});
+  mDocument.edit(
+      "Carry over to other data", [&](scene::Scene& now) { now = std::move(scene); }, false, command);
+  mDocument.setPlayhead(playhead);
+  describe();
+}
+
 void WorkFile::close() {
+  mOwnVolume.reset();
   mPath.clear();
   mScenePath.clear();
   mIsOpen = false;
@@ -208,6 +225,7 @@ void WorkFile::close() {
 void WorkFile::save(const std::string& path) {
   saveScene(mDocument.scene(), path);
   mScenePath = mPath = std::filesystem::absolute(path).string();
+  if (mOwnVolume) mOwnVolume = mDocument.scene().volume.source.path;
   mDocument.markSaved();
   discardJournal();
   describe();
@@ -238,7 +256,7 @@ void WorkFile::journalChange() {
 }
 
 void WorkFile::describe() {
-  if (mJournal) mJournal->describe(name(), mScenePath);
+  if (mJournal) mJournal->describe(name(), scenePath());
 }
 
 void WorkFile::flushJournal() {

@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -53,10 +54,11 @@ class WorkFile {
   explicit WorkFile(Document& document) : mDocument(document) {}
 
   bool isOpen() const { return mIsOpen; }
-  /// What is open: file, folder or scene; for a phantom its name. Empty: what is open has no name.
-  const std::string& path() const { return mPath; }
+  /// What is open: file, folder or scene; for a phantom its name; of a scene that was carried over to other data the
+  /// path of these. Empty: what is open has no name.
+  std::string path() const;
   /// Where the scene is saved; empty: nowhere yet.
-  const std::string& scenePath() const { return mScenePath; }
+  std::string scenePath() const { return isCarried() ? std::string() : mScenePath; }
   /// The last part of path(), for people.
   std::string name() const;
   bool isModified() const { return mIsOpen && mDocument.isModified(); }
@@ -67,6 +69,10 @@ class WorkFile {
   /// that are not there yet, and the volume where there is none yet. What was changed while the data was read, such as
   /// the colour of a structure or the volume's look, stays.
   void add(const Loaded& loaded);
+  /// Puts the scene as it was carried over to other data in the place of the scene, as one undo step, whatever the
+  /// playhead shows. The file stays that of the scene before: unless undo brings its data back, saving asks for another
+  /// one. @param command  line of a script that does the same
+  void carry(scene::Scene scene, const std::string& command);
   /// Closes what is open: an empty scene without a name.
   void close();
   /// Writes the scene to a file, which is the document's file from now on. @throw InputError when the disk refuses
@@ -87,14 +93,16 @@ class WorkFile {
 
  private:
   void replace(scene::Scene scene, std::vector<std::string> opening = {});
+  bool isCarried() const;
   void describe();
   void dropLost();
 
   Document& mDocument;
   bool mIsOpen = false;
   std::string mPath, mScenePath;
-  bool mIsReplacing = false;           ///< Another scene is coming in: that is no change to journal.
-  std::uint64_t mJournaledChange = 0;  ///< the number of the document's change that the journal has heard of last
+  std::optional<std::string> mOwnVolume;  ///< of a scene that was carried over: path of the volume that its file names
+  bool mIsReplacing = false;              ///< Another scene is coming in: that is no change to journal.
+  std::uint64_t mJournaledChange = 0;     ///< the number of the document's change that the journal has heard of last
   std::filesystem::path mRecoveryRoot;
   std::unique_ptr<Journal> mJournal;
   std::unique_ptr<WorkClaim> mLost;  ///< the claim on recovered work, while no journal of ours holds that work

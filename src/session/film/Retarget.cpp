@@ -6,9 +6,11 @@
 #include <map>
 
 #include "core/Error.h"
+#include "io/labels/ReadLabels.h"
 #include "scene/GreyWindows.h"
 #include "scene/Presets.h"
 #include "scene/timeline/SceneAt.h"
+#include "session/document/Open.h"
 #include "session/document/SetFields.h"
 #include "session/structure/StructureSizes.h"
 
@@ -86,6 +88,8 @@ void carryPlaces(Scene& scene, const Carry& carry) {
     if (cut.membrane) carryMembrane(*cut.membrane, carry);
     if (cut.model.focus && cut.model.focus->lock) carryCamera(cut.model.focus->lock->camera, carry);
   }
+  for (scene::Mark& mark : scene.lettering.marks)
+    for (auto& point : mark.points) point = carry(point);
 }
 
 /// Curves and windows over values of one volume, over those of another.
@@ -112,16 +116,26 @@ std::map<int, int> newIds(const scene::LabelLayer& before, const scene::LabelLay
 }
 
 /// "spares[3].distance" with another number. @param before  what stands in front of the number
-std::string withId(std::string path, const std::string& before, const std::map<int, int>& ids) {
+/// @return false where the number is that of a structure which the other labels do not have
+bool changeId(std::string& path, const std::string& before, const std::map<int, int>& ids) {
   std::size_t at = path.find(before);
-  if (at == path.npos) return path;
+  if (at == path.npos) return true;
   std::size_t begin = at + before.size(), end = path.find(']', begin);
-  if (end == path.npos) return path;
-  auto found = ids.find(std::atoi(path.substr(begin, end - begin).c_str()));
-  return found == ids.end() ? path : path.replace(begin, end - begin, std::to_string(found->second));
+  int id = end == path.npos ? 0 : std::atoi(path.substr(begin, end - begin).c_str());
+  if (id == 0) return true;
+  auto found = ids.find(id);
+  if (found != ids.end()) path.replace(begin, end - begin, std::to_string(found->second));
+  return found != ids.end();
 }
 
-/// Looks, spares and tracks of structures go to the structures of the same names.
+/// Marks go to the structures of the same names; those of others are left out.
+void carryMarks(std::vector<scene::Mark>& marks, const std::map<int, int>& ids) {
+  std::erase_if(marks, [&](const scene::Mark& mark) { return mark.structure > 0 && !ids.count(mark.structure); });
+  for (scene::Mark& mark : marks)
+    if (mark.structure > 0) mark.structure = ids.at(mark.structure);
+}
+
+/// Looks, spares, marks and tracks of structures go to the structures of the same names.
 void carryStructures(Scene& scene, const scene::LabelLayer& before) {
   std::map<int, int> ids = newIds(before, scene.labels);
   for (auto& structure : scene.labels.structures)
@@ -144,14 +158,37 @@ void carryStructures(Scene& scene, const scene::LabelLayer& before) {
     std::erase_if(strengths, [&](const auto& one) { return !ids.count(one.id); });
     for (auto& one : strengths) one.id = ids[one.id];
   }
-  for (scene::Track& track : scene.timeline.tracks) {
-    track.path = withId(track.path, "labels.structures[#", ids);
-    track.path = withId(track.path, "].spares[", ids);
-  }
+  carryMarks(scene.lettering.marks, ids);
+  std::erase_if(scene.timeline.tracks, [&](scene::Track& track) {
+    return !changeId(track.path, "labels.structures[#", ids) || !changeId(track.path, "].spares[", ids);
+  });
 }
 
 void dropTracks(Scene& scene, std::string_view part) {
   std::erase_if(scene.timeline.tracks, [&](const scene::Track& track) { return track.path.starts_with(part); });
+}
+
+std::vector<std::string> namesWithVoxels(const scene::LabelLayer& layer, Progress& progress) {
+  std::vector<std::string> names;
+  auto sizes = countStructures(*layer.data, progress);
+  for (const auto& structure : layer.structures)
+    if (!structure.name.empty() && sizes[structure.id].voxels > 0) names.push_back(structure.name);
+  return names;
+}
+
+/// The structures with voxels in a scene that the other labels do not have, for people; empty: they have all.
+std::string tellLost(const scene::LabelLayer& before, const scene::LabelLayer& after, Progress& progress) {
+  constexpr std::size_t kNamed = 5;
+  if (!before.data) return {};
+  std::vector<std::string> lost = namesWithVoxels(before, progress);
+  std::erase_if(lost, [&](const std::string& name) {
+    return std::ranges::find(after.structures, name, &scene::Structure::name) != after.structures.end();
+  });
+  if (lost.empty()) return {};
+  std::size_t more = lost.size() > kNamed ? lost.size() - kNamed : 0;
+  lost.resize(lost.size() - more);
+  return fmt::format("without structures that the other labels do not have: {}{}", fmt::join(lost, ", "),
+                     more > 0 ? fmt::format(" and {} more", more) : "");
 }
 
 /// The scene with the other data in it, at the places and with the values of the one before.
@@ -161,6 +198,11 @@ Scene withData(const Scene& scene, const NewData& data, Progress& progress, std:
     notes.push_back("structures that were grown are left out: they are of other data");
     out.labels.growths.clear();
     out.labels.grown.clear();
+  }
+  if (!out.surfaces.empty()) {
+    notes.push_back("surfaces are left out: they are of other data");
+    out.surfaces.clear();
+    dropTracks(out, "surfaces");
   }
   out.volume.source = {};
   out.labels.source = {};
@@ -179,6 +221,19 @@ Scene withData(const Scene& scene, const NewData& data, Progress& progress, std:
 
 }  // namespace
 
+std::vector<std::string> sharedStructures(const scene::LabelLayer& labels, const std::string& other,
+                                          Progress& progress) {
+  if (!labels.data) return {};
+  scene::LabelLayer read;
+  scene::Source source;
+  source.path = other;
+  read.data = Shared<LabelVolume>(io::readLabels(foundInStore(source), progress));
+  scene::completeStructures(read);
+  std::vector<std::string> names = namesWithVoxels(labels, progress), others = namesWithVoxels(read, progress);
+  std::erase_if(names, [&](const std::string& name) { return std::ranges::find(others, name) == others.end(); });
+  return names;
+}
+
 Scene retargeted(const Scene& scene, const NewData& data, Progress& progress, std::vector<std::string>& notes) {
   if (!scene.volume.data) throw ArgumentError("the scene has no volume in whose place another one could come");
   Scene out = withData(scene, data, progress, notes);
@@ -193,6 +248,7 @@ Scene retargeted(const Scene& scene, const NewData& data, Progress& progress, st
   change(out);
   scene::changeKeys(out, change);
   carryStructures(out, scene.labels);
+  if (std::string lost = tellLost(scene.labels, out.labels, progress); !lost.empty()) notes.push_back(lost);
   if (isAlike) return out;
   out.volume.channels.clear();
   scene::applyPreset(out, scene::choosePreset(is));

@@ -21,7 +21,8 @@ constexpr double kLeastEm = 8.0, kSmallestEm = 5.0;         // pixels; of captio
 constexpr double kCaptionLine = 1.3, kReach = 0.35;         // how far letters reach below and above capitals, at most
 constexpr double kWidestMiddle = 0.86, kWidestSide = 0.46;  // of the picture's width
 constexpr double kShrink = 0.87;
-constexpr std::size_t kMostBytes = 1000;  // of a caption
+constexpr double kWholeRoom = 0.5, kLeastWeight = 1e-6;  // opacity at which a caption has all of its room
+constexpr std::size_t kMostBytes = 1000;                 // of a caption
 
 const glm::vec3 kDarkInk(0.08f, 0.09f, 0.11f), kLightInk(0.96f, 0.97f, 0.98f);
 
@@ -75,10 +76,15 @@ struct LetteringLayout::LaidCaption {
   std::vector<std::string> lines;
   bool breaksWords = false;
   glm::dvec2 size{0.0};  ///< from the tops of the first line's capitals to the last base line, pixels
+  double weight;         ///< 0..1: how much of its room it has; others glide into the rest while it fades
+  double top = 0.0;      ///< see stack()
 
   /// @param widest  pixels
   LaidCaption(const scene::Caption& of, double em, double widest)
-      : caption(&of), letters(em), lines(letters.lines(drawable(of.text), widest)) {
+      : caption(&of),
+        letters(em),
+        lines(letters.lines(drawable(of.text), widest)),
+        weight(std::max(kLeastWeight, glm::smoothstep(0.0, kWholeRoom, of.opacity))) {
     std::size_t words = 0;
     for (const std::string& line : lines) {
       size.x = std::max(size.x, letters.width(line));
@@ -187,6 +193,25 @@ void LetteringLayout::addCaptions() {
   }
 }
 
+/// Stands captions below each other, each in as much of its room as it has, so that one that fades takes and gives room
+/// bit by bit, and stays where it is when it is alone. Their tops are told from the place that lies at `share` of the
+/// whole, 0..1. @return the size of a part in which all lie, with that place at the same share of it
+glm::dvec2 LetteringLayout::stack(std::deque<LaidCaption>& captions, double share, double gap) {
+  double all = 0.0, above = 0.0, below = 0.0, width = 0.0;
+  for (LaidCaption& laid : captions) {
+    double room = laid.weight * (laid.size.y + gap);
+    laid.top = all + share * (room - laid.size.y);
+    all += room;
+  }
+  for (LaidCaption& laid : captions) {
+    laid.top -= share * all;
+    above = std::max(above, -laid.top);
+    below = std::max(below, laid.top + laid.size.y);
+    width = std::max(width, laid.size.x);
+  }
+  return {width, std::max(share > 0.0 ? above / share : 0.0, share < 1.0 ? below / (1.0 - share) : 0.0)};
+}
+
 /// Those of one place go together, smaller where there is no room or large letters would break words, and are left out
 /// where letters would be too small.
 void LetteringLayout::addCaptionsAt(CaptionPlace at, const std::vector<const scene::Caption*>& captions) {
@@ -201,15 +226,17 @@ void LetteringLayout::addCaptionsAt(CaptionPlace at, const std::vector<const sce
       breaksWords |= laid.breaksWords;
     }
     if (breaksWords && largest > mLetters.em()) continue;
-    glm::dvec2 size(0.0, kBlockGap * largest * double(all.size() - 1));
-    for (const LaidCaption& laid : all) size = {std::max(size.x, laid.size.x), size.y + laid.size.y};
-    auto corner = place(at, size, largest);
-    if (!corner) continue;
-    double share = 0.5 * cellOf(at).x, y = corner->y;
+    double em = 0.0, most = 0.0;
     for (const LaidCaption& laid : all) {
-      addCaption(laid, {corner->x + share * (size.x - laid.size.x), y});
-      y += laid.size.y + kBlockGap * largest;
+      em = std::max(em, laid.weight * laid.letters.em());
+      most = std::max(most, laid.weight);
     }
+    em /= most;
+    glm::dvec2 share = 0.5 * glm::dvec2(cellOf(at)), size = stack(all, share.y, kBlockGap * em);
+    auto corner = place(at, size, em);
+    if (!corner) continue;
+    for (const LaidCaption& laid : all)
+      addCaption(laid, *corner + share * size + glm::dvec2(-share.x * laid.size.x, laid.top));
     return;
   }
 }

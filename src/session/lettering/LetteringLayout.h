@@ -1,4 +1,5 @@
 #pragma once
+#include <deque>
 #include <glm/glm.hpp>
 #include <optional>
 #include <string>
@@ -36,6 +37,7 @@ class LetteringLayout {
                      glm::dvec2 size);
   void addCaptionsAt(scene::CaptionPlace place, const std::vector<const scene::Caption*>& captions);
   struct LaidCaption;
+  static glm::dvec2 stack(std::deque<LaidCaption>& captions, double share, double gap);
   void addCaption(const LaidCaption& laid, glm::dvec2 at);
 
   const scene::Scene& mScene;

@@ -1,4 +1,6 @@
 // A film in the window: played, recorded, keyed from controls, seen in the 3D view.
+#include <QStatusBar>
+
 #include "TimelineFixture.h"
 
 namespace velum::gui {
@@ -78,6 +80,23 @@ TEST_F(Timelines, WhatIsDoneWhileRecordingBecomesKeys) {
   EXPECT_FALSE(document().isRecording());
   drag({200, 200}, {320, 220});
   EXPECT_EQ(timesOf("camera").size(), 2u) << "not recorded any more";
+}
+
+TEST_F(Timelines, RecordingByACommandIsSeenAtOnce) {
+  makeFilm();
+  QStatusBar* bar = mWindow->statusBar();
+  auto* frame = mWindow->findChild<QWidget*>("recordFrame");
+  QAction* record = mWindow->actions().find("film.record");
+  bar->clearMessage();
+  mWindow->jobs().run(session::parseCall("film.record"));
+  EXPECT_TRUE(record->isChecked());
+  EXPECT_TRUE(frame->isVisible());
+  EXPECT_EQ(bar->currentMessage(), "") << "these keys were there before";
+  key(kShine, 1.0, "1.5");
+  EXPECT_TRUE(bar->currentMessage().startsWith("Recorded at")) << bar->currentMessage().toStdString();
+  mWindow->jobs().run(session::parseCall("film.record false"));
+  EXPECT_FALSE(record->isChecked());
+  EXPECT_FALSE(frame->isVisible());
 }
 
 TEST_F(Timelines, AControlMakesAKeyOfItsFieldAndShowsIt) {

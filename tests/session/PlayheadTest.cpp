@@ -107,6 +107,18 @@ TEST_F(Playhead, RecordingMakesKeysAndUndoTakesThemBack) {
   EXPECT_EQ(document.scene(), before);
 }
 
+TEST_F(Playhead, WhoeverListensIsToldOfRecordingOnceEachTime) {
+  document.setPlayhead(2.0);
+  int told = 0;
+  document.setListener([&] { ++told; });
+  for (bool recording : {true, true, false, false}) {
+    document.setRecording(recording);
+    EXPECT_EQ(document.isRecording(), recording);
+    EXPECT_EQ(told, recording ? 1 : 2);
+  }
+  EXPECT_FALSE(document.canUndo());
+}
+
 TEST_F(Playhead, WhatRestsAtAMomentDoesNotBecomeTheFilm) {
   document.setPlayhead(1.0);
   scene::Scene before = document.scene();

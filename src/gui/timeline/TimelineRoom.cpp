@@ -104,8 +104,8 @@ void TimelineRoom::setShown(bool shown) {
   if (!shown) {
     setPlaying(false);
     mPlace = document.playhead().value_or(0.0);
-    document.setRecording(false);
     document.setPlayhead(std::nullopt);
+    document.setRecording(false);
   } else if (!document.playhead()) {
     document.setPlayhead(std::min(mPlace, document.scene().timeline.duration));
   }
@@ -127,8 +127,6 @@ void TimelineRoom::keyCamera() {
 void TimelineRoom::setRecording(bool recording) {
   if (recording) setShown(true);
   mParts.document().setRecording(recording);
-  mSeen = mParts.document().scene().timeline.tracks;
-  refresh(mParts.session);
 }
 
 void TimelineRoom::showMenu(const render::Pick& pick, QPoint place) {
@@ -155,13 +153,15 @@ void TimelineRoom::showWhereItIsDue() {
   callLater(this, [this, isDue] { setShown(isDue && mParts.session.file().isOpen()); });
 }
 
-/// Says of which fields keys were made since the last time.
+/// Says, while recording, of which fields keys were made since the last time.
 void TimelineRoom::tellRecorded() {
+  if (!mParts.document().isRecording()) return mSeen.reset();
   const auto& tracks = mParts.document().scene().timeline.tracks;
+  if (!mSeen) mSeen = tracks;
   QStringList titles;
   for (const scene::Track& track : tracks) {
-    auto before = std::ranges::find(mSeen, track.path, &scene::Track::path);
-    if (before == mSeen.end() || !(before->keys == track.keys))
+    auto before = std::ranges::find(*mSeen, track.path, &scene::Track::path);
+    if (before == mSeen->end() || !(before->keys == track.keys))
       titles << toText(scene::trackTitle(mParts.document().scene(), track.path));
   }
   mSeen = tracks;
@@ -177,7 +177,7 @@ void TimelineRoom::refresh(const session::Session& session) {
   mRecord->setChecked(isRecording);
   mFrame->setVisible(isRecording);
   if (isRecording) mFrame->raise();
-  if (isRecording) tellRecorded();
+  tellRecorded();
   for (const char* id : {"film.previousKey", "film.nextKey"})
     mParts.actions.find(id)->setEnabled(isShown() && !session.document().scene().timeline.tracks.empty());
   if (isShown()) mStrip.refresh();

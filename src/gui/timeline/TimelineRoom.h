@@ -45,9 +45,9 @@ class TimelineRoom : public Room {
   RecordFrame* mFrame;
   QAction *mShow = nullptr, *mRecord = nullptr, *mLoop = nullptr, *mSnap = nullptr, *mKeyCamera = nullptr;
   bool mHadTracks = false;
-  std::string mName;                ///< of what is open
-  double mPlace = 0.0;              ///< of the playhead when the strip was hidden, seconds
-  std::vector<scene::Track> mSeen;  ///< the tracks at the last refresh while recording
+  std::string mName;                               ///< of what is open
+  double mPlace = 0.0;                             ///< of the playhead when the strip was hidden, seconds
+  std::optional<std::vector<scene::Track>> mSeen;  ///< while recording: the tracks at the last refresh
 };
 
 }  // namespace velum::gui

@@ -62,6 +62,12 @@ void Document::setPlayhead(std::optional<double> seconds) {
   notify();
 }
 
+void Document::setRecording(bool recording) {
+  if (recording == mRecording) return;
+  mRecording = recording;
+  notify();
+}
+
 void Document::edit(const std::string& label, const Change& change, bool merge, const std::string& command) {
   scene::Scene seen = changedBy(change);  // may throw: nothing has changed yet
   if (seen == shown()) return;

@@ -30,7 +30,7 @@ class Document {
   std::optional<double> playhead() const { return mPlayhead; }
   /// Recording: whatever is changed at the playhead becomes a key there, see scene::recorded(). Otherwise a change of a
   /// field that a track sets is seen until the playhead moves, and is then lost; all else goes into the scene.
-  void setRecording(bool recording) { mRecording = recording; }
+  void setRecording(bool recording);
   bool isRecording() const { return mRecording && mPlayhead; }
 
   /// Changes the scene that is shown as one undo step. A change that throws, or that leaves the scene equal, adds no

@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <QCoreApplication>
-#include <QDialogButtonBox>
-#include <QVBoxLayout>
 
 #include "gui/kit/CutTitle.h"
 #include "gui/kit/Widgets.h"
@@ -52,21 +50,21 @@ QString readyFilmTip(ReadyFilm film) {
 }
 
 ReadyFilmDialog::ReadyFilmDialog(const scene::Scene& scene, ReadyFilm film, double start, QWidget* parent)
-    : QDialog(parent), mScene(scene), mPreview(new FilmPreview(138, this)), mSaid(new QLabel(this)) {
-  setWindowTitle(readyFilmTitle(film).remove('&'));
+    : FilmDialog(readyFilmTitle(film).remove('&'), 138, parent), mScene(scene), mSaid(new QLabel(this)) {
   mForm = new ArgumentForm(commandOf(film), extraOf(film, start), this);
   mSaid->setWordWrap(true);
   mSaid->setObjectName("readyFilmSaid");
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(18, 18, 18, 14);
-  layout->setSpacing(14);
-  layout->addWidget(mPreview);
-  layout->addWidget(mForm);
-  layout->addStretch(1);
-  layout->addWidget(mSaid);
-  addButtons(layout);
+  mColumn->addWidget(mForm);
+  mColumn->addStretch(1);
+  mColumn->addWidget(mSaid);
+  addButtons(
+      {tr("Add"), "addFilm", tr("Write its keys into the film of the scene, where they can be changed")},
+      {tr("Save as film..."), "addAndSaveFilm", tr("Add it, and go on to save the film of the scene as a video")});
+  connect(mOther, &QPushButton::clicked, this, [this] {
+    mSavesFilm = true;
+    accept();
+  });
   connect(mForm, &ArgumentForm::changed, this, &ReadyFilmDialog::showFilm);
-  connect(mPreview, &FilmPreview::told, this, &ReadyFilmDialog::tell);
   showFilm();
 }
 
@@ -86,27 +84,6 @@ ArgumentForm::Extra ReadyFilmDialog::extraOf(ReadyFilm film, double start) const
       extra.choices["structure"].emplace_back(QString::fromStdString(session::structureName(mScene, structure.id)),
                                               fmt::format("#{}", structure.id));
   return extra;
-}
-
-void ReadyFilmDialog::addButtons(QLayout* layout) {
-  auto* buttons = new QDialogButtonBox(this);
-  mAdd = new QPushButton(tr("Add"), buttons);
-  mAdd->setProperty("role", "main");  // before the box shows it: the style is chosen then
-  mAdd->setObjectName("addFilm");
-  mAdd->setToolTip(tr("Write its keys into the film of the scene, where they can be changed"));
-  buttons->addButton(mAdd, QDialogButtonBox::AcceptRole);
-  mAdd->setDefault(true);
-  mSave = buttons->addButton(tr("Save as film..."), QDialogButtonBox::ActionRole);
-  mSave->setObjectName("addAndSaveFilm");
-  mSave->setToolTip(tr("Add it, and go on to save the film of the scene as a video"));
-  buttons->addButton(QDialogButtonBox::Cancel);
-  layout->addWidget(buttons);
-  connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
-  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-  connect(mSave, &QPushButton::clicked, this, [this] {
-    mSavesFilm = true;
-    accept();
-  });
 }
 
 void ReadyFilmDialog::showFilm() {
@@ -130,7 +107,7 @@ void ReadyFilmDialog::tell(const QString& why) {
                                      .arg(end, 0, 'f', 1)
                                : why;
   sayIn(*mSaid, text, !why.isEmpty());
-  for (QPushButton* button : {mAdd, mSave}) button->setEnabled(why.isEmpty());
+  for (QPushButton* button : {mMain, mOther}) button->setEnabled(why.isEmpty());
 }
 
 }  // namespace velum::gui

@@ -1,11 +1,9 @@
 #pragma once
-#include <QDialog>
 #include <QLabel>
-#include <QPushButton>
 #include <QString>
 
 #include "gui/rows/ArgumentForm.h"
-#include "gui/window/FilmPreview.h"
+#include "gui/window/FilmDialog.h"
 #include "scene/Scene.h"
 #include "session/film/ReadyFilms.h"
 
@@ -17,7 +15,7 @@ QString readyFilmTitle(session::ReadyFilm film);
 QString readyFilmTip(session::ReadyFilm film);
 
 /// Asks for the numbers of a ready-made film, and shows it as small pictures meanwhile.
-class ReadyFilmDialog : public QDialog {
+class ReadyFilmDialog : public FilmDialog {
   Q_OBJECT
  public:
   /// @param start  when it is to begin, seconds
@@ -25,21 +23,17 @@ class ReadyFilmDialog : public QDialog {
   /// The command that adds the film. @throw ArgumentError
   session::Call call() const { return mForm->call(); }
   ArgumentForm& form() { return *mForm; }
-  FilmPreview& preview() { return *mPreview; }
   /// The film is to be saved, too.
   bool savesFilm() const { return mSavesFilm; }
 
  private:
   ArgumentForm::Extra extraOf(session::ReadyFilm film, double start) const;
-  void addButtons(QLayout* layout);
   void showFilm();
-  void tell(const QString& why);
+  void tell(const QString& why) override;
 
   scene::Scene mScene;
-  FilmPreview* mPreview;
   ArgumentForm* mForm;
   QLabel* mSaid;
-  QPushButton *mAdd = nullptr, *mSave = nullptr;
   bool mSavesFilm = false;
 };
 

@@ -1,10 +1,8 @@
 #include "gui/window/SaveFilmDialog.h"
 
-#include <QDialogButtonBox>
 #include <QDir>
 #include <QFileInfo>
 #include <QStandardPaths>
-#include <QVBoxLayout>
 #include <algorithm>
 
 #include "gui/kit/Preferences.h"
@@ -48,12 +46,7 @@ QSpinBox* makeNumber(const char* name, int least, int most, const QString& tip, 
 }  // namespace
 
 SaveFilmDialog::SaveFilmDialog(glm::ivec2 viewSize, const scene::Scene& scene, const QString& name, QWidget* parent)
-    : QDialog(parent), mScene(scene), mPreview(new FilmPreview(162, this)) {
-  setWindowTitle(tr("Save film"));
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(18, 18, 18, 14);
-  layout->setSpacing(14);
-  layout->addWidget(mPreview);
+    : FilmDialog(tr("Save film"), 162, parent), mScene(scene) {
   auto* columns = new QHBoxLayout;
   columns->setSpacing(24);
   QGridLayout *left = makeFile(name), *right = makeQuality();
@@ -63,7 +56,7 @@ SaveFilmDialog::SaveFilmDialog(glm::ivec2 viewSize, const scene::Scene& scene, c
   right->setRowStretch(right->rowCount(), 1);
   columns->addLayout(left, 1);
   columns->addLayout(right, 1);
-  layout->addLayout(columns);
+  mColumn->addLayout(columns);
   mFacts = new QLabel(this);
   mFacts->setProperty("role", "muted");
   mFacts->setObjectName("filmFacts");
@@ -71,15 +64,14 @@ SaveFilmDialog::SaveFilmDialog(glm::ivec2 viewSize, const scene::Scene& scene, c
   mNote->setObjectName("filmNote");
   for (QLabel* label : {mFacts, mNote}) {
     label->setWordWrap(true);
-    layout->addWidget(label);
+    mColumn->addWidget(label);
   }
-  addButtons(layout);
+  addButtons({tr("Save"), "saveFilm", tr("Draw the film in the background, and write it")},
+             {tr("Copy as command"), "copyCommand",
+              tr("Copy the command line that makes this film without a window: the same bytes, for scripts")});
+  connect(mOther, &QPushButton::clicked, this, &SaveFilmDialog::copyCommand);
   connect(mPreview, &FilmPreview::measured, this, [this](DrawingTime time) {
     mTime = time;
-    updateText();
-  });
-  connect(mPreview, &FilmPreview::told, this, [this](const QString& why) {
-    mWhyNot = why;
     updateText();
   });
   takeFormat();
@@ -188,24 +180,6 @@ QGridLayout* SaveFilmDialog::makeQuality() {
   connect(mSamples, &SamplesRow::changed, this, &SaveFilmDialog::updateText);
   connect(mBlur, &QSpinBox::valueChanged, this, &SaveFilmDialog::updateText);
   return grid;
-}
-
-void SaveFilmDialog::addButtons(QLayout* layout) {
-  auto* buttons = new QDialogButtonBox(this);
-  mSave = new QPushButton(tr("Save"), buttons);
-  mSave->setProperty("role", "main");  // before the box shows it: the style is chosen then
-  mSave->setObjectName("saveFilm");
-  mSave->setToolTip(tr("Draw the film in the background, and write it"));
-  buttons->addButton(mSave, QDialogButtonBox::AcceptRole);
-  mSave->setDefault(true);
-  auto* copy = buttons->addButton(tr("Copy as command"), QDialogButtonBox::ActionRole);
-  copy->setObjectName("copyCommand");
-  copy->setToolTip(tr("Copy the command line that makes this film without a window: the same bytes, for scripts"));
-  buttons->addButton(QDialogButtonBox::Cancel);
-  layout->addWidget(buttons);
-  connect(buttons, &QDialogButtonBox::accepted, this, &SaveFilmDialog::accept);
-  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-  connect(copy, &QPushButton::clicked, this, &SaveFilmDialog::copyCommand);
 }
 
 // What was chosen before.

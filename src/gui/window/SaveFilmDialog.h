@@ -1,16 +1,14 @@
 #pragma once
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDialog>
 #include <QGridLayout>
 #include <QLabel>
 #include <QLineEdit>
-#include <QPushButton>
 #include <QSpinBox>
 #include <optional>
 
 #include "gui/kit/NumberField.h"
-#include "gui/window/FilmPreview.h"
+#include "gui/window/FilmDialog.h"
 #include "gui/window/SamplesRow.h"
 #include "scene/Scene.h"
 #include "session/film/MakeFilm.h"
@@ -19,7 +17,7 @@ namespace velum::gui {
 
 /// Asks how the film of a scene is to be drawn and where it goes, shows it as small pictures, and says how long it is
 /// and how long it will take. A scene without a film gets the usual one, session::usualFilm().
-class SaveFilmDialog : public QDialog {
+class SaveFilmDialog : public FilmDialog {
   Q_OBJECT
  public:
   /// In the order of the list.
@@ -39,7 +37,6 @@ class SaveFilmDialog : public QDialog {
   scene::Scene filmScene() const;
   /// The command line that makes this film, of a scene that keepScene() keeps.
   QString command() const;
-  FilmPreview& preview() { return *mPreview; }
 
  public slots:
   /// Closes the dialog if the film can be written, and if what is there may be written over.
@@ -50,20 +47,19 @@ class SaveFilmDialog : public QDialog {
   QGridLayout* makeQuality();
   void makeSize(QGridLayout* grid, glm::ivec2 viewSize);
   void makeRate(QGridLayout* grid);
-  void addButtons(QLayout* layout);
   void browse();
   void takeFormat();
   void takePath();
   void setSize(glm::ivec2 size);
   void showSize();
   void showFilm();
+  void tell(const QString& why) override;
   void updateText();
   QString facts() const;
   bool mayReplace();
   void copyCommand();
 
   scene::Scene mScene;
-  FilmPreview* mPreview;
   QLineEdit* mPath = nullptr;
   QComboBox *mFormat = nullptr, *mSizes = nullptr, *mRange = nullptr;
   QSpinBox *mWidth = nullptr, *mHeight = nullptr, *mBlur = nullptr, *mVideoQuality = nullptr;
@@ -71,7 +67,6 @@ class SaveFilmDialog : public QDialog {
   SamplesRow* mSamples = nullptr;
   QCheckBox *mTransparent = nullptr, *mSixteenBits = nullptr, *mLayers = nullptr;
   QLabel *mFacts = nullptr, *mNote = nullptr;
-  QPushButton* mSave = nullptr;
   std::optional<DrawingTime> mTime;
   QString mWhyNot;    ///< no film can be drawn of the scene
   QString mReplaced;  ///< path that the user has said may be written over

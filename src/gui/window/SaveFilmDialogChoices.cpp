@@ -106,6 +106,11 @@ void SaveFilmDialog::showFilm() {
   updateText();
 }
 
+void SaveFilmDialog::tell(const QString& why) {
+  mWhyNot = why;
+  updateText();
+}
+
 QString SaveFilmDialog::facts() const {
   scene::FilmFrames frames = scene::framesOf(filmScene().timeline);
   QString text = tr("%n frames, %1 s at %2 frames a second", nullptr, frames.count)
@@ -131,7 +136,7 @@ QString SaveFilmDialog::facts() const {
 
 /// What is chosen, and what stands against it.
 void SaveFilmDialog::updateText() {
-  if (!mFacts || !mSave) return;
+  if (!mFacts || !mMain) return;
   mFacts->setText(facts());
   // Whether it can be done does not depend on the place, which may be typed yet.
   session::FilmOutput output = this->output();
@@ -148,7 +153,7 @@ void SaveFilmDialog::updateText() {
   why.remove(QString::fromStdString(output.path.string()) + ": ");
   sayIn(*mNote, why.left(1).toUpper() + why.mid(1), !isPossible);
   mNote->setVisible(!why.isEmpty());
-  mSave->setEnabled(isPossible);
+  mMain->setEnabled(isPossible);
 }
 
 /// Asks, where something is there, and it has not been asked yet.

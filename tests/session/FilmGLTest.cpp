@@ -3,8 +3,8 @@
 
 #include "GlFixture.h"
 #include "io/phantoms/Sample.h"
+#include "openedHeart.h"
 #include "session/film/ReadyFilms.h"
-#include "session/membrane/MembraneEdit.h"
 
 namespace velum::session {
 namespace {
@@ -14,18 +14,7 @@ class FilmGL : public GlTest {
   /// A sheet that sinks into a beating heart in five frames.
   static scene::Scene filmOf(scene::Repositioning repositioning) {
     static const Shared<Volume> volume(io::makeSample("heart", 40, sProgress, 3).volume);
-    scene::Scene scene;
-    scene.volume.data = volume;
-    scene::Cut cut;
-    cut.id = 1;
-    cut.shape = scene::CutShape::Membrane;
-    cut.membrane.emplace();
-    cut.centre = {5, -30, -15};
-    cut.axis = {0, -1, 0};
-    cut.size = {165, 140, 80};
-    cut.membrane->repositioning = repositioning;
-    protectValues(*cut.membrane, 200, 600);
-    scene.cuts = {cut};
+    scene::Scene scene = openedHeart(volume, repositioning);
     scene.timeline.framesPerSecond = 5.0;
     addTimeSteps(scene, {0.0, 1.0}, 1.0);
     addSinking(scene, {0.0, 1.0}, 0, false);

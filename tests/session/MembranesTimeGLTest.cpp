@@ -8,8 +8,8 @@
 #include "makeVolume.h"
 #include "membrane/sheet/SheetIndex.h"
 #include "membrane/sheet/Simulation.h"
+#include "openedHeart.h"
 #include "session/cut/CutEdit.h"
-#include "session/membrane/MembraneEdit.h"
 #include "session/membrane/MembraneMover.h"
 #include "session/membrane/Membranes.h"
 
@@ -21,22 +21,9 @@ constexpr int kMembranesTimeSteps = 8;
 
 class MembranesTimeGL : public GlTest {
  protected:
-  /// A beating heart, opened from the front: its contrast, and with it vessels on its wall, is to stay whole.
   static scene::Scene heart(scene::Repositioning repositioning) {
     static const Shared<Volume> volume(io::makeSample("heart", 56, sProgress, kMembranesTimeSteps).volume);
-    scene::Scene scene;
-    scene.volume.data = volume;
-    scene::Cut cut;
-    cut.id = 1;
-    cut.shape = scene::CutShape::Membrane;
-    cut.membrane.emplace();
-    cut.centre = {5, -30, -15};
-    cut.axis = {0, -1, 0};
-    cut.size = {165, 140, 80};
-    cut.membrane->repositioning = repositioning;
-    protectValues(*cut.membrane, 200, 600);
-    scene.cuts = {cut};
-    return scene;
+    return openedHeart(volume, repositioning);
   }
   struct Beat {
     std::vector<scene::SheetShape> shapes;

@@ -1,4 +1,6 @@
 // A film in the window: played, recorded, keyed from controls, seen in the 3D view.
+#include <QDockWidget>
+#include <QSet>
 #include <QStatusBar>
 
 #include "TimelineFixture.h"
@@ -158,6 +160,37 @@ TEST_F(Timelines, TheStripIsNotWiderThanASmallWindow) {
   QTest::qWait(60);
   EXPECT_LE(mWindow->width(), 760);
   takeShot(*mWindow, "timeline-small");
+}
+
+TEST_F(Timelines, WhatHasNoRoomInTheStripIsInItsMenus) {
+  makeFilm();
+  auto* dock = mWindow->findChild<QDockWidget*>("sideDock");
+  for (int width : {1100, 620, 390, 300, 210}) {
+    mWindow->resize(width + dock->width() + 20, 620);
+    QTest::qWait(60);
+    mWindow->resizeDocks({dock}, {mWindow->width() - width}, Qt::Horizontal);
+    QTest::qWait(60);
+    SCOPED_TRACE(strip().width());
+    takeShot(*mWindow, QString("timeline-%1").arg(width));
+    QSet<QString> listed;
+    for (auto* more : strip().findChildren<QToolButton*>("more")) {
+      if (!more->isVisible()) continue;
+      emit more->menu()->aboutToShow();
+      for (QAction* entry : more->menu()->actions()) listed << entry->text().remove('&');
+    }
+    for (auto* line : strip().findChildren<StripLine*>())
+      for (QWidget* control : line->findChildren<QWidget*>(Qt::FindDirectChildrenOnly)) {
+        if (!control->isHidden()) {
+          EXPECT_GE(control->width(), control->minimumSizeHint().width()) << control->accessibleName().toStdString();
+          EXPECT_TRUE(strip().rect().contains(QRect(control->mapTo(&strip(), QPoint()), control->size())))
+              << control->accessibleName().toStdString();
+        } else if (auto* button = qobject_cast<QToolButton*>(control); button && button->menu() == nullptr) {
+          EXPECT_TRUE(listed.contains(button->accessibleName())) << button->accessibleName().toStdString();
+          EXPECT_FALSE(button->toolTip().isEmpty());
+        }
+      }
+    EXPECT_EQ(listed.isEmpty(), width > 600) << "only what has no room is there";
+  }
 }
 
 TEST_F(Timelines, HowItLooks) {

@@ -63,13 +63,15 @@ void TimelineRoom::addCommands() {
                                       [this] { goToKey(-1); });
   QAction* forth =
       actions.addForScene(menu, "film.nextKey", tr("Next &key"), tr("Go to the next key"), [this] { goToKey(1); });
-  mStrip.addCommand(start);
-  mStrip.addCommand(back);
+  mStrip.addCommand(start, 3);
+  mStrip.addCommand(back, 4);
   mStrip.addCommand(actions.find("time.play"));
-  mStrip.addCommand(forth);
+  mStrip.addCommand(forth, 4);
   addSwitches(menu);
   mStrip.addCommand(mRecord)->setProperty("role", "record");
-  for (QAction* action : {mKeyCamera, mLoop, mSnap}) mStrip.addCommand(action);
+  mStrip.addCommand(mKeyCamera, 2);
+  mStrip.addCommand(mLoop, 6);
+  mStrip.addCommand(mSnap, 7);
   mStrip.finishRow(*mParts.menu(MenuId::Film));
 }
 

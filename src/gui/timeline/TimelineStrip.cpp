@@ -30,8 +30,8 @@ TimelineStrip::TimelineStrip(session::Document& document, QWidget* parent)
     : QFrame(parent),
       mDocument(document),
       mRow(new QWidget(this)),
-      mMoves(new QWidget(mRow)),
-      mFilm(new QWidget(mRow)),
+      mMoves(new StripLine(kStripRow, mRow)),
+      mFilm(new StripLine(kStripRow, mRow)),
       mInto(mMoves),
       mCanvas(new TrackCanvas(document, this)) {
   setObjectName("timeline");
@@ -47,17 +47,11 @@ TimelineStrip::TimelineStrip(session::Document& document, QWidget* parent)
   auto* row = new QBoxLayout(QBoxLayout::LeftToRight, mRow);
   row->setContentsMargins(8, 0, 8, 0);
   row->setSpacing(0);
-  for (QWidget* part : {mMoves, mFilm}) {
-    part->setFixedHeight(kStripRow);
-    auto* line = new QHBoxLayout(part);
-    line->setContentsMargins(0, 0, 0, 4);
-    line->setSpacing(3);
-    row->addWidget(part);
-  }
+  for (StripLine* part : {mMoves, mFilm}) row->addWidget(part);
   hide();
 }
 
-QToolButton* TimelineStrip::addCommand(QAction* action) {
+QToolButton* TimelineStrip::addCommand(QAction* action, int rank) {
   auto* button = new QToolButton(mInto);
   button->setObjectName("button-" + action->objectName());
   button->setDefaultAction(action);
@@ -65,58 +59,58 @@ QToolButton* TimelineStrip::addCommand(QAction* action) {
   button->setIconSize({18, 18});
   button->setFocusPolicy(Qt::TabFocus);
   button->setAccessibleName(action->text().remove('&'));
-  mInto->layout()->addWidget(button);
+  mInto->add(button, rank);
   return button;
 }
 
-QToolButton* TimelineStrip::addButton(const QString& text, const QString& name, const QString& tip) {
+QToolButton* TimelineStrip::addButton(const QString& text, const QString& name, const QString& tip, int rank) {
   auto* button = new QToolButton(mInto);
   button->setText(text);
   button->setAccessibleName(name);
   button->setToolTip(tip);
   button->setFocusPolicy(Qt::TabFocus);
-  mInto->layout()->addWidget(button);
+  mInto->add(button, rank);
   return button;
 }
 
-void TimelineStrip::addGap(int pixels) { static_cast<QHBoxLayout*>(mInto->layout())->addSpacing(pixels); }
-
-NumberField* TimelineStrip::addNumber(const char* object, const QString& name, const QString& tip, int decimals) {
+NumberField* TimelineStrip::addNumber(const char* object, const QString& name, const QString& tip, int decimals,
+                                      int rank) {
   auto* field = new NumberField(mInto);
   field->setObjectName(object);
   field->setAccessibleName(name);
   field->setToolTip(tip);
   field->setDecimals(decimals);
-  mInto->layout()->addWidget(field);
+  mInto->add(field, rank);
   return field;
 }
 
 void TimelineStrip::finishRow(QMenu& films) {
-  addGap(6);
+  mInto->addGap(6);
   mTime = addNumber("filmTime", tr("Time"), tr("Where the playhead is, in seconds"), 2);
   mTime->setSuffix(tr(" s"));
   mTime->setRange(0.0, scene::kLongestFilm);
   connect(mTime, &NumberField::valueChanged, this, [this](double time) { mDocument.setPlayhead(time); });
-  mFrame = addNumber("filmFrame", tr("Frame"), tr("Which frame is at the playhead, the first one is 0"), 0);
+  mFrame = addNumber("filmFrame", tr("Frame"), tr("Which frame is at the playhead, the first one is 0"), 0, 5);
   mFrame->setPrefix(tr("# "));
   mFrame->setRange(0.0, 1e8);
   connect(mFrame, &NumberField::valueChanged, this, [this](double frame) {
     mDocument.setPlayhead(std::min(frame / mDocument.scene().timeline.framesPerSecond, scene::kLongestFilm));
   });
-  static_cast<QHBoxLayout*>(mInto->layout())->addStretch(1);
+  mInto->addStretch();
   mInto = mFilm;
-  static_cast<QHBoxLayout*>(mInto->layout())->addStretch(1);
-  auto* out = addButton(QString::fromUtf8("\u2212"), tr("Show more time"), tr("Show more time (Ctrl and the wheel)"));
+  mInto->addStretch();
+  auto* out =
+      addButton(QString::fromUtf8("\u2212"), tr("Show more time"), tr("Show more time (Ctrl and the wheel)"), 5);
   connect(out, &QToolButton::clicked, this, [this] { mCanvas->zoom(0.7); });
-  auto* in = addButton("+", tr("Show less time"), tr("Show less time, larger (Ctrl and the wheel)"));
+  auto* in = addButton("+", tr("Show less time"), tr("Show less time, larger (Ctrl and the wheel)"), 5);
   connect(in, &QToolButton::clicked, this, [this] { mCanvas->zoom(1.0 / 0.7); });
-  auto* fit = addButton(tr("Fit"), tr("Show the whole film"), tr("Show the whole film"));
+  auto* fit = addButton(tr("Fit"), tr("Show the whole film"), tr("Show the whole film"), 4);
   connect(fit, &QToolButton::clicked, mCanvas, &TrackCanvas::fit);
-  addGap(6);
+  mInto->addGap(6);
   addFilmNumbers();
-  addGap(6);
+  mInto->addGap(6);
   addReadyMade(films);
-  auto* save = addButton(tr("Save film..."), tr("Save film"), tr("Write the film as a video or as pictures"));
+  auto* save = addButton(tr("Save film..."), tr("Save film"), tr("Write the film as a video or as pictures"), 2);
   save->setObjectName("saveFilm");
   connect(save, &QToolButton::clicked, this, &TimelineStrip::saveAsked);
   tabInLayoutOrder(this);
@@ -136,7 +130,7 @@ void TimelineStrip::resizeEvent(QResizeEvent* event) {
 }
 
 void TimelineStrip::addReadyMade(QMenu& films) {
-  auto* button = addButton(tr("Add film"), tr("Add film"), tr("Add a film that is ready-made, to be changed then"));
+  auto* button = addButton(tr("Add film"), tr("Add film"), tr("Add a film that is ready-made, to be changed then"), 1);
   button->setObjectName("addFilm");
   button->setPopupMode(QToolButton::InstantPopup);
   button->setMenu(&films);
@@ -148,7 +142,7 @@ void TimelineStrip::addFilmNumbers() {
   mDuration->setRange(0.01, scene::kLongestFilm);
   connect(mDuration, &NumberField::valueChanged, this,
           [this](double value) { setFilm("timeline.duration", value, tr("Change length of film")); });
-  mRate = addNumber("filmRate", tr("Frames per second"), tr("How many pictures a second has"), 2);
+  mRate = addNumber("filmRate", tr("Frames per second"), tr("How many pictures a second has"), 2, 3);
   mRate->setSuffix(tr(" fps"));
   mRate->setRange(0.01, 1000.0);
   connect(mRate, &NumberField::valueChanged, this,

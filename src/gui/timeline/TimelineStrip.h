@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "gui/kit/NumberField.h"
+#include "gui/timeline/StripLine.h"
 #include "gui/timeline/TrackCanvas.h"
 
 namespace velum::gui {
@@ -15,8 +16,8 @@ class TimelineStrip : public QFrame {
  public:
   TimelineStrip(session::Document& document, QWidget* parent);
 
-  /// Adds a button of a command to the row: in the order of the calls, from the left.
-  QToolButton* addCommand(QAction* action);
+  /// Adds a button of a command to the row: in the order of the calls, from the left. @param rank  see StripLine
+  QToolButton* addCommand(QAction* action, int rank = 0);
   /// Adds what is not of a command: zoom, the ready-made films, the numbers. Called once, after the commands.
   /// @param films  the menu of films
   void finishRow(QMenu& films);
@@ -35,17 +36,17 @@ class TimelineStrip : public QFrame {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
-  NumberField* addNumber(const char* object, const QString& name, const QString& tip, int decimals);
-  QToolButton* addButton(const QString& text, const QString& name, const QString& tip);
-  void addGap(int pixels);
+  NumberField* addNumber(const char* object, const QString& name, const QString& tip, int decimals, int rank = 0);
+  QToolButton* addButton(const QString& text, const QString& name, const QString& tip, int rank);
   void foldRow();
   void addReadyMade(QMenu& films);
   void addFilmNumbers();
   void setFilm(const char* field, double value, const QString& step);
 
   session::Document& mDocument;
-  QWidget *mRow, *mMoves, *mFilm;  ///< the row's two parts stand one above the other where there is no room
-  QWidget* mInto;                  ///< the part that is being filled
+  QWidget* mRow;
+  StripLine *mMoves, *mFilm;  ///< its two parts, which stand one above the other where there is no room
+  StripLine* mInto;           ///< the part that is being filled
   TrackCanvas* mCanvas;
   NumberField *mTime = nullptr, *mFrame = nullptr, *mDuration = nullptr, *mRate = nullptr;
   std::optional<double> mGrip;  ///< while the upper edge is dragged: how much of the height is below the pointer

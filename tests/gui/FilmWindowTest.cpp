@@ -94,7 +94,7 @@ TEST_F(Timelines, RecordingByACommandIsSeenAtOnce) {
   EXPECT_TRUE(record->isChecked());
   EXPECT_TRUE(frame->isVisible());
   EXPECT_EQ(bar->currentMessage(), "") << "these keys were there before";
-  key(kShine, 1.0, "3");
+  key(kShine, 1.0, "1.5");
   EXPECT_TRUE(bar->currentMessage().startsWith("Recorded at")) << bar->currentMessage().toStdString();
   mWindow->jobs().run(session::parseCall("film.record false"));
   EXPECT_FALSE(record->isChecked());

@@ -138,6 +138,7 @@ QScrollBar::add-line, QScrollBar::sub-line { height: 0; }
 #timeline QToolButton#addFilm { padding-right: 21px; }
 #timeline QToolButton#saveFilm:hover, #timeline QToolButton#addFilm:hover { background: @buttonHover; }
 #timeline QToolButton::menu-indicator { image: url(:/velum/@chevron); width: 9px; height: 9px; subcontrol-position: right center; right: 6px; }
+#timeline QToolButton#more::menu-indicator { image: none; width: 0; }
 #timeline QDoubleSpinBox { padding: 3px 5px; }
 #commandFinder { background: @popup; border: 1px solid @edge; }
 #commandFinder QLineEdit { font-size: 13pt; padding: 8px 10px; }

@@ -57,9 +57,10 @@ void StripLine::fit() {
   int room = width() - wholeWidth();
   bool isShort = room < 0;
   if (isShort) room -= widthOf(*mMore);
+  int left = 0;  // the rank that left last: all of it
   for (const Item& item : leaving) {
-    bool leaves = room < 0;
-    if (leaves) room += widthOf(*item.control);
+    bool leaves = room < 0 || item.rank == left;
+    if (leaves) left = item.rank, room += widthOf(*item.control);
     item.control->setVisible(!leaves);
   }
   mMore->setVisible(isShort);

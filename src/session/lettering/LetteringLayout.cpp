@@ -31,6 +31,7 @@ CaptionPlace placeOf(scene::Corner corner) {
                                       CaptionPlace::BottomRight};
   return kPlaces[int(corner)];
 }
+
 }  // namespace
 
 std::string drawable(std::string_view text) {

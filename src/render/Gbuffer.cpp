@@ -1,7 +1,11 @@
 #include "render/Gbuffer.h"
 
+#include <cmath>
 #include <limits>
 #include <vector>
+
+#include "core/Assert.h"
+#include "shared/cut.h"
 
 namespace velum::render {
 
@@ -18,6 +22,40 @@ struct Texel {
 int typeOf(const FrameData& data, const Texel& texel) {
   bool isOfModel = !texel.isEmpty() && texel.ids.y - 1 >= firstModelInstance(data.frame.scene);
   return isOfModel ? int(texel.ids.x) - int(data.structures.size()) : -1;
+}
+
+/// The unit normal of the face of a cut that is no membrane, out of the material.
+glm::vec3 faceNormal(const shared::CutData& cut, glm::vec3 point, float step) {
+  glm::vec3 gradient(0.0f);
+  for (int axis = 0; axis < 3; ++axis) {
+    glm::vec3 way(0.0f);
+    way[axis] = step;
+    gradient[axis] = shared::shapeDistance(cut, point + way) - shared::shapeDistance(cut, point - way);
+  }
+  float length = glm::length(gradient);
+  return length > 0.0f ? -gradient / length : glm::vec3(0.0f);
+}
+
+/// The cut on whose face a place of the data lies: its place in Scene::cuts, plus 1; 0: none. Within a voxel, as
+/// material may begin to show some steps behind a face, and looking as the face does.
+int faceAt(const FrameData& data, const Texel& texel, glm::vec3 point) {
+  if (texel.isEmpty() || texel.ids.y - 1 != shared::kDataInstance) return 0;
+  constexpr float kAlike = 0.9f;
+  bool hasNormals = (data.params.flags & shared::kFlagShaded) != 0;
+  float voxel = 1.0f / data.params.voxelsPerLength;
+  int number = 0;
+  std::size_t enabled = 0;
+  for (const scene::Cut& cut : data.frame.scene.cuts) {
+    ++number;
+    if (!cut.enabled) continue;
+    VELUM_ASSERT(enabled < data.cuts.size(), "the frame has all cuts that are enabled");
+    const shared::CutData& face = data.cuts[enabled++];
+    float reach = hasNormals ? voxel : 0.5f * voxel;
+    if (face.kind.x == shared::kCutMembrane || std::abs(shared::shapeDistance(face, point)) > reach) continue;
+    bool isAlike = glm::dot(faceNormal(face, point, 0.05f * voxel), glm::vec3(texel.surface)) > kAlike;
+    if (isAlike || !hasNormals) return number;
+  }
+  return 0;
 }
 
 }  // namespace
@@ -68,6 +106,7 @@ void Gbuffer::appendLayers(const FrameData& data, const Layers& layers, Image& i
   name(layers.structure, {"id"});
   name(layers.instance, {"instance"});
   name(layers.type, {"type"});
+  name(layers.face, {"face"});
   if (image.channels.size() == before) return;
   std::size_t count = std::size_t(image.width) * std::size_t(image.height);
   std::vector<glm::vec4> surfaces(count);
@@ -86,17 +125,17 @@ void Gbuffer::appendLayers(const FrameData& data, const Layers& layers, Image& i
     };
     float distance = texel.isEmpty() ? std::numeric_limits<float>::infinity() : texel.surface.w;
     glm::ivec2 pixel(int(i) % image.width, int(i) / image.width);
-    if (layers.position)
-      append(texel.isEmpty()
-                 ? glm::dvec3(0.0)
-                 : data.unit *
-                       (origin + glm::dvec3(pointOnRay(data.params, pixel + data.frame.windowOrigin, distance))));
+    glm::vec3 point(0.0f);
+    if (!texel.isEmpty() && (layers.position || layers.face))
+      point = glm::vec3(pointOnRay(data.params, pixel + data.frame.windowOrigin, distance));
+    if (layers.position) append(texel.isEmpty() ? glm::dvec3(0.0) : data.unit * (origin + glm::dvec3(point)));
     if (layers.normal) append(glm::dvec3(glm::vec3(texel.surface)));
     if (layers.depth) pixels.push_back(float(data.unit * double(distance)));
     int type = typeOf(data, texel);
     if (layers.structure) pixels.push_back(type < 0 ? float(texel.ids.x) : 0.0f);
     if (layers.instance) pixels.push_back(texel.isEmpty() ? -1.0f : float(texel.ids.y - 1));
     if (layers.type) pixels.push_back(float(type));
+    if (layers.face) pixels.push_back(float(faceAt(data, texel, point)));
   }
   image.pixels = std::move(pixels);
 }

@@ -60,6 +60,7 @@ struct Layers {
   bool type = false;
   bool ghosts = false;
   bool isFine = false;  ///< R, G, B, A as the mean of the samples is; else in 256 levels
+  bool face = false;
 };
 
 /// Draws scenes. A frame is a queue of small pieces of work (uploads, tables, light, tiles, sample by sample), so that
@@ -86,7 +87,8 @@ class Renderer {
   /// "position.X/Y/Z" (world), "normal.X/Y/Z" (world), "Z" (distance from the eye, along the ray; infinity where
   /// nothing is), "id" (structure), "instance" (as Pick; -1 where nothing is), "type" (of the model; -1 where no
   /// instance of it is seen), "ghosts.R/G/B/A" (the instances that cuts have removed, as they are blended over the
-  /// picture; straight alpha).
+  /// picture; straight alpha), "face" (place in Scene::cuts of the cut whose face is seen, plus 1; 0: none. Of planes,
+  /// boxes and the like, to a voxel; membranes have none here).
   Image read(const Layers& layers = {});
 
   /// What the last frame shows at a pixel of its window. From the drawn layers, so it agrees with the picture.

@@ -37,7 +37,7 @@ std::vector<glm::dvec3> pointsOf(const std::string& text) {
   return points;
 }
 
-bool isOn(const std::string& text) {
+bool flagOf(const std::string& text) {
   if (text == "true" || text == "false") return text == "true";
   throw ArgumentError(fmt::format("{}: alongSurface={}: it is true or false", kOption, printable(text)));
 }
@@ -51,7 +51,7 @@ scene::Mark parseMark(const scene::Scene& scene, const std::string& text) {
     mark.text = rest.substr(at + label.size());
     rest.resize(at);
   }
-  std::vector<std::string> words = wordsOf(rest);
+  std::vector<std::string> words = velum::wordsOf(rest);
   if (words.empty())
     throw ArgumentError(fmt::format("{}: give a kind, as in \"distance points=0,0,0;10,0,0\"", kOption));
   mark.kind = kindOf(words.front());
@@ -61,7 +61,7 @@ scene::Mark parseMark(const scene::Scene& scene, const std::string& text) {
     if (name == "points")
       mark.points = pointsOf(value);
     else if (name == "alongSurface")
-      mark.alongSurface = isOn(value);
+      mark.alongSurface = flagOf(value);
     else if (name == "structure")
       mark.structure = session::findStructures(session::labelsOf(scene).table, {value}).front();
     else

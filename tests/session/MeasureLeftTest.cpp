@@ -36,7 +36,6 @@ TEST(MeasureLeft, BallsAndEllipsoidsHaveTheirVolumeAndSurface) {
       std::pow((power(half.x, half.y) + power(half.y, half.z) + power(half.z, half.x)) / 3.0, 1.0 / 1.6075);
   for (const MeasureGrid& grid : measureGrids()) {
     SCOPED_TRACE(grid.name);
-    Progress progress;
     scene::Scene ball = sceneOfBall(grid, kBallRadius);
     StructureLeft left = leftOf(ball);
     EXPECT_NEAR(left.whole, kBallVolume, 0.005 * kBallVolume);
@@ -70,7 +69,6 @@ TEST(MeasureLeft, BoxesOfVoxelsHaveTheirVolume) {
     glm::dvec3 a = axes[0] * edges.x, b = axes[1] * edges.y, c = axes[2] * edges.z;
     double surface =
         2.0 * (glm::length(glm::cross(a, b)) + glm::length(glm::cross(b, c)) + glm::length(glm::cross(c, a)));
-    Progress progress;
     double found = surfaceOf(scene);
     EXPECT_LT(found, surface);
     EXPECT_NEAR(found, surface, 0.06 * surface);

@@ -15,7 +15,7 @@ namespace velum::session {
 
 namespace {
 
-constexpr int kBrick = LabelVolume::kBrickSize;
+constexpr int kBrickEdge = LabelVolume::kBrickSize;
 /// Places that are looked at in a voxel that a border passes, and in one that a face passes.
 constexpr std::size_t kBorderPlaces = 32, kFacePlaces = 192;
 /// A place counts for a face up to this distance, mean edges of a voxel, the less the further away: thin enough for
@@ -83,11 +83,11 @@ class BrickMeasure {
 
   void add(Parts& parts, glm::ivec3 index) const {
     const LabelVolume::Brick& ids = mLabels.brick(index);
-    glm::ivec3 first = index * kBrick, size = glm::min(mLabels.dims() - first, glm::ivec3(kBrick));
+    glm::ivec3 first = index * kBrickEdge, size = glm::min(mLabels.dims() - first, glm::ivec3(kBrickEdge));
     if (ids.size() == 1 && mField->brick(index).size() == 1) {
       if (!isAsked(ids[0])) return;
       glm::dvec3 middle = worldOf(glm::dvec3(first) + 0.5 * glm::dvec3(size - 1));
-      if (auto kept = keptAround(middle, ids[0], kBrick)) {
+      if (auto kept = keptAround(middle, ids[0], kBrickEdge)) {
         double volume = mVoxel * double(size.x) * double(size.y) * double(size.z);
         Part& part = parts[ids[0]];
         part.addVoxels(first, first + size - 1, volume);
@@ -99,7 +99,7 @@ class BrickMeasure {
     for (v.z = 0; v.z < size.z; ++v.z)
       for (v.y = 0; v.y < size.y; ++v.y)
         for (v.x = 0; v.x < size.x; ++v.x) {
-          std::size_t at = (std::size_t(v.z) * kBrick + std::size_t(v.y)) * kBrick + std::size_t(v.x);
+          std::size_t at = (std::size_t(v.z) * kBrickEdge + std::size_t(v.y)) * kBrickEdge + std::size_t(v.x);
           addVoxel(parts, first + v, ids[ids.size() == 1 ? 0 : at]);
         }
   }

@@ -17,7 +17,6 @@ namespace velum::session {
 
 namespace {
 
-using scene::Mark;
 using scene::MarkKind;
 
 double wayAlong(const std::vector<glm::dvec3>& points) {
@@ -52,7 +51,7 @@ Measured refusal(std::string problem) {
   return measured;
 }
 
-Measured measureAlongSurface(const scene::Scene& scene, const Mark& mark, Progress& progress) {
+Measured measureAlongSurface(const scene::Scene& scene, const scene::Mark& mark, Progress& progress) {
   Measured measured;
   double length = 0.0;
   for (std::size_t i = 1; i < mark.points.size(); ++i) {
@@ -67,7 +66,7 @@ Measured measureAlongSurface(const scene::Scene& scene, const Mark& mark, Progre
   return measured;
 }
 
-Measured measureBallOrBox(const scene::Scene& scene, const Mark& mark, Progress& progress) {
+Measured measureBallOrBox(const scene::Scene& scene, const scene::Mark& mark, Progress& progress) {
   if (!scene.volume.data) return refusal("there is no volume whose values could be measured");
   bool isBall = mark.kind == MarkKind::Circle;
   double radius = glm::distance(mark.points[0], mark.points[1]);
@@ -79,7 +78,7 @@ Measured measureBallOrBox(const scene::Scene& scene, const Mark& mark, Progress&
   return measured;
 }
 
-Measured measureProfile(const scene::Scene& scene, const Mark& mark, Progress& progress) {
+Measured measureProfile(const scene::Scene& scene, const scene::Mark& mark, Progress& progress) {
   if (!scene.volume.data) return refusal("there is no volume whose values could be measured");
   Measured measured;
   measured.profile = profileAlong(scene, mark.points[0], mark.points[1], progress);
@@ -97,7 +96,7 @@ Measured measureProfile(const scene::Scene& scene, const Mark& mark, Progress& p
   return measured;
 }
 
-Measured measureRegion(const scene::Scene& scene, const Mark& mark, Progress& progress) {
+Measured measureRegion(const scene::Scene& scene, const scene::Mark& mark, Progress& progress) {
   auto all = measureLeft(scene, mark.structure, progress);
   auto found = all.find(mark.structure);
   if (mark.structure == 0 || found == all.end())
@@ -113,7 +112,7 @@ const Quantity* findQuantity(const Measured& measured, std::string_view name) {
   return nullptr;
 }
 
-bool isMeasuredAtOnce(const Mark& mark) {
+bool isMeasuredAtOnce(const scene::Mark& mark) {
   switch (mark.kind) {
     case MarkKind::Distance:
     case MarkKind::Path:
@@ -128,7 +127,7 @@ bool isMeasuredAtOnce(const Mark& mark) {
   }
 }
 
-Measured measure(const scene::Scene& scene, const Mark& mark, Progress& progress) {
+Measured measure(const scene::Scene& scene, const scene::Mark& mark, Progress& progress) {
   progress.throwIfCancelled();
   scene::MarkPoints wanted = scene::markPoints(mark.kind);
   if (mark.points.size() < wanted.least || mark.points.size() > wanted.most) return refusal("it lacks points");

@@ -43,7 +43,9 @@ constexpr Saying kSayings[] = {
 };
 
 /// Decimals that a number has which is known to within `doubt`.
-int decimalsOf(double doubt) { return doubt > 0.0 ? std::clamp(int(std::floor(0.5 - std::log10(doubt))), -9, 9) : 9; }
+int decimalsWithin(double doubt) {
+  return doubt > 0.0 ? std::clamp(int(std::floor(0.5 - std::log10(doubt))), -9, 9) : 9;
+}
 
 std::string numberText(double value, int decimals) {
   if (double step = std::pow(10.0, -decimals); decimals < 0) value = std::round(value / step) * step;
@@ -100,24 +102,24 @@ Telling tellingOf(const scene::Scene& scene) {
 }
 
 Quantity lengthQuantity(const Telling& telling, double length) {
-  return {"length", length * telling.perLength, telling.unit, decimalsOf(telling.resolution)};
+  return {"length", length * telling.perLength, telling.unit, decimalsWithin(telling.resolution)};
 }
 
 Quantity areaQuantity(const Telling& telling, double area) {
   area *= telling.perLength * telling.perLength;
-  return {"area", area, telling.unit + "\u00b2", decimalsOf(telling.resolution * std::sqrt(std::abs(area)))};
+  return {"area", area, telling.unit + "\u00b2", decimalsWithin(telling.resolution * std::sqrt(std::abs(area)))};
 }
 
 Quantity volumeQuantity(const Telling& telling, double volume) {
   volume *= std::pow(telling.perLength, 3);
   double edge = std::cbrt(std::abs(volume));
-  return {"volume", volume, telling.unit + "\u00b3", decimalsOf(telling.resolution * edge * edge)};
+  return {"volume", volume, telling.unit + "\u00b3", decimalsWithin(telling.resolution * edge * edge)};
 }
 
 Quantity angleQuantity(const Telling& telling, double degrees, double shortest) {
   constexpr double kDegreesPerRadian = 57.29577951308232;
   double doubt = shortest > 0.0 ? kDegreesPerRadian * telling.resolution / (shortest * telling.perLength) : 180.0;
-  return {"angle", degrees, "\u00b0", std::clamp(decimalsOf(doubt), 0, 1)};
+  return {"angle", degrees, "\u00b0", std::clamp(decimalsWithin(doubt), 0, 1)};
 }
 
 }  // namespace velum::session

@@ -19,7 +19,7 @@ namespace velum::session {
 namespace {
 
 /// So many smallest edges of voxels from a place structures and faces are looked for: a hand that points is no better.
-constexpr double kNear = 2.0;
+constexpr double kNearEdges = 2.0;
 
 glm::dvec3 placeIn(const glm::dmat4& from, glm::dvec3 world) { return glm::dvec3(from * glm::dvec4(world, 1.0)); }
 
@@ -62,7 +62,7 @@ class ShownStructures {
       for (int i = 0; i < 27; ++i) {
         glm::dvec3 way(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
         if ((ring == 0) != (i == 13)) continue;
-        glm::dvec3 step = ring == 0 ? glm::dvec3(0.0) : glm::normalize(way) * (kNear * fineness * ring / 4.0);
+        glm::dvec3 step = ring == 0 ? glm::dvec3(0.0) : glm::normalize(way) * (kNearEdges * fineness * ring / 4.0);
         if (std::uint16_t id = at(world + step)) return id;
       }
     return 0;
@@ -127,7 +127,7 @@ std::optional<double> valueOfSurface(const scene::Scene& scene, const Looked& lo
     if (!std::isfinite(value)) continue;
     least = std::min(least, value);
     // On a face any value may be.
-    if (std::abs(kept.distance(place, 0).distance) < kNear * fineness) continue;
+    if (std::abs(kept.distance(place, 0).distance) < kNearEdges * fineness) continue;
     sum += value;
     ++count;
   }

@@ -21,7 +21,7 @@ namespace {
 constexpr int kPartsAlongEdge = 8;
 /// How often the directions of neighbouring triangles are averaged, where voxels are cubes. Tuned on balls and
 /// ellipsoids of 6 to 16 voxels, oblique, sheared and up to four times as long as wide, which come out within 1.3 %.
-constexpr double kRounds = 20.0;
+constexpr double kAveragings = 20.0;
 
 struct Corners {
   glm::dvec3 a, b, c;
@@ -87,7 +87,7 @@ std::vector<double> areasWithoutRipples(const Mesh& mesh, int rounds, Progress& 
 int roundsFor(const glm::dmat4& worldFromVoxel) {
   glm::dmat3 axes(worldFromVoxel);
   auto [least, most] = std::minmax({glm::length(axes[0]), glm::length(axes[1]), glm::length(axes[2])});
-  return int(std::lround(kRounds * std::min(most / least, 10.0)));
+  return int(std::lround(kAveragings * std::min(most / least, 10.0)));
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ namespace {
 constexpr double kMostNodes = 2.5e6;  // of a grid: half a second
 /// Rounds of smoothing, where voxels are cubes, and the step in voxels: steps between labels make ways longer. Tuned on
 /// balls and cylinders of 15 voxels.
-constexpr double kRounds = 5.0, kLabelRounds = 25.0, kLabelStep = 1.4;
+constexpr double kSmoothRounds = 5.0, kLabelRounds = 25.0, kLabelStep = 1.4;
 
 std::string noSurfaceAt(glm::dvec3 place) {
   return fmt::format("there is no surface at {:.6g}, {:.6g}, {:.6g}", place.x, place.y, place.z);
@@ -98,7 +98,7 @@ SurfaceWay wayOverSurface(const scene::Scene& scene, glm::dvec3 a, glm::dvec3 b,
     progress.report(0.0, "Measuring along the surface");
     Solid solid = solidUnder(scene, place, a, b, box, step, progress);
     if (!solid.holds) return {{}, solid.problem};
-    double roundsOfCubes = place.isStructure ? kLabelRounds : kRounds;
+    double roundsOfCubes = place.isStructure ? kLabelRounds : kSmoothRounds;
     int rounds = int(std::lround(roundsOfCubes * std::min(grid.roughness, 4.0)));
     WayMesh mesh = surfaceOf(solid, box, step, rounds, progress);
     if (mesh.indices.empty()) return {{}, noSurfaceAt(a)};

@@ -19,7 +19,7 @@ namespace velum::session {
 namespace {
 
 constexpr int kCube = 64;  // voxels along an edge of what is read at a time
-constexpr int kMostSamples = 20000;
+constexpr int kMostOnLine = 20000;
 
 /// A box of voxels, the last ones not included.
 struct VoxelRange {
@@ -168,7 +168,7 @@ std::vector<ProfileSample> profileAlong(const scene::Scene& scene, glm::dvec3 a,
   constexpr std::size_t kAtOnce = 32;
   ShownVolume volume(scene);
   double length = glm::distance(a, b), step = 0.5 * smallestSpacing(volume.worldFromVoxel);
-  auto steps = std::size_t(std::clamp(std::ceil(length / step), 1.0, double(kMostSamples)));
+  auto steps = std::size_t(std::clamp(std::ceil(length / step), 1.0, double(kMostOnLine)));
   std::vector<ProfileSample> samples(steps + 1);
   for (std::size_t i = 0; i <= steps; ++i) {
     double share = double(i) / double(steps);

@@ -11,9 +11,10 @@ namespace velum::vector {
 namespace {
 
 constexpr int kRounds = 2;
-constexpr int kMostPoints = 60;    // of a curve that are asked
-constexpr double kFarOff = 0.42;   // pixels: from there a point counts for twice as much, and soon for far more
-constexpr double kMostStep = 0.5;  // of a joint across the line
+constexpr int kMostPoints = 60;           // of a curve that are asked
+constexpr std::size_t kLeastPoints = 14;  // of two curves; fewer do not say how they bend
+constexpr double kFarOff = 0.42;          // pixels: from there a point counts for twice as much, and soon for far more
+constexpr double kMostStep = 0.5;         // of a joint across the line
 
 /// Two curves and the joint between them, in its own terms.
 struct JointShape {
@@ -62,7 +63,7 @@ class JointSettler {
 
   JointShape settled() {
     double cost = costOf(mShape);
-    for (int round = 0; round < 2 && mPoints.size() > kUnknowns; ++round) {
+    for (int round = 0; round < 2 && mPoints.size() >= kLeastPoints; ++round) {
       Unknowns by{};
       if (!step(by)) break;
       JointShape next = moved(mShape, by, 1.0);

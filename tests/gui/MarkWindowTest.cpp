@@ -179,11 +179,16 @@ TEST_F(MarkWindow, APointThatIsDraggedIsOneStep) {
 
 TEST_F(MarkWindow, WordsAreDraggedToo) {
   addDistance();
-  QPoint words = toPoint(*session::wordsPlace(axial().space(), marks()[0])).toPoint();
+  auto wordsOf = [&] {
+    QTest::qWait(50);  // until they are painted
+    const session::PlacedWords& words = mWindow->models().lettering().words(axial())[0];
+    return toPoint(0.5 * (words.low + words.high)).toPoint();
+  };
+  QPoint words = wordsOf();
   drag(axial(), words, words + QPoint(15, 45));
   EXPECT_EQ(document().undoLabel(), "Move words of mark");
   ASSERT_TRUE(marks()[0].wordsAt);
-  QPoint now = toPoint(*session::wordsPlace(axial().space(), marks()[0])).toPoint();
+  QPoint now = wordsOf();
   EXPECT_LE((now - words - QPoint(15, 45)).manhattanLength(), 2);
 }
 

@@ -5,6 +5,7 @@
 
 #include <glm/gtc/constants.hpp>
 
+#include "session/lettering/Lettering.h"
 #include "session/mark/MarkWords.h"
 
 namespace velum::session {
@@ -69,21 +70,21 @@ TEST(MarkHands, TheNearestPointWithinReachIsTaken) {
 
 TEST(MarkHands, WordsAreTakenWhereTheyStandAndGoAsFarAsTheHand) {
   ViewSpace view(planeAt(10));
-  Mark mark = distance({0, 0, 10}, {50, 0, 10});
-  mark.wordsAt = glm::dvec2(0.2, -0.1);
-  glm::dvec2 place = *wordsPlace(view, mark);
-  EXPECT_EQ(place, scene::sectionPixelFromWorld(planeAt(10), {25, 0, 10}) + glm::dvec2(60, -30));
-  MarkReach reach;
-  reach.halfWords = [](const Mark&) { return glm::dvec2(20, 8); };
   scene::Scene scene;
-  scene.lettering.marks = {mark};
-  EXPECT_EQ(markAt(scene, view, place + glm::dvec2(19, -7), reach), (MarkGrip{MarkPart::Words, 1, 0}));
-  EXPECT_EQ(markAt(scene, view, place + glm::dvec2(25, 0), reach).part, MarkPart::None);
-  for (const auto& wordsAt : {mark.wordsAt, std::optional<glm::dvec2>()}) {
-    mark.wordsAt = wordsAt;
-    glm::dvec2 before = *wordsPlace(view, mark);
-    glm::dvec2 after = *wordsPlace(view, withWordsBy(mark, {12, 34}, view));
-    EXPECT_NEAR(glm::distance(after, before + glm::dvec2(12, 34)), 0.0, 1e-9);
+  scene.lettering.marks = {distance({0, 0, 10}, {50, 0, 10})};
+  auto wordsOf = [&] { return layMarks(scene, view, {}).words.at(0); };
+  for (auto wordsAt : {std::optional<glm::dvec2>(), std::optional(glm::dvec2(0.2, -0.1))}) {
+    scene.lettering.marks[0].wordsAt = wordsAt;
+    PlacedWords words = wordsOf();
+    std::vector<PlacedWords> all{words};
+    MarkReach reach;
+    reach.words = all;
+    glm::dvec2 middle = 0.5 * (words.low + words.high);
+    EXPECT_EQ(markAt(scene, view, middle, reach), (MarkGrip{MarkPart::Words, 1, 0}));
+    EXPECT_EQ(markAt(scene, view, words.high + glm::dvec2(5, 0), reach).part, MarkPart::None);
+    scene.lettering.marks[0] = withWordsBy(scene.lettering.marks[0], words, {12, -34}, view);
+    PlacedWords after = wordsOf();
+    EXPECT_NEAR(glm::distance(0.5 * (after.low + after.high), middle + glm::dvec2(12, -34)), 0.0, 1e-9);
   }
 }
 

@@ -4,7 +4,6 @@
 
 #include "gui/kit/Points.h"
 #include "gui/kit/Theme.h"
-#include "gui/mark/MarkPaint.h"
 #include "gui/mark/MarkTool.h"
 #include "gui/tool/HandlePaint.h"
 #include "session/command/Command.h"
@@ -31,17 +30,44 @@ const char* markStepOf(MarkPart part) {
 
 }  // namespace
 
-MarkGrips::MarkGrips(session::Document& document, Selection& selection, Toolbox& toolbox, QObject* parent)
-    : QObject(parent), mDocument(document), mSelection(selection), mToolbox(toolbox) {
+MarkGrips::MarkGrips(session::Document& document, Selection& selection, Toolbox& toolbox,
+                     const LetteringOverlay& lettering, QObject* parent)
+    : QObject(parent), mDocument(document), mSelection(selection), mToolbox(toolbox), mLettering(lettering) {
   connect(&selection, &Selection::markChanged, this, [this] { choosePoint(-1); });
 }
 
 MarkGrip MarkGrips::gripUnder(const ViewPoint& at) const {
   const scene::Scene& scene = mDocument.shown();
-  if (scene.lettering.marks.empty()) return {};
   session::MarkReach reach{.reach = kMarkReach, .step = scene::sectionStep(scene), .selected = mSelection.mark()};
-  reach.halfWords = [&scene](const scene::Mark& mark) { return halfWords(scene, mark); };
-  return session::markAt(scene, at.space(), at.pixel(), reach);
+  reach.words = mLettering.words(at.view());
+  MarkGrip grip = session::markAt(scene, at.space(), at.pixel(), reach);
+  // A name that has found its place by itself is taken hold of as the words of a mark.
+  if (grip.part == MarkPart::None && wordsUnder(at, 0)) return {MarkPart::Words, 0, 0};
+  return grip;
+}
+
+const session::PlacedWords* MarkGrips::wordsUnder(const ViewPoint& at, int mark) const {
+  for (const session::PlacedWords& words : mLettering.words(at.view())) {
+    bool isOver =
+        glm::all(glm::greaterThanEqual(at.pixel(), words.low)) && glm::all(glm::lessThanEqual(at.pixel(), words.high));
+    if (isOver && words.mark == mark) return &words;
+  }
+  return nullptr;
+}
+
+/// Makes a mark of a name that is dragged: from now on it stands where the hand puts it.
+void MarkGrips::takeName(const session::PlacedWords& name) {
+  int id = 0;
+  session::editByHand(
+      mDocument, markStepOf(MarkPart::Words),
+      [&](scene::Scene& scene) {
+        if (scene.lettering.marks.size() < scene::kMostMarks)
+          id = scene::addMark(scene.lettering.marks, session::markOfName(name));
+      },
+      true);
+  mHeld.mark = id;
+  mSelection.setMark(id);
+  if (const scene::Mark* mark = selected()) mStart = *mark;
 }
 
 bool MarkGrips::holds(const ViewPoint& at) const {
@@ -79,11 +105,13 @@ bool MarkGrips::press(const PointerEvent& event) {
     if (mPoint >= 0) choosePoint(-1);  // from now on arrows do what they do elsewhere
     return false;
   }
+  if (grip.mark == 0 && isRight) return false;
   mSelection.setMark(grip.mark);
+  if (grip.part == MarkPart::Words) mWords = *wordsUnder(event.at, grip.mark);
   if (grip.part == MarkPart::Line && isLeft && !event.at.isOnSection()) return false;  // the drag turns the camera
   choosePoint(grip.part == MarkPart::Point ? int(grip.point) : -1);
   mHeld = mHover = grip;
-  mStart = *selected();
+  if (selected()) mStart = *selected();
   mStartSpace = event.at.space();
   mFrom = event.at.pixel();
   mView = &event.at.view();
@@ -96,13 +124,14 @@ bool MarkGrips::press(const PointerEvent& event) {
 void MarkGrips::drag(const PointerEvent& event) {
   glm::dvec2 way = event.at.pixel() - mFrom;
   mHasMoved = mHasMoved || glm::length(way) > kMarkStillPixels;
+  if (mHasMoved && mHeld == MarkGrip{MarkPart::Words, 0, 0}) takeName(mWords);
   // What is dragged may have been undone meanwhile.
   if (!mHasMoved || mWantsMenu || !selected() || mHeld.mark != mSelection.mark()) return;
   mPointer = event.at.place();
   const scene::SectionPlane* section = mStartSpace.section();
   scene::Mark now = mStart;
   if (mHeld.part == MarkPart::Words) {
-    now = session::withWordsBy(mStart, way, mStartSpace);
+    now = session::withWordsBy(mStart, mWords, way, mStartSpace);
   } else if (mHeld.part == MarkPart::Line && section) {
     for (glm::dvec3& p : now.points)
       p += scene::worldFromSectionPixel(*section, way) - scene::worldFromSectionPixel(*section, glm::dvec2(0.0));
@@ -179,7 +208,6 @@ void MarkGrips::paint(ViewPainter& over) const {
   for (const scene::Mark& mark : scene.lettering.marks) {
     if (!session::isShown(scene, mark)) continue;
     bool isSelected = mark.id == mSelection.mark(), isHot = mark.id == mHover.mark;
-    paintMark(over, scene, mark, isSelected ? kHandle : isHot ? QColor(Qt::white) : kOverPicture);
     if (!isSelected && !isHot) continue;
     for (std::size_t i = 0; i < mark.points.size(); ++i) {
       auto pixel = over.space.pixelFromWorld(mark.points[i]);

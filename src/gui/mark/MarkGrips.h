@@ -4,6 +4,7 @@
 
 #include "gui/service/Selection.h"
 #include "gui/tool/Toolbox.h"
+#include "gui/view/LetteringOverlay.h"
 #include "session/document/Document.h"
 #include "session/mark/MarkHands.h"
 
@@ -16,7 +17,8 @@ class MarkTool;
 class MarkGrips : public QObject, public Manipulator {
   Q_OBJECT
  public:
-  MarkGrips(session::Document& document, Selection& selection, Toolbox& toolbox, QObject* parent);
+  MarkGrips(session::Document& document, Selection& selection, Toolbox& toolbox, const LetteringOverlay& lettering,
+            QObject* parent);
 
   /// A point or the words of a mark are within reach.
   bool holds(const ViewPoint& at) const;
@@ -39,6 +41,9 @@ class MarkGrips : public QObject, public Manipulator {
  private:
   const scene::Mark* selected() const { return session::findMark(mDocument.shown(), mSelection.mark()); }
   session::MarkGrip gripUnder(const ViewPoint& at) const;
+  /// The words under the pointer that belong to a mark, or, of the mark 0, those of a name that is none.
+  const session::PlacedWords* wordsUnder(const ViewPoint& at, int mark) const;
+  void takeName(const session::PlacedWords& name);
   const MarkTool* tool() const;
   bool isSetting() const;
   void setHover(session::MarkGrip grip);
@@ -49,11 +54,13 @@ class MarkGrips : public QObject, public Manipulator {
   session::Document& mDocument;
   Selection& mSelection;
   Toolbox& mToolbox;
+  const LetteringOverlay& mLettering;
   session::MarkGrip mHover;
   int mPoint = -1;  ///< of the selected mark, which the arrow keys move; -1: none
   // While something is dragged.
   session::MarkGrip mHeld;
   scene::Mark mStart;
+  session::PlacedWords mWords;  ///< that are dragged, where they stood
   session::ViewSpace mStartSpace;
   glm::dvec2 mFrom{0.0};
   const ToolView* mView = nullptr;

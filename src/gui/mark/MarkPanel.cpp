@@ -144,6 +144,20 @@ int MarkPanel::place() const {
   return found == marks().end() ? -1 : int(found - marks().begin());
 }
 
+void MarkPanel::setMeasured(std::map<int, session::Measured> measured) {
+  mMeasured = std::move(measured);
+  showList();
+}
+
+/// In one line; of what is still being measured three dots.
+QString MarkPanel::valueOf(const scene::Mark& mark) const {
+  if (session::isMeasuredAtOnce(mark)) return toText(session::markValue(mDocument.shown(), mark));
+  auto found = mMeasured.find(mark.id);
+  if (found == mMeasured.end()) return QString::fromUtf8("\u2026");
+  const session::Measured& measured = found->second;
+  return toText(measured.text.empty() ? measured.problem : measured.text).section('\n', 0, 0);
+}
+
 void MarkPanel::showList() {
   const scene::Scene& scene = mDocument.shown();
   std::vector<EyeList::Row> rows;
@@ -151,7 +165,7 @@ void MarkPanel::showList() {
     rows.push_back({.id = mark.id,
                     .icon = rowOf(mark.kind).sign,
                     .name = toText(session::markName(scene, mark)).replace('\n', ' '),
-                    .value = toText(session::markValue(scene, mark)),
+                    .value = valueOf(mark),
                     .isOn = mark.visible});
   mList->setRows(rows, place());
 }

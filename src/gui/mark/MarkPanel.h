@@ -3,12 +3,14 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QToolButton>
+#include <map>
 
 #include "gui/mark/LetteringForm.h"
 #include "gui/mark/MarkMenu.h"
 #include "gui/mark/OwnColor.h"
 #include "gui/rows/EyeList.h"
 #include "gui/service/Selection.h"
+#include "session/measure/Measure.h"
 
 namespace velum::gui {
 
@@ -20,6 +22,8 @@ class MarkPanel : public QWidget {
   MarkPanel(session::Document& document, Selection& selection, MarkMenu& menu, QWidget* parent);
   /// Shows the document as it is now.
   void refresh();
+  /// What marks measure that are not measured at once, by their ids.
+  void setMeasured(std::map<int, session::Measured> measured);
   CaptionForm& captions() { return mLettering->captions(); }
   /// The button of a tool. @param kind  one that has a tool
   QToolButton& toolButton(scene::MarkKind kind) { return *mTools.value(int(kind)); }
@@ -36,10 +40,12 @@ class MarkPanel : public QWidget {
   int place() const;
   const std::vector<scene::Mark>& marks() const { return mDocument.shown().lettering.marks; }
   void showList();
+  QString valueOf(const scene::Mark& mark) const;
 
   session::Document& mDocument;
   Selection& mSelection;
   MarkMenu& mMenu;
+  std::map<int, session::Measured> mMeasured;
   QHash<int, QToolButton*> mTools;  ///< by kind
   EyeList* mList;
   QLabel* mEmpty;

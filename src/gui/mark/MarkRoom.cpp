@@ -1,16 +1,42 @@
 #include "gui/mark/MarkRoom.h"
 
+#include <map>
+#include <memory>
+
 #include "gui/mark/MarkKinds.h"
 #include "session/command/Command.h"
 #include "session/command/DocumentCommands.h"
 
 namespace velum::gui {
 
-MarkRoom::MarkRoom(const WindowParts& parts)
+namespace {
+
+constexpr int kMeterPatienceMs = 200;
+
+/// The scene without what no measure depends on.
+scene::Scene measuredOf(scene::Scene scene) {
+  scene.camera = {};
+  scene.sections = {};
+  scene.lighting = {};
+  scene.finish = {};
+  scene.background = {};
+  scene.timeline = {};
+  std::vector<scene::Mark> marks = std::move(scene.lettering.marks);
+  scene.lettering = {};
+  for (scene::Mark& mark : marks)
+    if (!session::isMeasuredAtOnce(mark)) scene.lettering.marks.push_back(std::move(mark));
+  return scene;
+}
+
+}  // namespace
+
+MarkRoom::MarkRoom(const WindowParts& parts, LetteringOverlay& lettering)
     : Room(parts),
+      mLettering(lettering),
+      mMeter(kMeterPatienceMs, this),
       mMenu(parts.document(), nullptr),
       mPanel(new MarkPanel(parts.document(), parts.selection, mMenu, &parts.tabs)),
-      mGrips(parts.document(), parts.selection, parts.toolbox, nullptr) {
+      mGrips(parts.document(), parts.selection, parts.toolbox, lettering, nullptr) {
   parts.tabs.addPage(mPanel, tr("Marks"), tr("Measures, arrows, labels, and all that is written over the picture"));
   parts.toolbox.add(mGrips);
   QMenu* menu = parts.menu(MenuId::Mark);
@@ -71,6 +97,30 @@ void MarkRoom::rename(int mark) {
 void MarkRoom::refresh(const session::Session& session) {
   mNames->setChecked(session.shown().lettering.names);
   mPanel->refresh();
+  measure(session);
+}
+
+/// Measures in the background what takes its time: values in circles, boxes and structures, ways along surfaces.
+void MarkRoom::measure(const session::Session& session) {
+  scene::Scene wanted = measuredOf(session.shown());
+  if (wanted.lettering.marks.empty()) {
+    mMeasured = {};
+    return mMeter.stop();
+  }
+  if (wanted == mMeasured) return;
+  mMeasured = wanted;
+  auto found = std::make_shared<std::map<int, session::Measured>>();
+  mMeter.want(
+      [this, found] {
+        scene::Scene scene = mParts.session.membranes().withShapes(mParts.session.shown());
+        return
+            [found, scene = std::move(scene)](Progress& progress) { *found = session::measuredMarks(scene, progress); };
+      },
+      [this, found] {
+        mPanel->setMeasured(*found);
+        mLettering.setMeasured(std::move(*found));
+        mParts.toolbox.repaint();
+      });
 }
 
 void MarkRoom::addCaption() {

@@ -5,6 +5,8 @@
 #include "gui/mark/MarkGrips.h"
 #include "gui/mark/MarkPanel.h"
 #include "gui/mark/MarkTool.h"
+#include "gui/service/NewestJob.h"
+#include "gui/view/LetteringOverlay.h"
 #include "gui/view/Room.h"
 
 namespace velum::gui {
@@ -13,7 +15,8 @@ namespace velum::gui {
 class MarkRoom : public Room {
   Q_OBJECT
  public:
-  explicit MarkRoom(const WindowParts& parts);
+  /// @param lettering  paints the marks; outlives the room
+  MarkRoom(const WindowParts& parts, LetteringOverlay& lettering);
   void refresh(const session::Session& session) override;
   /// Adds a caption, and gives the keyboard to its words.
   void addCaption();
@@ -22,7 +25,11 @@ class MarkRoom : public Room {
   void addTools(QMenu* menu);
   void addActions(QMenu* menu);
   void rename(int mark);
+  void measure(const session::Session& session);
 
+  LetteringOverlay& mLettering;
+  NewestJob mMeter;
+  scene::Scene mMeasured;  ///< what the marks measured last depended on
   MarkMenu mMenu;
   MarkPanel* mPanel;
   MarkGrips mGrips;

@@ -3,7 +3,6 @@
 #include "core/Error.h"
 #include "gui/kit/Theme.h"
 #include "gui/mark/MarkGrips.h"
-#include "gui/mark/MarkPaint.h"
 #include "gui/tool/HandlePaint.h"
 #include "scene/ModelLayer.h"
 #include "session/command/Command.h"

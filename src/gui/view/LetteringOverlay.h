@@ -1,6 +1,7 @@
 #pragma once
 #include <QString>
 #include <map>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -18,12 +19,14 @@ class LetteringOverlay : public Manipulator {
  public:
   LetteringOverlay(const session::Document& document, Viewport& viewport) : mDocument(document), mViewport(viewport) {}
 
-  /// To be called when a picture is complete, and when a legend is asked for: counts which types the picture shows.
-  /// @return true when the legend's entries have changed
+  /// To be called when a picture is complete, and when a legend or names are asked for: looks which types and
+  /// structures the picture shows, and where. @return true when the lettering has changed
   bool count();
   /// What the legend names, from its top.
   std::vector<QString> names() const;
 
+  /// Where words of marks and names stand in a view, as they were painted last, its (logical) pixels.
+  std::span<const session::PlacedWords> words(const ToolView& view) const;
   /// What marks measure that are not measured at once, by their ids.
   void setMeasured(std::map<int, session::Measured> measured) { mMeasured = std::move(measured); }
 
@@ -31,11 +34,19 @@ class LetteringOverlay : public Manipulator {
 
  private:
   const session::TypePixels& pixels() const;
+  session::SeenNames namesFrom(const session::ViewSpace& space) const;
+  void keepAnchors();
+  void settleNames();
 
   const session::Document& mDocument;
   Viewport& mViewport;
   session::TypePixels mPixels;
   std::map<int, session::Measured> mMeasured;
+  session::SeenNames mSeen;                 ///< names, as the picture showed them that was complete last
+  std::vector<glm::dvec3> mAnchors;         ///< of the names and then of the marks in it, in the world
+  glm::ivec2 mSize{0};                      ///< of that picture, pixels
+  std::vector<session::NamePlace> mPlaces;  ///< of the names in it
+  mutable std::map<const ToolView*, std::vector<session::PlacedWords>> mWords;
   Shared<Model> mModel;  ///< the model whose types were counted
 };
 

@@ -74,7 +74,7 @@ FilmNames::Key FilmNames::keyAfter(int key, const Key* before, Progress& progres
     Seen all;
     all.names = out.seen;
     all.namesBefore = before ? &places : nullptr;
-    std::vector<NamePlace> next = namePlaces(seen.scene, mSize, all);
+    std::vector<NamePlace> next = layLettering(seen.scene, mSize, all).names;
     bool isStill = areAlike(places, next);
     places = std::move(next);
     if (isStill) break;

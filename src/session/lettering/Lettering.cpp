@@ -33,15 +33,9 @@ bool hasLettering(const scene::Lettering& lettering) {
          !lettering.marks.empty() || lettering.names;
 }
 
-/// All that is written over a picture, and where its names stand.
-struct Laid {
-  std::vector<LetteringBlock> blocks;
-  std::vector<NamePlace> names;
-};
-
 /// What always stands there goes before what comes and goes, so that it keeps its place.
-Laid layAll(LetteringLayout& layout, const MarkView& view, glm::vec3 ground, const std::optional<ScaleBar>& bar,
-            const std::vector<LegendEntry>& entries, const Seen& seen) {
+LaidLettering layAll(LetteringLayout& layout, const MarkView& view, glm::vec3 ground,
+                     const std::optional<ScaleBar>& bar, const std::vector<LegendEntry>& entries, const Seen& seen) {
   const scene::Scene& scene = view.scene();
   if (bar) layout.addScaleBar(*bar);
   auto stamp = scene.lettering.timeStamp ? timeStampOf(scene) : std::nullopt;
@@ -52,19 +46,12 @@ Laid layAll(LetteringLayout& layout, const MarkView& view, glm::vec3 ground, con
   for (const scene::Mark& mark : scene.lettering.marks) marks.add(mark);
   LaidNames names = layNames(scene, glm::ivec2(view.space().size()), seen.names, seen.measured, ground, layout.places(),
                              seen.namesBefore, seen.between);
-  Laid all{std::move(marks).blocks(), std::move(names.places)};
+  LaidLettering all{{}, std::move(names.places), marks.words()};
+  all.words.insert(all.words.end(), names.words.begin(), names.words.end());
+  all.blocks = std::move(marks).blocks();
   std::ranges::move(names.blocks, std::back_inserter(all.blocks));
   std::ranges::move(std::move(layout).blocks(), std::back_inserter(all.blocks));
   return all;
-}
-
-Laid layPicture(const scene::Scene& scene, glm::ivec2 size, const Seen& seen) {
-  if (!hasLettering(scene.lettering)) return {};
-  LetteringLayout layout(scene, size);
-  MarkView view(scene, ViewSpace(scene.camera, glm::dvec2(size)));
-  auto bar = scene.lettering.scaleBar ? scaleBarOf(scene, size) : std::nullopt;
-  return layAll(layout, view, groundOf(scene, scene::CaptionPlace::Centre), bar,
-                scene.lettering.legend ? legendEntries(scene, seen.pixels) : std::vector<LegendEntry>(), seen);
 }
 
 }  // namespace
@@ -104,32 +91,34 @@ Seen seenIn(const Image& image, const scene::Scene& scene, Progress& progress, c
 
 Seen seenInSection(const scene::Scene& scene, Progress& progress) { return {{}, measuredMarks(scene, progress), {}}; }
 
-std::vector<LetteringBlock> letteringBlocks(const scene::Scene& scene, glm::ivec2 size, const Seen& seen) {
-  return layPicture(scene, size, seen).blocks;
+LaidLettering layLettering(const scene::Scene& scene, glm::ivec2 size, const Seen& seen) {
+  if (!hasLettering(scene.lettering)) return {};
+  LetteringLayout layout(scene, size);
+  MarkView view(scene, ViewSpace(scene.camera, glm::dvec2(size)));
+  auto bar = scene.lettering.scaleBar ? scaleBarOf(scene, size) : std::nullopt;
+  return layAll(layout, view, groundOf(scene, scene::CaptionPlace::Centre), bar,
+                scene.lettering.legend ? legendEntries(scene, seen.pixels) : std::vector<LegendEntry>(), seen);
 }
 
-std::vector<NamePlace> namePlaces(const scene::Scene& scene, glm::ivec2 size, const Seen& seen) {
-  return layPicture(scene, size, seen).names;
-}
-
-std::vector<LetteringBlock> letteringBlocks(const scene::Scene& scene, scene::SectionKind kind, glm::ivec2 size,
-                                            const Seen& seen) {
+LaidLettering layLettering(const scene::Scene& scene, scene::SectionKind kind, glm::ivec2 size, const Seen& seen) {
   if (!hasLettering(scene.lettering)) return {};
   // Beyond the data's end a section shows the background's lower colour.
   LetteringLayout layout(scene, size, scene.background.bottom);
   MarkView view(scene, ViewSpace(scene::makeSectionPlane(scene, kind, glm::dvec2(size))));
   auto bar = scene.lettering.scaleBar ? scaleBarOf(scene, kind, size) : std::nullopt;
-  return layAll(layout, view, scene.background.bottom, bar, {}, seen).blocks;
+  return layAll(layout, view, scene.background.bottom, bar, {}, seen);
 }
 
-std::vector<LetteringBlock> markBlocks(const scene::Scene& scene, const ViewSpace& space, const Seen& seen) {
+LaidLettering layMarks(const scene::Scene& scene, const ViewSpace& space, const Seen& seen) {
   if (scene.lettering.marks.empty()) return {};
   FreePlaces places(space.size());
   MarkView view(scene, space);
   glm::vec3 ground = space.section() ? scene.background.bottom : groundOf(scene, scene::CaptionPlace::Centre);
   MarkLayout marks(view, seen.measured, ground, places);
   for (const scene::Mark& mark : scene.lettering.marks) marks.add(mark);
-  return std::move(marks).blocks();
+  LaidLettering laid{{}, {}, marks.words()};
+  laid.blocks = std::move(marks).blocks();
+  return laid;
 }
 
 }  // namespace velum::session

@@ -49,15 +49,26 @@ Seen seenIn(const Image& image, const scene::Scene& scene, Progress& progress, c
 /// The same for a section: it has no names.
 Seen seenInSection(const scene::Scene& scene, Progress& progress);
 
-/// What is to be laid over a picture of so many pixels: dark on a light ground, light on a dark one, each letter on a
-/// little of the ground's colour. Sizes go with the picture's rows, or with its page.
-std::vector<LetteringBlock> letteringBlocks(const scene::Scene& scene, glm::ivec2 size, const Seen& seen);
-/// The same for a picture of a section: it has no legend.
-std::vector<LetteringBlock> letteringBlocks(const scene::Scene& scene, scene::SectionKind kind, glm::ivec2 size,
-                                            const Seen& seen);
-/// Where the names of a picture stand.
-std::vector<NamePlace> namePlaces(const scene::Scene& scene, glm::ivec2 size, const Seen& seen);
+/// What is to be laid over a picture.
+struct LaidLettering {
+  std::vector<LetteringBlock> blocks;
+  std::vector<NamePlace> names;    ///< where names stand that find their own places
+  std::vector<PlacedWords> words;  ///< of marks and names
+};
+/// Lettering over a picture of so many pixels: dark on a light ground, light on a dark one, each letter on a little of
+/// the ground's colour. Sizes go with the picture's rows, or with its page.
+LaidLettering layLettering(const scene::Scene& scene, glm::ivec2 size, const Seen& seen);
+/// The same for a picture of a section: it has no legend and no names.
+LaidLettering layLettering(const scene::Scene& scene, scene::SectionKind kind, glm::ivec2 size, const Seen& seen);
 /// The marks alone, for a view. @param space  what the pixels of the view mean
-std::vector<LetteringBlock> markBlocks(const scene::Scene& scene, const ViewSpace& space, const Seen& seen);
+LaidLettering layMarks(const scene::Scene& scene, const ViewSpace& space, const Seen& seen);
+
+inline std::vector<LetteringBlock> letteringBlocks(const scene::Scene& scene, glm::ivec2 size, const Seen& seen) {
+  return layLettering(scene, size, seen).blocks;
+}
+inline std::vector<LetteringBlock> letteringBlocks(const scene::Scene& scene, scene::SectionKind kind, glm::ivec2 size,
+                                                   const Seen& seen) {
+  return layLettering(scene, kind, size, seen).blocks;
+}
 
 }  // namespace velum::session

@@ -155,6 +155,7 @@ void MarkLayout::addWords(const scene::Mark& mark, Words words) {
     leader.items = {vector::Shape{{}, {vector::outlineThrough({nearest, words.at}, false)}, mPen, {}}};
     mBlocks.push_back(std::move(leader));
   }
+  mWords.push_back({mark.id, 0, {}, low, low + size, words.at});
   LetteringBlock block = mLines;
   bool isName = mark.kind == scene::MarkKind::Label || mark.kind == scene::MarkKind::Name;
   block.layer = isName ? "labels" : "marks";

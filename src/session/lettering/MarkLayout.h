@@ -10,6 +10,7 @@
 #include "session/lettering/LetteringBlock.h"
 #include "session/lettering/LetteringStyle.h"
 #include "session/lettering/MarkView.h"
+#include "session/mark/MarkHands.h"
 #include "session/measure/Measure.h"
 #include "vector/Letters.h"
 
@@ -25,6 +26,7 @@ class MarkLayout {
   /// Nothing of a mark that is not seen here.
   void add(const scene::Mark& mark);
   std::vector<LetteringBlock> blocks() && { return std::move(mBlocks); }
+  const std::vector<PlacedWords>& words() const { return mWords; }
 
  private:
   struct Words {
@@ -64,6 +66,7 @@ class MarkLayout {
   LetteringBlock mLines;  ///< of the mark that is being added
   vector::Pen mPen;       ///< the same
   std::vector<LetteringBlock> mBlocks;
+  std::vector<PlacedWords> mWords;
 };
 
 }  // namespace velum::session

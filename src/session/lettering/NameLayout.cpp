@@ -24,6 +24,7 @@ struct NameWords {
   std::vector<std::string> lines;
   glm::vec3 ink{0.0f};
   double opacity = 1.0;
+  PlacedWords placed;
 };
 
 class NameLayout {
@@ -35,10 +36,15 @@ class NameLayout {
         mStyle(scene.lettering, size),
         mLetters(mStyle.font(), mStyle.em()) {}
 
-  void add(int key, const std::string& text, glm::dvec2 anchor, double weight, const scene::Mark* mark) {
+  void add(int key, const std::string& text, const SeenName& seen, double weight, const scene::Mark* mark) {
+    glm::dvec2 anchor = seen.anchor;
     std::string drawn = drawable(text);
     if (drawn.empty()) return;
-    NameWords words{{key, {}, anchor, weight, {}}, mLetters.lines(drawn, kWidestWords * mSize.x), {}, 1.0};
+    NameWords words{{key, {}, anchor, weight, {}},
+                    mLetters.lines(drawn, kWidestWords * mSize.x),
+                    {},
+                    1.0,
+                    {mark ? mark->id : 0, seen.structure, seen.type, {}, {}, anchor}};
     for (const std::string& line : words.lines) words.name.size.x = std::max(words.name.size.x, mLetters.width(line));
     words.name.size.y = (kNameCap + kNameLine * double(words.lines.size() - 1)) * mStyle.em();
     words.ink = mark && mark->color ? *mark->color : mStyle.inkOn(mGround);
@@ -54,11 +60,15 @@ class NameLayout {
       room.taken.push_back({taken.low - taken.gap, taken.high + taken.gap});
     std::vector<NameToPlace> names;
     for (const NameWords& words : mWords) names.push_back(words.name);
-    LaidNames laid{{}, between ? pointed(placesBetween(*between, mStyle.em()), room) : placeNames(names, room, before)};
+    LaidNames laid;
+    laid.places = between ? pointed(placesBetween(*between, mStyle.em()), room) : placeNames(names, room, before);
     for (const NamePlace& place : laid.places) {
       auto words = std::ranges::find(mWords, place.key, [](const NameWords& of) { return of.name.key; });
       addLeader(laid.blocks, *words, place);
       addWords(laid.blocks, *words, place);
+      laid.words.push_back(words->placed);
+      laid.words.back().low = place.block.low;
+      laid.words.back().high = place.block.high;
     }
     return laid;
   }
@@ -145,14 +155,13 @@ LaidNames layNames(const scene::Scene& scene, glm::ivec2 size, const SeenNames& 
                    const std::vector<NamePlace>* before, const NamesBetween* between) {
   if (seen.names.empty() && seen.marks.empty()) return {};
   NameLayout layout(scene, size, ground);
-  for (const SeenName& name : seen.names)
-    layout.add(2 * name.key, name.name, name.anchor, double(name.pixels), nullptr);
+  for (const SeenName& name : seen.names) layout.add(2 * name.key, name.name, name, double(name.pixels), nullptr);
   for (const auto& [id, name] : seen.marks) {
     const scene::Mark* mark = findMark(scene, id);
     if (!mark) continue;
     auto found = measured.find(id);
     std::string words = markWords(scene, *mark, found == measured.end() ? "" : found->second.text);
-    layout.add(2 * id + 1, words, name.anchor, kMarkWeight, mark);
+    layout.add(2 * id + 1, words, name, kMarkWeight, mark);
   }
   return layout.lay(seen, places, before, between);
 }

@@ -7,6 +7,7 @@
 #include "session/lettering/LetteringBlock.h"
 #include "session/lettering/PlaceNames.h"
 #include "session/lettering/SeenNames.h"
+#include "session/mark/MarkHands.h"
 #include "session/measure/Measure.h"
 
 namespace velum::session {
@@ -15,6 +16,7 @@ namespace velum::session {
 struct LaidNames {
   std::vector<LetteringBlock> blocks;
   std::vector<NamePlace> places;  ///< for the next frame
+  std::vector<PlacedWords> words;
 };
 
 /// Names of a frame of a film on their way from their places at one moment to those at another.

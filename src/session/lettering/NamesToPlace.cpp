@@ -47,13 +47,16 @@ struct SeenGroup {
 
 SeenGroup seenGroupOf(const scene::Scene& scene, NameGroup group, const TypePixels& types,
                       const StructurePixels& structures) {
-  SeenGroup out{{0, std::move(group.name), 0, {}}, std::move(group.types), {}};
+  SeenGroup out{{0, std::move(group.name), 0, {}, 0, {}}, std::move(group.types), {}};
   for (std::uint32_t type : out.types) out.name.pixels += pixelsOf(types, type);
   for (std::size_t i : group.structures) {
     int id = scene.labels.structures[i].id;
     out.ids.push_back(id);
     if (auto found = structures.find(id); found != structures.end()) out.name.pixels += found->second;
   }
+  if (!out.ids.empty()) out.name.structure = out.ids[0];
+  if (out.ids.empty() && !out.types.empty() && scene.model.data)
+    out.name.type = pathOf(*scene.model.data, scene.model.data->types[out.types[0]]);
   // Ids begin at 1, types at 0: types are below 0.
   out.name.key = out.ids.empty() ? -1 - int(out.types.empty() ? 0 : out.types[0]) : out.ids[0];
   return out;

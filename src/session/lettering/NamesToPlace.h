@@ -23,6 +23,8 @@ struct SeenName {
   std::string name;
   std::uint64_t pixels = 0;  ///< of the picture that show it
   glm::dvec2 anchor{0};      ///< well inside of what is seen of it, pixels of the picture
+  int structure = 0;         ///< id of the structure, or of the first of several that share the name; 0: it is none
+  std::string type;          ///< path of the type, or of the first; empty: it is none
 };
 
 /// What is named in a picture (scene::Lettering::named): what the scene lists, or structures and types of which the

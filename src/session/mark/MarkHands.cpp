@@ -18,7 +18,7 @@ using scene::Mark;
 using scene::MarkKind;
 using Line = std::vector<glm::dvec2>;
 
-constexpr double kWordsAway = 18.0;  ///< of words that have no place of their own, from theirs, pixels
+constexpr double kWordsReach = 2.0;  ///< around words, pixels
 constexpr int kCircleParts = 72;
 
 double shareAt(double height, double step) { return std::clamp(1.5 - std::abs(height) / step, 0.0, 1.0); }
@@ -74,6 +74,13 @@ double distanceToLine(const Line& line, glm::dvec2 pixel) {
   return nearest;
 }
 
+bool areWordsOf(const MarkReach& reach, int mark, glm::dvec2 pixel) {
+  return std::ranges::any_of(reach.words, [&](const PlacedWords& words) {
+    return words.mark == mark && glm::all(glm::greaterThanEqual(pixel, words.low - kWordsReach)) &&
+           glm::all(glm::lessThanEqual(pixel, words.high + kWordsReach));
+  });
+}
+
 /// The grip of a part of one mark with its distance from the pixel; the part None where nothing is within reach.
 std::pair<MarkGrip, double> gripOf(const Mark& mark, const ViewSpace& view, glm::dvec2 pixel, const MarkReach& reach) {
   std::pair<MarkGrip, double> best{{}, reach.reach};
@@ -83,26 +90,11 @@ std::pair<MarkGrip, double> gripOf(const Mark& mark, const ViewSpace& view, glm:
     if (double away = glm::distance(*place, pixel); away <= best.second) best = {{MarkPart::Point, mark.id, i}, away};
   }
   if (best.first.part != MarkPart::None) return best;
-  auto words = wordsPlace(view, mark);
-  glm::dvec2 half = words && reach.halfWords ? reach.halfWords(mark) : glm::dvec2(0.0);
-  if (words && half.x > 0.0 && glm::all(glm::lessThanEqual(glm::abs(pixel - *words), half + 2.0)))
-    return {{MarkPart::Words, mark.id, 0}, 0.0};
+  if (areWordsOf(reach, mark.id, pixel)) return {{MarkPart::Words, mark.id, 0}, 0.0};
   for (const Line& line : markLines(view, mark))
     if (double away = distanceToLine(line, pixel); away <= 0.5 * best.second)
       best = {{MarkPart::Line, mark.id, 0}, 2.0 * away};
   return best;
-}
-
-/// Where words that have no place of their own stand from theirs, pixels: above a line, beside a steep one.
-glm::dvec2 wordsAway(const ViewSpace& view, const Mark& mark) {
-  if (mark.kind == MarkKind::Label || mark.kind == MarkKind::Name) return glm::dvec2(2.5, -2.0) * kWordsAway;
-  bool isLine = mark.kind == MarkKind::Distance || mark.kind == MarkKind::Profile;
-  auto lines = isLine ? markLines(view, mark) : std::vector<Line>();
-  glm::dvec2 along = lines.empty() ? glm::dvec2(1, 0) : lines[0].back() - lines[0].front();
-  if (glm::length(along) < 1.0) return {0.0, -kWordsAway};
-  glm::dvec2 across = glm::normalize(glm::dvec2(along.y, -along.x));
-  if (across.y > 0.0) across = -across;
-  return {across.x * 2.4 * kWordsAway, across.y * kWordsAway};
 }
 
 int rankOf(MarkPart part) { return part == MarkPart::None ? 9 : static_cast<int>(part); }
@@ -144,35 +136,6 @@ std::vector<Line> markLines(const ViewSpace& view, const Mark& mark) {
   return {line};
 }
 
-std::optional<glm::dvec2> wordsBelongTo(const ViewSpace& view, const Mark& mark) {
-  const auto& p = mark.points;
-  if (p.empty()) return std::nullopt;
-  switch (mark.kind) {
-    case MarkKind::Angle:
-      return view.pixelFromWorld(p[p.size() > 1 ? 1 : 0]);
-    case MarkKind::Distance:
-    case MarkKind::Profile:
-    case MarkKind::Box:
-      return view.pixelFromWorld(0.5 * (p.front() + p.back()));
-    case MarkKind::Area: {
-      glm::dvec3 sum(0.0);
-      for (const glm::dvec3& one : p) sum += one;
-      return view.pixelFromWorld(sum / double(p.size()));
-    }
-    case MarkKind::Path:
-      return view.pixelFromWorld(p.back());
-    default:
-      return view.pixelFromWorld(p.front());
-  }
-}
-
-std::optional<glm::dvec2> wordsPlace(const ViewSpace& view, const Mark& mark) {
-  auto place = wordsBelongTo(view, mark);
-  if (!place) return std::nullopt;
-  if (mark.wordsAt) return *place + *mark.wordsAt * view.size().y;
-  return *place + wordsAway(view, mark);
-}
-
 MarkGrip markAt(const scene::Scene& scene, const ViewSpace& view, glm::dvec2 pixel, const MarkReach& reach) {
   MarkGrip best;
   auto key = [&](const MarkGrip& grip, double away) {
@@ -200,10 +163,13 @@ Mark withPointAt(Mark mark, std::size_t point, glm::dvec3 place, const ViewSpace
   return mark;
 }
 
-Mark withWordsBy(Mark mark, glm::dvec2 pixels, const ViewSpace& view) {
-  auto belongs = wordsBelongTo(view, mark), words = wordsPlace(view, mark);
-  if (belongs && words) mark.wordsAt = (*words + pixels - *belongs) / view.size().y;
+Mark withWordsBy(Mark mark, const PlacedWords& from, glm::dvec2 pixels, const ViewSpace& view) {
+  mark.wordsAt = (0.5 * (from.low + from.high) + pixels - from.at) / view.size().y;
   return mark;
+}
+
+Mark markOfName(const PlacedWords& name) {
+  return {.kind = MarkKind::Name, .structure = name.structure, .type = name.type};
 }
 
 Mark markOfClicks(MarkKind kind, std::vector<glm::dvec3> points, const ViewSpace& view, double step) {

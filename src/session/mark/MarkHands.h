@@ -1,7 +1,8 @@
 #pragma once
-#include <functional>
 #include <glm/glm.hpp>
 #include <optional>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "scene/Scene.h"
@@ -22,10 +23,15 @@ double pointShare(const ViewSpace& view, const scene::Mark& mark, std::size_t po
 
 /// The lines of a mark in a view; each a polyline. None for kinds without lines.
 std::vector<std::vector<glm::dvec2>> markLines(const ViewSpace& view, const scene::Mark& mark);
-/// The place to which the words of a mark belong; none where it is behind the eye, or the mark has no place.
-std::optional<glm::dvec2> wordsBelongTo(const ViewSpace& view, const scene::Mark& mark);
-/// The middle of the words.
-std::optional<glm::dvec2> wordsPlace(const ViewSpace& view, const scene::Mark& mark);
+/// Where words stand in a view, as its lettering has laid them out.
+struct PlacedWords {
+  int mark = 0;                    ///< id of their mark; 0: they are a name that has found its place by itself
+  int structure = 0;               ///< of such a name: what it is of, as Mark has it
+  std::string type;                ///< the same
+  glm::dvec2 low{0.0}, high{0.0};  ///< of the box around them
+  glm::dvec2 at{0.0};              ///< the place that they belong to
+  bool operator==(const PlacedWords&) const = default;
+};
 
 /// A part of a mark that can be taken hold of.
 enum class MarkPart { None, Point, Words, Line };
@@ -36,20 +42,22 @@ struct MarkGrip {
   bool operator==(const MarkGrip&) const = default;
 };
 /// What of the scene's marks is within reach of a pixel: points before words before lines, and those of the selected
-/// mark first. @param reach  pixels  @param wordsSize  half width and half height of words, pixels, by mark
-/// @param selected  id of a mark; 0: none
+/// mark first.
 struct MarkReach {
-  double reach = 9.0, step = 1.0;
-  int selected = 0;
-  std::function<glm::dvec2(const scene::Mark&)> halfWords;
+  double reach = 9.0;  ///< pixels
+  double step = 1.0;   ///< see markShare()
+  int selected = 0;    ///< id of a mark; 0: none
+  std::span<const PlacedWords> words;
 };
 MarkGrip markAt(const scene::Scene& scene, const ViewSpace& view, glm::dvec2 pixel, const MarkReach& reach);
 
 /// A mark after one of its points was dragged to a place of the world. A circle goes with its middle; the point of a
 /// box keeps its depth on a section, so that a box keeps its thickness there.
 scene::Mark withPointAt(scene::Mark mark, std::size_t point, glm::dvec3 place, const ViewSpace& view);
-/// A mark after its words were dragged by so many pixels.
-scene::Mark withWordsBy(scene::Mark mark, glm::dvec2 pixels, const ViewSpace& view);
+/// A mark after its words were dragged by so many pixels. @param from  where they stood before
+scene::Mark withWordsBy(scene::Mark mark, const PlacedWords& from, glm::dvec2 pixels, const ViewSpace& view);
+/// The mark that a name becomes which was taken hold of; it has no id yet.
+scene::Mark markOfName(const PlacedWords& name);
 
 /// What clicks make: a mark of a kind with these points. A box that was drawn on a section is one step thick.
 scene::Mark markOfClicks(scene::MarkKind kind, std::vector<glm::dvec3> points, const ViewSpace& view, double step);

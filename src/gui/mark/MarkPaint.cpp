@@ -6,8 +6,8 @@
 
 #include "gui/kit/Points.h"
 #include "gui/kit/Text.h"
+#include "gui/kit/Theme.h"
 #include "gui/tool/HandlePaint.h"
-#include "gui/view/GreyWindowCorner.h"
 #include "session/mark/MarkHands.h"
 #include "session/mark/MarkWords.h"
 
@@ -35,6 +35,18 @@ QPainterPath headOf(glm::dvec2 from, glm::dvec2 to) {
   return path;
 }
 
+/// Light words in a dark seam that is wide enough for bright bone.
+void drawWords(QPainter& painter, QPointF corner, const QString& words) {
+  QFontMetrics metrics(painter.font());
+  QPainterPath path;
+  for (const QString& line : words.split('\n')) {
+    path.addText(corner + QPointF(0.0, metrics.ascent()), painter.font(), line);
+    corner.ry() += metrics.lineSpacing();
+  }
+  painter.strokePath(path, QPen(QColor(0, 0, 0, 210), 3.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  painter.fillPath(path, kOverPicture);
+}
+
 }  // namespace
 
 void paintMark(ViewPainter& over, const scene::Scene& scene, const scene::Mark& mark, const QColor& color) {
@@ -51,8 +63,7 @@ void paintMark(ViewPainter& over, const scene::Scene& scene, const scene::Mark& 
   if (words && half.x > 0.0) {
     bool isAside = mark.kind == scene::MarkKind::Label || mark.kind == scene::MarkKind::Name;
     if (isAside) strokeTwice(over.painter, markPathOf({*session::wordsBelongTo(over.space, mark), *words}), color, 1.0);
-    QRectF box(words->x - half.x - 4.0, words->y - half.y, 2.0 * half.x + 8.0, 2.0 * half.y);
-    drawOverTissue(over.painter, box, Qt::AlignCenter, toText(session::markWords(scene, mark)));
+    drawWords(over.painter, toPoint(*words - half), toText(session::markWords(scene, mark)));
   }
   over.painter.setOpacity(1.0);
 }

@@ -54,8 +54,7 @@ QWidget* LetteringForm::makeStyle() {
   mForm.setGrid(rows);
   auto lettering = [this]() -> const scene::Lettering& { return mDocument.shown().lettering; };
   auto hasPage = [lettering] { return lettering().pageWidth > 0.0; };
-  rows->addWidget(new QLabel(tr("Style"), group), rows->rowCount(), 0);
-  mForm.addWidget(mStyle = makeStyles(group));
+  mForm.addWidget(mStyle = makeStyles(group), tr("Style"));
   mForm.add("lettering.pageWidth", tr("Page"),
             {.object = "pageWidth",
              .tip = tr("Width of the printed picture, mm: letters and lines have their size on paper; 0: sizes go with "
@@ -169,8 +168,7 @@ QWidget* LetteringForm::makeNames() {
   mNamed->setPlaceholderText(tr("What is seen most"));
   mNamed->setToolTip(tr("Names of structures and paths of types, with commas between them; empty: what is seen most"));
   connect(mNamed, &QLineEdit::editingFinished, this, &LetteringForm::nameThese);
-  rows->addWidget(new QLabel(tr("Only"), group), rows->rowCount(), 0);
-  mForm.addWidget(mNamed);
+  mForm.addWidget(mNamed, tr("Only"));
   return group;
 }
 

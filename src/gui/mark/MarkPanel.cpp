@@ -18,7 +18,7 @@ namespace velum::gui {
 
 namespace {
 
-constexpr int kMostMarkRows = 8, kToolsInRow = 5, kMarkLabels = 72;
+constexpr int kMostMarkRows = 8, kToolsInRow = 4, kMarkLabels = 72;
 
 }  // namespace
 
@@ -79,7 +79,7 @@ QWidget* MarkPanel::makeTools() {
     button->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
     button->setAccessibleName(title);
     button->setToolTip(QCoreApplication::translate("MarkRoom", row.tip));
-    button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    button->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);  // all of one width
     int count = int(mTools.size());
     grid->addWidget(button, count / kToolsInRow, count % kToolsInRow);
     mTools.insert(int(row.kind), button);

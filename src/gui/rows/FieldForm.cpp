@@ -82,7 +82,11 @@ QWidget* FieldForm::add(const std::string& path, const QString& title, FieldText
   return row.control;
 }
 
-void FieldForm::addWidget(QWidget* widget) { mGrid->addWidget(widget, mGrid->rowCount(), 1, Qt::AlignLeft); }
+void FieldForm::addWidget(QWidget* widget, const QString& title) {
+  int line = mGrid->rowCount();
+  if (!title.isEmpty()) mGrid->addWidget(new QLabel(title, mGrid->parentWidget()), line, 0);
+  mGrid->addWidget(widget, line, 1, title.isEmpty() ? Qt::AlignLeft : Qt::Alignment());
+}
 
 void FieldForm::setEnabled(bool isEnabled) {
   for (const Row& row : mRows)

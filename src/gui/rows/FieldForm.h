@@ -57,8 +57,8 @@ class FieldForm : public QObject {
   QWidget* add(const std::string& path, const QString& title, FieldText text = {});
   /// Makes a field's control without a row.
   QWidget* make(QWidget* parent, const std::string& path, const QString& title, FieldText text = {});
-  /// Adds a widget that is of no field to the column of controls.
-  void addWidget(QWidget* widget);
+  /// Adds a widget that is of no field to the column of controls. @param title  of its row; empty: it has none
+  void addWidget(QWidget* widget, const QString& title = {});
   /// Enables or disables all controls but those whose FieldText has isEnabled.
   void setEnabled(bool isEnabled);
   /// Shows the scene's values. Fields of hidden rows are not read.

@@ -193,7 +193,7 @@ std::vector<std::string> Session::savePicture(const PictureOptions& options, std
   if (path != "-") expectPictureFile(path);
   if (isDrawing(path)) {
     vector::Drawing drawing = plate(options, section, progress);
-    savePlate(drawing, shown(), path);
+    savePlate(drawing, path);
     return shown().lettering.pageWidth > 0.0 || options.dpi > 0.0 ? journalNotes(drawing) : std::vector<std::string>();
   }
   Image image =

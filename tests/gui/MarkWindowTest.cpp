@@ -10,7 +10,6 @@
 #include "gui/kit/Points.h"
 #include "gui/mark/MarkTool.h"
 #include "scene/PlateStyles.h"
-#include "session/mark/MarkHands.h"
 
 namespace velum::gui {
 namespace {

@@ -14,7 +14,7 @@ TEST_F(InstancesGL, AnEnlargedModelIsDrawnWhereItWasMoved) {
   scene.model.enlargement = 2.0;
   scene.model.offset = {24, 0, 5};
   scene.camera.target = {0, 0, 0};
-  scene.camera.projection = Projection::Orthographic;
+  scene.camera.projection = scene::Projection::Orthographic;
   scene.camera.height = 70;
   lookAlong(scene, {0, -1, 0});
   Image image = draw(scene, {140, 140}, kLayers);

@@ -130,7 +130,9 @@ void MarkLayout::addDot(glm::dvec2 at) {
 }
 
 void MarkLayout::addWords(const scene::Mark& mark, Words words) {
-  if (words.lines.empty()) return;
+  bool isBeyond =
+      glm::any(glm::lessThan(words.at, glm::dvec2(0.0))) || glm::any(glm::greaterThan(words.at, mView.space().size()));
+  if (words.lines.empty() || isBeyond) return;
   double em = mStyle.em(), widest = 0.0;
   for (const std::string& line : words.lines) widest = std::max(widest, mLetters.width(line));
   glm::dvec2 size(widest, (kMarkCap + kMarkLine * double(words.lines.size() - 1)) * em);

@@ -46,7 +46,6 @@ vector::Layer paperLayer(render::Renderer& renderer, render::Frame frame, int wi
   return {"paper", {vector::Shape{"paper", {vector::rectangle({0, 0}, size, 0.0)}, {}, fill}}};
 }
 
-/// Layers of one name become one, in the place of the first.
 void addLayers(vector::Drawing& drawing, std::vector<vector::Layer> layers) {
   for (vector::Layer& layer : layers)
     if (!layer.items.empty()) drawing.layers.push_back(std::move(layer));
@@ -78,7 +77,13 @@ vector::Drawing drawPlate(render::Renderer& renderer, const scene::Scene& scene,
   Image image =
       render::renderPicture(renderer, frame, withLetteringLayers(plateLayers(lined), lined), window, progress);
   drawing.layers.push_back(plateLayer("plate", channelsOf(image, {"R", "G", "B", "A"})));
-  addLayers(drawing, tracedLines(image, lined, progress));
+  Image unlit;
+  bool hasSpheres = lined.finish.hatching > 0.0 && lined.finish.litSphere > 0.0;
+  if (hasSpheres) {
+    frame.scene.finish.litSphere = 0.0;
+    unlit = render::renderPicture(renderer, frame, {}, window, progress);
+  }
+  addLayers(drawing, tracedLines(image, hasSpheres ? unlit : image, lined, progress));
   addLayers(drawing, layersOf(letteringBlocks(lined, options.size, seenIn(image, lined, progress))));
   return drawing;
 }
@@ -96,7 +101,7 @@ vector::Drawing drawSectionPlate(const scene::Scene& scene, scene::SectionKind k
   return drawing;
 }
 
-void savePlate(const vector::Drawing& drawing, const scene::Scene&, const std::filesystem::path& path) {
+void savePlate(const vector::Drawing& drawing, const std::filesystem::path& path) {
   if (lowerExtension(path) == ".svg") return vector::writeSvg(drawing, path);
   vector::writePdf(drawing, path);
 }

@@ -36,8 +36,8 @@ class SeenPixels {
       : mImage(image), mScene(scene), size(image.width, image.height) {
     std::size_t channels = image.channels.size();
     std::map<std::tuple<int, int>, int> known;
-    const int red = of("R"), green = of("G"), blue = of("B"), alpha = of("A"), depth = of("Z"), id = of("id"),
-              instance = of("instance"), type = of("type"), face = of("face"), normal = of("normal.X");
+    const int alpha = of("A"), depth = of("Z"), id = of("id"), instance = of("instance"), type = of("type"),
+              face = of("face"), normal = of("normal.X");
     for (std::size_t i = 0; i < image.pixels.size(); i += channels) {
       const float* pixel = &image.pixels[i];
       auto at = [&](int channel, float none) { return channel < 0 ? none : pixel[channel]; };
@@ -55,7 +55,6 @@ class SeenPixels {
       normals.emplace_back(normal < 0 ? glm::vec3(0, 0, 1)
                                       : glm::vec3(pixel[normal], pixel[normal + 1], pixel[normal + 2]));
       opacities.push_back(at(alpha, 1.0f));
-      tones.push_back(0.30f * pixel[red] + 0.59f * pixel[green] + 0.11f * pixel[blue]);
     }
   }
   vector::SurfaceMap surfaces() const { return {size, ids, distances, normals, opacities}; }
@@ -78,9 +77,18 @@ class SeenPixels {
   std::vector<int> ids;            ///< of regions, from 1; 0: nothing
   std::vector<std::string> names;  ///< of regions, by id - 1
   std::vector<int> faces;          ///< of cuts, from 1
-  std::vector<float> distances, opacities, tones;
+  std::vector<float> distances, opacities;
   std::vector<glm::vec3> normals;
 };
+
+std::vector<float> tonesOf(const Image& image) {
+  const int red = channelIndex(image, "R"), green = channelIndex(image, "G"), blue = channelIndex(image, "B");
+  std::vector<float> tones;
+  for (std::size_t i = 0; i < image.pixels.size(); i += image.channels.size())
+    tones.push_back(0.30f * image.pixels[i + std::size_t(red)] + 0.59f * image.pixels[i + std::size_t(green)] +
+                    0.11f * image.pixels[i + std::size_t(blue)]);
+  return tones;
+}
 
 vector::View viewOf(const scene::Camera& camera) {
   scene::CameraBasis basis = scene::cameraBasis(camera);
@@ -149,7 +157,8 @@ render::Layers plateLayers(const scene::Scene& scene) {
   return layers;
 }
 
-std::vector<vector::Layer> tracedLines(const Image& image, const scene::Scene& scene, Progress& progress) {
+std::vector<vector::Layer> tracedLines(const Image& image, const Image& unlit, const scene::Scene& scene,
+                                       Progress& progress) {
   const scene::Finish& finish = scene.finish;
   if (finish.contours <= 0.0 && finish.hatching <= 0.0) return {};
   progress.report(0.8, "Tracing lines");
@@ -159,7 +168,7 @@ std::vector<vector::Layer> tracedLines(const Image& image, const scene::Scene& s
   if (finish.hatching > 0.0) {
     double spacing = std::max(kFinestHatching, pixelsOf(finish.hatchWidth, seen));
     vector::Pen pen{finish.contourColor, 1.0, finish.hatching, {}};
-    auto strokes = vector::traceHatching(seen.surfaces(), view, seen.tones, {spacing, true}, progress);
+    auto strokes = vector::traceHatching(seen.surfaces(), view, tonesOf(unlit), {spacing, true}, progress);
     layers.push_back({"hatching", strokesOf(seen, std::move(strokes), pen,
                                             [&](double share) { return std::max(0.3, share * spacing); })});
   }

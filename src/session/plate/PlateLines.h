@@ -13,7 +13,9 @@ namespace velum::session {
 render::Layers plateLayers(const scene::Scene& scene);
 
 /// The lines that the finish of a scene draws, from the layers of its picture: "hatching", "contours" and "cut lines";
-/// a layer is empty where the finish has none of it. @param image  with plateLayers()  @throw Cancelled. Any thread.
-std::vector<vector::Layer> tracedLines(const Image& image, const scene::Scene& scene, Progress& progress);
+/// a layer is empty where the finish has none of it. @param image  with plateLayers()  @param unlit  the same picture
+/// without lit spheres, whose tones the strokes follow  @throw Cancelled. Any thread.
+std::vector<vector::Layer> tracedLines(const Image& image, const Image& unlit, const scene::Scene& scene,
+                                       Progress& progress);
 
 }  // namespace velum::session

@@ -1,0 +1,83 @@
+"""Plates: what velum-batch render writes as .svg and .pdf."""
+import re
+import shutil
+import subprocess
+import unittest
+import xml.etree.ElementTree as xml
+
+from velum_cli import CliTest
+
+SVG, INKSCAPE = "{http://www.w3.org/2000/svg}", "{http://www.inkscape.org/namespaces/inkscape}"
+FAST = ["--samples", "1", "--set", "lighting.shaded=false"]
+
+
+class Plate(CliTest):
+    def heart(self):
+        """Volume and labels."""
+        volume = self.sample("heart")
+        return [volume, "--labels", volume.with_name("heart-labels.nrrd")]
+
+    def svg(self, *arguments, name="plate.svg"):
+        self.run_batch("render", *self.heart(), "-o", name, "--size", "400x300", *FAST, *arguments)
+        return xml.parse(self.folder / name).getroot()
+
+    def layers(self, root):
+        return [group.get(INKSCAPE + "label") for group in root.iter(SVG + "g") if group.get(INKSCAPE + "groupmode") == "layer"]
+
+    def texts(self, root):
+        return ["".join(text.itertext()) for text in root.iter(SVG + "text")]
+
+    def test_layers_have_names_and_letters_are_text(self):
+        root = self.svg("--finish", "ink", "--surface", "--names", "--scale-bar", "--caption", "Plate \u00e4 <1>")
+        layers = self.layers(root)
+        for name in ("paper", "plate", "contours", "leaders", "labels", "scale bar", "captions"):
+            self.assertIn(name, layers)
+        self.assertIn("Plate \u00e4 <1>", self.texts(root))
+        self.assertTrue(any(text.endswith(" mm") for text in self.texts(root)))
+        self.assertEqual(len(list(root.iter(SVG + "image"))), 2 if "hatching" not in layers or True else 1)
+
+    def test_marks_stand_in_it_and_in_pictures_of_pixels(self):
+        mark = ["--set", "lettering.marks.+.kind=distance", "--set", "lettering.marks.0.points=[[-10,0,0],[10,0,0]]"]
+        root = self.svg(*mark)
+        self.assertIn("marks", self.layers(root))
+        self.assertIn("20.0 mm", self.texts(root))
+        for name, words in (("plain.png", []), ("marked.png", mark)):
+            self.run_batch("render", *self.heart(), "-o", name, "--size", "200x150", *FAST, *words)
+        self.run_batch("compare", "plain.png", "marked.png", "--max-diff", "0", "--max-fraction", "0", code=4)
+        section = ["render", *self.heart(), "--section", "axial", "--size", "200x150"]
+        self.run_batch(*section, "-o", "section.svg", *mark)
+        self.assertEqual(self.layers(xml.parse(self.folder / "section.svg").getroot())[0], "plate")
+
+    def test_the_page_is_as_wide_as_was_asked_and_journals_are_warned_for(self):
+        done = self.run_batch("render", *self.heart(), "-o", "small.svg", "--size", "400x300", "--page-width", "174", "--scale-bar", *FAST)
+        self.assertIn(b"pixels an inch", done.stderr)
+        root = xml.parse(self.folder / "small.svg").getroot()
+        self.assertAlmostEqual(float(re.match(r"[\d.]+", root.get("width"))[0]), 174.0, places=2)
+        done = self.run_batch("render", *self.heart(), "-o", "good.svg", "--size", "1010x700", "--page-width", "85", "--style", "journal",
+                              "--scale-bar", *FAST)
+        self.assertNotIn(b"warning", done.stderr)
+
+    def test_a_pdf_holds_the_same_words(self):
+        self.run_batch("render", *self.heart(), "-o", "plate.pdf", "--size", "400x300", "--scale-bar", "--caption", "Searchable", *FAST)
+        self.assertTrue((self.folder / "plate.pdf").read_bytes().startswith(b"%PDF-1."))
+        if not shutil.which("pdftotext"):
+            self.skipTest("pdftotext is not installed")
+        said = subprocess.run(["pdftotext", self.folder / "plate.pdf", "-"], capture_output=True, check=True).stdout.decode()
+        self.assertIn("Searchable", said)
+
+    def test_the_same_scene_gives_the_same_bytes(self):
+        for ending in ("svg", "pdf"):
+            both = []
+            for name in ("a", "b"):
+                self.run_batch("render", *self.heart(), "-o", f"{name}.{ending}", "--size", "160x120", "--finish", "ink", "--names", *FAST)
+                both.append((self.folder / f"{name}.{ending}").read_bytes())
+            self.assertEqual(*both)
+
+    def test_what_cannot_be_written_is_refused_before_anything_is_drawn(self):
+        self.refuse("render", *self.heart(), "-o", "no/such/plate.svg", code=2)
+        self.refuse("render", *self.heart(), "-o", "plate.eps", code=2, words=[".svg"])
+        self.refuse("render", *self.heart(), "-o", "x.png", "--style", "comic", code=1, words=["--style"])
+
+
+if __name__ == "__main__":
+    unittest.main()

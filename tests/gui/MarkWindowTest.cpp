@@ -228,7 +228,7 @@ TEST_F(MarkWindow, ALabelAsksForItsWordsAtOnce) {
   ASSERT_TRUE(editor);
   QTest::keyClicks(editor, "The isthmus");
   QTest::keyClick(editor, Qt::Key_Return);
-  EXPECT_EQ(marks()[0].text, "The isthmus");
+  EXPECT_TRUE(QTest::qWaitFor([&] { return marks()[0].text == "The isthmus"; }, kPatience)) << marks()[0].text;
   takeShot(*mWindow, "mark-label");
 }
 

@@ -358,6 +358,19 @@ def first_virus(folder):
     ]
 
 
+def plate(folder):
+    """Plates as SVG: a hand whose bones are named, a head in a membrane, a virus with its types."""
+    atlas = ["--style", "atlas", "--page-width", "120"]
+    hand = [*phantom(folder, "hand", "labels"), "--view", "superior", "--finish", "ink", "--names", "--scale-bar", *atlas,
+            *sets("lettering.mostNames=18", "labels.unlabelled=0")]
+    head = [WELCOME, "--finish", "plate", *atlas, "--scale-bar",
+            *sets("lettering.marks.+.kind=label", "lettering.marks.0.points=[[96,18,124]]", "lettering.marks.0.text=Skin",
+                  "lettering.marks.+.kind=label", "lettering.marks.1.points=[[118,60,96]]", "lettering.marks.1.text=Membrane")]
+    virus = [folder / "virion.cif", "--view", "anterior", "--finish", "plate", *near(14), *cut(0, "axis=0,-1,0", "centre=0,-60,0"),
+             "--names", "--scale-bar", *atlas, *sets("lettering.mostNames=8", "lettering.nameOrder=around")]
+    return [hand, head, virus]
+
+
 def brain_cells(folder):
     """A brain of 20 GB: nerve cells, grown in the voxels of the finest level, stand on a cut through all of it. Half an hour;
     VELUM_BRAIN names the store if it is there already."""
@@ -402,12 +415,14 @@ PLATES = {
     "first-ct": (3, (400, 340), DARK, first_ct),
     "first-cells": (3, (400, 340), DARK, first_cells),
     "first-virus": (3, (400, 340), WHITE, first_virus),
+    "plate": (3, (480, 440), WHITE, plate),
     "brain-cells": (1, (1200, 800), DARK, brain_cells),
 }
 # name: (size, what gives the film: the arguments of `velum-batch film`).
 FILMS = {"head": ((480, 400), head_film)}
+DRAWINGS = ("plate",)  # mounted as SVG is seen
 BY_NAME_ONLY = {"brain-cells"}  # they take too long
-PHANTOMS = {"systems": ("virion",), "first-plate": ("torso",), "first-ct": ("torso",), "first-virus": ("virion",), "films": ("torso", "virion"), "models": ("virion",), "equalizer": ("virion",), "situations": ("torso", "two-spheres", "seismic", "vessels"), "membrane": ("torso", "heart"), "pull": ("hand",), "cross-sections": ("torso", "hand", "foot"), "sheet": ("torso", "vessels", "neurons", "seismic")}
+PHANTOMS = {"systems": ("virion",), "first-plate": ("torso",), "first-ct": ("torso",), "first-virus": ("virion",), "films": ("torso", "virion"), "models": ("virion",), "equalizer": ("virion",), "situations": ("torso", "two-spheres", "seismic", "vessels"), "membrane": ("torso", "heart"), "pull": ("hand",), "plate": ("hand", "virion"), "cross-sections": ("torso", "hand", "foot"), "sheet": ("torso", "vessels", "neurons", "seismic")}
 
 
 def run(*command):
@@ -439,6 +454,11 @@ def draw_plate(batch, name, folder, out):
     panels = []
     for i, panel in enumerate(describe(folder)):
         arguments, endings = panel if isinstance(panel, tuple) else (panel, ("",))
+        if name in DRAWINGS:  # of twice the size
+            drawing, panels = folder / f"{name}{i}.svg", [*panels, folder / f"{name}{i}.png"]
+            run(batch, "render", *arguments, "-o", drawing, "--size", f"{2 * size[0]}x{2 * size[1]}", "--samples", SAMPLES)
+            run("rsvg-convert", "--unlimited", "-w", str(size[0]), "-o", panels[-1], drawing)
+            continue
         run(batch, "film" if "--animate" in arguments else "render", *arguments, "-o", folder / f"{name}{i}.png", "--size", f"{size[0]}x{size[1]}", "--samples", SAMPLES)
         panels += [folder / f"{name}{i}{ending}.png" for ending in endings]
         if ".depth" in endings:  # which has one channel

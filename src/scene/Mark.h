@@ -15,9 +15,10 @@ constexpr std::size_t kMostMarks = 1000, kMostMarkPoints = 1000;
 /// What a mark is, and what its points are, in their order.
 /// Distance: from the first point to the second. Angle: at the second of three. Path: how long the way along all points
 /// is. Area: of the polygon of all points. Arrow: from its end to its head. Label: words beside a point. Name: the name
-/// of a structure or of a type of the model, beside it; with no point where it is seen best. Circle, Box: values in a
-/// ball that a section shows as a circle (its middle and a point of its rim), and in a box along the volume's axes (two
-/// corners). Region: values, volume and surface of a structure; no points. Profile: values along a line.
+/// of a structure or of a type of the model, beside it; with no point where it is seen best. Circle: values in a
+/// circle, or in a ball where it has no normal (its middle and a point of its rim). Box: values in a box along the
+/// volume's axes (two corners). Region: values, volume and surface of a structure; no points. Profile: values along a
+/// line.
 enum class MarkKind { Distance, Angle, Path, Area, Arrow, Label, Name, Circle, Box, Region, Profile };
 
 /// How few and how many points a mark of a kind has.
@@ -49,6 +50,7 @@ struct Mark {
   MarkKind kind = MarkKind::Distance;
   std::vector<glm::dvec3> points;  ///< world, scene units; how many: markPoints()
   bool alongSurface = false;       ///< Distance, Path: along the surface that is seen, not through the air
+  glm::dvec3 normal{0.0};          ///< Circle: of its plane, world, any length; 0: it is a ball
   int structure = 0;               ///< Name, Region: id of the structure; 0: none
   std::string type;                ///< Name: path of a type or compartment of the model; empty: none
   int instance = -1;               ///< number of the model's instance whose middle the first point is; -1: none
@@ -68,6 +70,7 @@ struct Mark {
           FieldInfo{kLength, {}, "Places in the world to which it is bound.", false, false, kMostMarkPoints});
     visit("alongSurface", o.alongSurface,
           FieldInfo{"", {}, "On: a way is measured along the surface that is seen, not through the air.", true});
+    visit("normal", o.normal, directionInfo("Of the plane of a circle; 0,0,0: it is a ball.", true));
     visit("structure", o.structure,
           FieldInfo{"", {0, 1e9}, "Id of the structure that it names or measures; 0: none.", true});
     visit("type", o.type, FieldInfo{"", {}, "Path of the model's type or compartment that it names.", true});

@@ -179,6 +179,25 @@ TEST(Measure, ProfilesOfARampAreStraight) {
   }
 }
 
+/// As a radiologist draws one on a section: the voxels of one layer, whatever the grid.
+TEST(Measure, ACircleHasTheVoxelsOfOneLayerWithinIt) {
+  scene::Scene scene;
+  scene.volume.data = Shared<Volume>(makeVolume({60, 50, 40}, SampleType::UInt8, [](glm::ivec3 v) { return 3 * v.z; }));
+  for (glm::dvec3 normal : {glm::dvec3(0, 0, 2), glm::dvec3(1, 0, 0)}) {
+    scene::Mark mark = markOf(scene::MarkKind::Circle, {{30, 25, 20}, glm::dvec3(30, 25, 20) + glm::dvec3(0, 9.3, 0)});
+    mark.normal = normal;
+    double count = 0;
+    for (int z = -10; z <= 10; ++z)
+      for (int y = -10; y <= 10; ++y) count += y * y + z * z <= 9.3 * 9.3;
+    Measured found = measured(scene, mark);
+    EXPECT_EQ(findQuantity(found, "voxels")->value, count);
+    EXPECT_NEAR(findQuantity(found, "area")->value, 3.14159265 * 9.3 * 9.3, 1e-4);
+    EXPECT_EQ(findQuantity(found, "deviation")->value == 0.0, normal.z > 0.0) << "values rise along z";
+  }
+  scene::Mark ball = markOf(scene::MarkKind::Circle, {{30, 25, 20}, {30, 34.3, 20}});
+  EXPECT_GT(findQuantity(measured(scene, ball), "voxels")->value, 3000.0);
+}
+
 TEST(Measure, KnowsTimeStepAndChannel) {
   Volume volume;
   volume.dims = {9, 8, 7};

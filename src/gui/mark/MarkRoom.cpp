@@ -3,9 +3,15 @@
 #include <map>
 #include <memory>
 
+#include <QFileInfo>
+
+#include "core/FileName.h"
+#include "core/ReplaceFile.h"
 #include "gui/mark/MarkKinds.h"
+#include "gui/service/SavePath.h"
 #include "session/command/Command.h"
 #include "session/command/DocumentCommands.h"
+#include "session/measure/Table.h"
 
 namespace velum::gui {
 
@@ -85,8 +91,30 @@ void MarkRoom::addActions(QMenu* menu) {
                       false, tr("Names of what is seen").toStdString());
       });
   mNames->setCheckable(true);
+  mParts.actions.addForScene(menu, "mark.saveTable", tr("Save &table..."),
+                             tr("Write what all marks and structures measure: .csv or .json"), [this] { saveTable(); });
   mParts.actions.addForScene(menu, "mark.list", tr("L&ist"), tr("Show the list of marks"),
                              [this] { mParts.tabs.showPage(mPanel); });
+}
+
+void MarkRoom::saveTable() {
+  QString start = QFileInfo(QString::fromStdString(mParts.session.file().path())).completeBaseName() + "-measures.csv";
+  QString path =
+      askSavePath(&mParts.window, tr("Save table"), start, tr("Table (*.csv);;Table with profiles and ways (*.json)"));
+  if (!path.isEmpty()) saveTableTo(path);
+}
+
+void MarkRoom::saveTableTo(const QString& path) {
+  scene::Scene scene = mParts.session.membranes().withShapes(mParts.session.shown());
+  mParts.jobs.start(
+      tr("Measuring"),
+      [scene = std::move(scene), path = path.toStdString()](Progress& progress) {
+        session::TableParts parts{true, bool(scene.labels.data), false};
+        auto rows = session::measureAll(scene, parts, progress);
+        bool isJson = lowerExtension(path) == ".json";
+        replaceFile(path, isJson ? session::tableJson(rows, scene.unit) : session::tableCsv(rows));
+      },
+      [this, path] { mParts.messages.showNote(tr("Saved %1").arg(path)); });
 }
 
 void MarkRoom::rename(int mark) {

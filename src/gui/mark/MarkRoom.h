@@ -20,10 +20,13 @@ class MarkRoom : public Room {
   void refresh(const session::Session& session) override;
   /// Adds a caption, and gives the keyboard to its words.
   void addCaption();
+  /// Measures all marks and structures and writes the table. @param path  .csv or .json
+  void saveTableTo(const QString& path);
 
  private:
   void addTools(QMenu* menu);
   void addActions(QMenu* menu);
+  void saveTable();
   void rename(int mark);
   void measure(const session::Session& session);
 

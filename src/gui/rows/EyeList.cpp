@@ -107,6 +107,11 @@ void EyeList::setRows(const std::vector<Row>& rows, int selected) {
   setCurrentRow(selected);
 }
 
+QString EyeList::valueAt(int row) const {
+  const QListWidgetItem* found = item(row);
+  return found ? found->data(kValueRole).toString() : QString();
+}
+
 int EyeList::idAt(int row) const { return item(row) ? item(row)->data(kRowIdRole).toInt() : 0; }
 
 bool EyeList::event(QEvent* event) {

@@ -22,6 +22,8 @@ class EyeList : public QListWidget {
   void setRows(const std::vector<Row>& rows, int selected);
   /// Id of what is in a row; 0: none.
   int idAt(int row) const;
+  /// What a row says at the right.
+  QString valueAt(int row) const;
 
  signals:
   // The user has changed something; `id` is its id.

@@ -9,7 +9,8 @@ namespace velum::gui {
 
 namespace {
 
-constexpr int kMostSteps = 120;  // until names have gone to new places
+constexpr double kLeastLetters = 12.0;  // of marks in small views, pixels
+constexpr int kMostSteps = 120;         // until names have gone to new places
 
 void paintBlocks(QPainter& painter, const std::vector<session::LetteringBlock>& blocks, glm::ivec2 size, double ratio) {
   for (const session::LetteringBlock& block : blocks) {
@@ -115,6 +116,7 @@ void LetteringOverlay::paint(ViewPainter& over) const {
   glm::ivec2 size(glm::round(glm::dvec2(over.size.width(), over.size.height()) * ratio));
   const scene::Scene& scene = mDocument.shown();
   session::Seen seen{pixels(), mMeasured, {}};
+  seen.leastEm = kLeastLetters * ratio;
   session::LaidLettering laid;
   if (&over.view == &mViewport) {
     session::NamesBetween held;

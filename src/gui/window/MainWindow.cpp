@@ -84,7 +84,8 @@ void MainWindow::buildRooms() {
   mModels = add(new ModelRoom(parts));
   mCuts = add(new CutRoom(parts));
   add(new ExtrusionRoom(parts));
-  connect(view, &ViewCommands::captionAsked, add(new MarkRoom(parts, mModels->lettering())), &MarkRoom::addCaption);
+  mMarks = add(new MarkRoom(parts, mModels->lettering()));
+  connect(view, &ViewCommands::captionAsked, mMarks, &MarkRoom::addCaption);
   auto* time = add(new TimeCommands(parts, *mFrame.time));
   mTimeline = add(new TimelineRoom(parts, *mFrame.timeline));
   time->follow(*mTimeline);

@@ -69,6 +69,7 @@ class MainWindow : public QMainWindow {
   PyramidCommands& pyramids() { return *mPyramids; }
   AreaMeter& areas() { return mStructures->areas(); }
   ModelRoom& models() { return *mModels; }
+  MarkRoom& marks() { return *mMarks; }
   TimelineRoom& timeline() { return *mTimeline; }
   Sketch& sketch() { return mCuts->membranes().sketch(); }
 
@@ -118,6 +119,7 @@ class MainWindow : public QMainWindow {
   LookRoom* mLook = nullptr;
   StructureRoom* mStructures = nullptr;
   ModelRoom* mModels = nullptr;
+  MarkRoom* mMarks = nullptr;
   CutRoom* mCuts = nullptr;
   TimelineRoom* mTimeline = nullptr;
 };

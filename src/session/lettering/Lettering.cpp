@@ -42,7 +42,7 @@ LaidLettering layAll(LetteringLayout& layout, const MarkView& view, glm::vec3 gr
   if (stamp) layout.addTimeStamp(*stamp);
   layout.addLegend(entries);
   layout.addCaptions();
-  MarkLayout marks(view, seen.measured, ground, layout.places());
+  MarkLayout marks(view, seen.measured, ground, seen.leastEm, layout.places());
   for (const scene::Mark& mark : scene.lettering.marks) marks.add(mark);
   LaidNames names = layNames(scene, glm::ivec2(view.space().size()), seen.names, seen.measured, ground, layout.places(),
                              seen.namesBefore, seen.between);
@@ -114,7 +114,7 @@ LaidLettering layMarks(const scene::Scene& scene, const ViewSpace& space, const 
   FreePlaces places(space.size());
   MarkView view(scene, space);
   glm::vec3 ground = space.section() ? scene.background.bottom : groundOf(scene, scene::CaptionPlace::Centre);
-  MarkLayout marks(view, seen.measured, ground, places);
+  MarkLayout marks(view, seen.measured, ground, seen.leastEm, places);
   for (const scene::Mark& mark : scene.lettering.marks) marks.add(mark);
   LaidLettering laid{{}, {}, marks.words()};
   laid.blocks = std::move(marks).blocks();

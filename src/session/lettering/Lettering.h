@@ -33,6 +33,7 @@ struct Seen {
   TypePixels pixels;                 ///< for the legend
   std::map<int, Measured> measured;  ///< by the ids of marks, see measuredMarks()
   SeenNames names;                   ///< see seenNames()
+  double leastEm = 0.0;              ///< of the letters of marks in a view, pixels
   const std::vector<NamePlace>* namesBefore =
       nullptr;                            ///< where names stood in the frame before; null: a still picture
   const NamesBetween* between = nullptr;  ///< of a film: see NamesBetween

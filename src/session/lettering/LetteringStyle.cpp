@@ -25,13 +25,14 @@ glm::vec3 contrastTo(glm::vec3 color) { return isLight(color) ? kDarkInk : kLigh
 
 }  // namespace
 
-LetteringStyle::LetteringStyle(const scene::Lettering& lettering, glm::ivec2 size)
-    : mLettering(lettering), mSize(size) {}
+LetteringStyle::LetteringStyle(const scene::Lettering& lettering, glm::ivec2 size, double leastEm)
+    : mLettering(lettering), mSize(size), mLeastEm(leastEm) {}
 
 double LetteringStyle::em(double share) const {
-  if (mLettering.pageWidth <= 0.0) return std::max(kLeastEm, share * mLettering.textSize * mSize.y / 1000.0);
+  if (mLettering.pageWidth <= 0.0)
+    return std::max({kLeastEm, mLeastEm, share * mLettering.textSize * mSize.y / 1000.0});
   double pixels = mLettering.textPoints * kMmPerPoint * mSize.x / mLettering.pageWidth;
-  return std::max(kLeastEmOfPage, share * pixels);
+  return std::max({kLeastEmOfPage, mLeastEm, share * pixels});
 }
 
 double LetteringStyle::lineWidth() const {

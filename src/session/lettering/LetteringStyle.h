@@ -10,7 +10,8 @@ namespace velum::session {
 /// Sizes and colours of the lettering of a picture of so many pixels.
 class LetteringStyle {
  public:
-  LetteringStyle(const scene::Lettering& lettering, glm::ivec2 size);
+  /// @param leastEm  of letters, pixels; 0: what can just be read
+  LetteringStyle(const scene::Lettering& lettering, glm::ivec2 size, double leastEm = 0.0);
 
   /// Of letters, pixels. @param share  of the lettering's own size
   double em(double share = 1.0) const;
@@ -24,6 +25,7 @@ class LetteringStyle {
  private:
   const scene::Lettering& mLettering;
   glm::dvec2 mSize;
+  double mLeastEm;
 };
 
 /// Column and row of a place, 0..2: left, middle, right; top, middle, bottom.

@@ -39,13 +39,13 @@ glm::dvec2 upFrom(glm::dvec2 along) {
 
 }  // namespace
 
-MarkLayout::MarkLayout(const MarkView& view, const std::map<int, Measured>& measured, glm::vec3 ground,
+MarkLayout::MarkLayout(const MarkView& view, const std::map<int, Measured>& measured, glm::vec3 ground, double leastEm,
                        FreePlaces& places)
     : mView(view),
       mMeasured(measured),
       mGround(ground),
       mPlaces(places),
-      mStyle(view.scene().lettering, glm::ivec2(view.space().size())),
+      mStyle(view.scene().lettering, glm::ivec2(view.space().size()), leastEm),
       mLetters(mStyle.font(), mStyle.em()) {}
 
 void MarkLayout::add(const scene::Mark& mark) {
@@ -237,11 +237,21 @@ void MarkLayout::addLabel(const scene::Mark& mark, glm::dvec2 at) {
 }
 
 void MarkLayout::addBall(const scene::Mark& mark, const Measured& measured) {
+  if (mark.normal != glm::dvec3(0.0)) return addCircle(mark, measured);
   auto seen = mView.space().circleOfBall(mark.points[0], glm::distance(mark.points[0], mark.points[1]));
   if (!seen || seen->radius <= 0.0) return;
   addOutline(vector::circle(seen->middle, seen->radius));
   glm::dvec2 out = glm::normalize(glm::dvec2(1.0, -0.55));
   addWords(mark, {linesOf(mark, measured), seen->middle + seen->radius * out, kMarkGap * mStyle.em() * out});
+}
+
+void MarkLayout::addCircle(const scene::Mark& mark, const Measured& measured) {
+  auto places = mView.pixels(circlePlaces(mark));
+  if (!places) return;
+  places->pop_back();
+  addLine(*places, true);
+  glm::dvec2 right = *std::ranges::max_element(*places, {}, [](glm::dvec2 p) { return p.x - 0.55 * p.y; });
+  addWords(mark, {linesOf(mark, measured), right, kMarkGap * mStyle.em() * glm::normalize(glm::dvec2(1.0, -0.55))});
 }
 
 /// Its twelve edges, or where the section cuts it.

@@ -21,7 +21,9 @@ class MarkLayout {
  public:
   /// @param measured  by the marks' ids, of those that are not measured at once; where one is missing it has no words
   /// @param ground  before which all stands, sRGB  @param places  where words can stand
-  MarkLayout(const MarkView& view, const std::map<int, Measured>& measured, glm::vec3 ground, FreePlaces& places);
+  /// @param leastEm  of letters, pixels
+  MarkLayout(const MarkView& view, const std::map<int, Measured>& measured, glm::vec3 ground, double leastEm,
+             FreePlaces& places);
 
   /// Nothing of a mark that is not seen here.
   void add(const scene::Mark& mark);
@@ -42,6 +44,7 @@ class MarkLayout {
   void addArea(const scene::Mark& mark, const Pixels& at, const Measured& measured);
   void addArrow(const scene::Mark& mark, const Pixels& at);
   void addLabel(const scene::Mark& mark, glm::dvec2 at);
+  void addCircle(const scene::Mark& mark, const Measured& measured);
   void addBall(const scene::Mark& mark, const Measured& measured);
   void addBox(const scene::Mark& mark, const Measured& measured);
   void addProfile(const scene::Mark& mark, const Pixels& at, const Measured& measured);

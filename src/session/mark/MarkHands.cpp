@@ -19,7 +19,7 @@ using scene::MarkKind;
 using Line = std::vector<glm::dvec2>;
 
 constexpr double kWordsReach = 2.0;  ///< around words, pixels
-constexpr int kCircleParts = 72;
+constexpr std::size_t kCircleParts = 72;
 
 double shareAt(double height, double step) { return std::clamp(1.5 - std::abs(height) / step, 0.0, 1.0); }
 
@@ -28,7 +28,7 @@ glm::dvec2 heightsOf(const scene::SectionPlane& plane, const Mark& mark) {
   glm::dvec2 heights(std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity());
   auto take = [&](double height) { heights = {std::min(heights.x, height), std::max(heights.y, height)}; };
   for (const glm::dvec3& p : mark.points) take(scene::heightOverSection(plane, p));
-  if (mark.kind == MarkKind::Circle && mark.points.size() == 2) {
+  if (mark.kind == MarkKind::Circle && mark.points.size() == 2 && mark.normal == glm::dvec3(0.0)) {
     double radius = glm::distance(mark.points[0], mark.points[1]);
     double middle = scene::heightOverSection(plane, mark.points[0]);
     take(middle - radius), take(middle + radius);
@@ -40,8 +40,8 @@ double heightFrom(glm::dvec2 stretch) { return stretch.x > 0.0 ? stretch.x : str
 
 Line circle(ViewCircle circle) {
   Line line;
-  for (int i = 0; i <= kCircleParts; ++i) {
-    double angle = 2.0 * glm::pi<double>() * i / kCircleParts;
+  for (int i = 0; i <= int(kCircleParts); ++i) {
+    double angle = 2.0 * glm::pi<double>() * i / double(kCircleParts);
     line.push_back(circle.middle + circle.radius * glm::dvec2(std::cos(angle), std::sin(angle)));
   }
   return line;
@@ -114,13 +114,19 @@ double markShare(const ViewSpace& view, const Mark& mark, double step) {
 double pointShare(const ViewSpace& view, const Mark& mark, std::size_t point, double step) {
   const scene::SectionPlane* plane = view.section();
   if (!plane) return 1.0;
-  bool isSolid = mark.kind == MarkKind::Box || mark.kind == MarkKind::Circle;
+  bool isSolid = mark.kind == MarkKind::Box || (mark.kind == MarkKind::Circle && mark.normal == glm::dvec3(0.0));
   if (isSolid) return markShare(view, mark, step);
   return shareAt(scene::heightOverSection(*plane, mark.points[point]), step);
 }
 
 std::vector<Line> markLines(const ViewSpace& view, const Mark& mark) {
   if (mark.points.size() < 2) return {};
+  if (mark.kind == MarkKind::Circle && mark.normal != glm::dvec3(0.0)) {
+    Line line;
+    for (const glm::dvec3& place : circlePlaces(mark))
+      if (auto pixel = view.pixelFromWorld(place)) line.push_back(*pixel);
+    return line.size() == kCircleParts + 1 ? std::vector<Line>{line} : std::vector<Line>();
+  }
   if (mark.kind == MarkKind::Circle) {
     auto round = view.circleOfBall(mark.points[0], glm::distance(mark.points[0], mark.points[1]));
     return round ? std::vector<Line>{circle(*round)} : std::vector<Line>();
@@ -134,6 +140,22 @@ std::vector<Line> markLines(const ViewSpace& view, const Mark& mark) {
   }
   if (mark.kind == MarkKind::Area) line.push_back(line.front());
   return {line};
+}
+
+std::vector<glm::dvec3> circlePlaces(const Mark& mark) {
+  glm::dvec3 normal = glm::normalize(mark.normal), rim = mark.points[1] - mark.points[0];
+  double radius = glm::length(rim);
+  glm::dvec3 x = rim - normal * glm::dot(rim, normal);
+  if (glm::length(x) <= 1e-9 * radius)
+    x = glm::cross(normal, std::abs(normal.z) < 0.9 ? glm::dvec3(0, 0, 1) : glm::dvec3(1, 0, 0));
+  x = glm::normalize(x);
+  glm::dvec3 y = glm::cross(normal, x);
+  std::vector<glm::dvec3> places;
+  for (int i = 0; i <= int(kCircleParts); ++i) {
+    double angle = 2.0 * glm::pi<double>() * i / double(kCircleParts);
+    places.push_back(mark.points[0] + radius * (x * std::cos(angle) + y * std::sin(angle)));
+  }
+  return places;
 }
 
 MarkGrip markAt(const scene::Scene& scene, const ViewSpace& view, glm::dvec2 pixel, const MarkReach& reach) {
@@ -175,6 +197,7 @@ Mark markOfName(const PlacedWords& name) {
 Mark markOfClicks(MarkKind kind, std::vector<glm::dvec3> points, const ViewSpace& view, double step) {
   Mark mark{.kind = kind, .points = std::move(points)};
   const scene::SectionPlane* plane = view.section();
+  if (plane && kind == MarkKind::Circle) mark.normal = plane->normal;
   if (!plane || kind != MarkKind::Box || mark.points.size() != 2) return mark;
   glm::dvec3 toB = mark.points[1] - mark.points[0];
   bool isFlat = std::abs(glm::dot(toB, plane->normal)) < step;

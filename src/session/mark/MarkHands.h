@@ -33,6 +33,9 @@ struct PlacedWords {
   bool operator==(const PlacedWords&) const = default;
 };
 
+/// Places on a circle that has a normal, once around, the first again at the end. World.
+std::vector<glm::dvec3> circlePlaces(const scene::Mark& mark);
+
 /// A part of a mark that can be taken hold of.
 enum class MarkPart { None, Point, Words, Line };
 struct MarkGrip {
@@ -59,7 +62,7 @@ scene::Mark withWordsBy(scene::Mark mark, const PlacedWords& from, glm::dvec2 pi
 /// The mark that a name becomes which was taken hold of; it has no id yet.
 scene::Mark markOfName(const PlacedWords& name);
 
-/// What clicks make: a mark of a kind with these points. A box that was drawn on a section is one step thick.
+/// What clicks make: a mark of a kind with these points. On a section a circle is flat, and a box one step thick.
 scene::Mark markOfClicks(scene::MarkKind kind, std::vector<glm::dvec3> points, const ViewSpace& view, double step);
 
 const scene::Mark* findMark(const scene::Scene& scene, int id);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/gtc/constants.hpp>
 
 #include "scene/Mark.h"
 #include "scene/Scene.h"
@@ -70,11 +71,13 @@ Measured measureBallOrBox(const scene::Scene& scene, const scene::Mark& mark, Pr
   if (!scene.volume.data) return refusal("there is no volume whose values could be measured");
   bool isBall = mark.kind == MarkKind::Circle;
   double radius = glm::distance(mark.points[0], mark.points[1]);
-  StructureValues values = isBall ? valuesInBall(scene, mark.points[0], radius, progress)
+  StructureValues values = isBall ? valuesInBall(scene, mark.points[0], radius, mark.normal, progress)
                                   : valuesInBox(scene, mark.points[0], mark.points[1], progress);
   if (values.voxels == 0) return refusal("it holds no voxel that has a value");
   Measured measured;
   addValues(measured, *scene.volume.data, values);
+  if (isBall && mark.normal != glm::dvec3(0.0))
+    measured.quantities.push_back(areaQuantity(tellingOf(scene), glm::pi<double>() * radius * radius));
   return measured;
 }
 
@@ -138,6 +141,8 @@ Measured measure(const scene::Scene& scene, const scene::Mark& mark, Progress& p
       return mark.alongSurface ? measureAlongSurface(scene, mark, progress)
                                : only(lengthQuantity(telling, wayAlong(mark.points)));
     case MarkKind::Angle:
+      if (mark.points[0] == mark.points[1] || mark.points[2] == mark.points[1])
+        return refusal("one of its legs has no length");
       return only(angleAt(telling, mark.points));
     case MarkKind::Area:
       return only(areaQuantity(telling, areaWithin(mark.points)));

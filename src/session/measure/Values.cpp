@@ -117,13 +117,25 @@ void readSamples(const ShownVolume& volume, std::vector<ProfileSample>& samples,
 
 }  // namespace
 
-StructureValues valuesInBall(const scene::Scene& scene, glm::dvec3 middle, double radius, Progress& progress) {
+StructureValues valuesInBall(const scene::Scene& scene, glm::dvec3 middle, double radius, glm::dvec3 normal,
+                             Progress& progress) {
   ShownVolume volume(scene);
   glm::dvec3 at = volume.voxelOf(middle);
   // The box about a ball: along each axis of voxels as far as the row of the inverse is long.
   glm::dmat3 rows = glm::transpose(glm::dmat3(volume.voxelFromWorld));
   glm::dvec3 reach = radius * glm::dvec3(glm::length(rows[0]), glm::length(rows[1]), glm::length(rows[2]));
-  auto isIn = [&](glm::ivec3 voxel) { return glm::distance(volume.worldOf(voxel), middle) <= radius * (1.0 + 1e-9); };
+  // A circle is as thick as a voxel is across it.
+  bool isFlat = glm::length(normal) > 0.0;
+  glm::dvec3 across = isFlat ? glm::normalize(normal) : glm::dvec3(0.0);
+  glm::dmat3 edges = glm::inverse(glm::dmat3(volume.voxelFromWorld));
+  double half = 0.5 * (std::abs(glm::dot(edges[0], across)) + std::abs(glm::dot(edges[1], across)) +
+                       std::abs(glm::dot(edges[2], across)));
+  auto isIn = [&](glm::ivec3 voxel) {
+    glm::dvec3 way = volume.worldOf(voxel) - middle;
+    double height = glm::dot(way, across);
+    if (isFlat && (height <= -half * (1.0 - 1e-9) || height > half * (1.0 + 1e-9))) return false;
+    return glm::length(way - height * across) <= radius * (1.0 + 1e-9);
+  };
   StructureValues values = valuesOfVoxels(volume, volume.rangeOf(at - reach, at + reach), isIn, progress);
   if (values.voxels > 0 || !volume.holds(at)) return values;
   glm::ivec3 nearest(glm::clamp(glm::round(at), glm::dvec3(0.0), glm::dvec3(volume.dims()) - 1.0));

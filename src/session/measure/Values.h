@@ -13,9 +13,11 @@
 /// and InputError where a brick cannot be read.
 namespace velum::session {
 
-/// Of the voxels whose middles lie in a ball; where there are none, of the voxel in which its middle lies. No voxels
-/// where that is outside of the volume.
-StructureValues valuesInBall(const scene::Scene& scene, glm::dvec3 middle, double radius, Progress& progress);
+/// Of the voxels whose middles lie in a ball, or in a circle, one voxel thick; where there are none, of the voxel in
+/// which its middle lies. No voxels where that is outside of the volume. @param normal  of the circle, any length; 0: a
+/// ball
+StructureValues valuesInBall(const scene::Scene& scene, glm::dvec3 middle, double radius, glm::dvec3 normal,
+                             Progress& progress);
 
 /// Of the voxels whose middles lie in a box along the volume's axes with two opposite corners; along an axis along
 /// which there are none, of the layer of voxels that is nearest to its middle.

@@ -51,7 +51,7 @@ ONLY_IN = {  # library header: modules that may name it
     r"<(tbb|oneapi)/": "core",
     r"<GLFW/": "app",
     r"<CLI/": "app",
-    r"<(ft2build|freetype)": "session vector",
+    r"<(ft2build|freetype)": "vector",
     r"<(cairo|qpdf|png)": "vector",
 }
 

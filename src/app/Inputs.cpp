@@ -20,8 +20,8 @@
 #include "scene/json/Paths.h"
 #include "session/command/DocumentCommands.h"
 #include "session/command/LetteringCommands.h"
-#include "session/command/MarkCommands.h"
 #include "session/command/LookCommands.h"
+#include "session/command/MarkCommands.h"
 #include "session/command/ViewCommands.h"
 #include "session/document/Open.h"
 #include "session/document/SetFields.h"
@@ -291,7 +291,8 @@ void writeOver(session::Session& session, const LetteringOptions& lettering) {
   if (lettering.scaleBar) app::run(session, session::SetField{"lettering.scaleBar", "true"});
   if (lettering.timeStamp) app::run(session, session::SetField{"lettering.timeStamp", "true"});
   if (lettering.names) app::run(session, session::SetField{"lettering.names", "true"});
-  if (!lettering.style.empty()) app::run(session, session::ChooseLetteringStyle{lettering.style}, {{"style", "--style"}});
+  if (!lettering.style.empty())
+    app::run(session, session::ChooseLetteringStyle{lettering.style}, {{"no style", "--style: no style"}});
   if (lettering.pageWidth > 0.0)
     app::run(session, session::SetField{"lettering.pageWidth", fmt::format("{}", lettering.pageWidth)});
   for (const std::string& text : lettering.captions) app::run(session, session::AddCaption{text});

@@ -100,6 +100,9 @@ int run(const RenderOptions& options) {
     for (const char* field : {"rayCast.skipEmpty", "rayCast.stopOpaque"})
       app::run(session, session::SetField{field, "false"});
 
+  if (options.lettering.pageWidth > 0.0 && options.dpi > 0.0)
+    throw ArgumentError(
+        "--page-width: with --dpi the picture's pixels say how wide the page is; leave out one of the two");
   writeOver(session, options.lettering);
   if (options.at >= 0.0) app::run(session, session::MovePlayhead{options.at});
 

@@ -194,8 +194,14 @@ void CutPanel::refresh() {
     int id = count > 0 ? scene.cuts[std::size_t(next)].id : 0;
     if (id != mSelection.cut()) return mSelection.setCut(id);  // comes back here
   }
-  Shown now{scene.cuts, scene.labels.structures, scene.volume.data.id(), scene.labels.data.id(), scene.model.data.id(),
-            index};
+  Shown now{scene.cuts,
+            scene.labels.structures,
+            scene.volume.data.id(),
+            scene.labels.data.id(),
+            scene.model.data.id(),
+            index,
+            mDocument.scene().timeline.tracks,
+            mDocument.playhead()};
   if (now == mShown) return;
   mShown = std::move(now);
   bool any = index >= 0;

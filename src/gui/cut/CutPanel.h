@@ -81,6 +81,8 @@ class CutPanel : public QWidget {
     std::vector<scene::Structure> structures;
     std::uint64_t volume = 0, labels = 0, model = 0;
     int place = -2;
+    std::vector<scene::Track> tracks = {};  ///< of the film, and where its playhead is: marks beside fields show keys
+    std::optional<double> playhead = {};
     bool operator==(const Shown&) const = default;
   };
   Shown mShown;

@@ -98,6 +98,11 @@ void SavePictureDialog::recall() {
   mDpi->setValue(known.value(kDpiKey, mDpi->value()).toInt());
   mUnit->setCurrentIndex(std::clamp(known.value(kUnitKey, 0).toInt(), 0, mUnit->count() - 1));
   mLayers->setChecked(known.value(kLayersKey, mLayers->isChecked()).toBool());
+  if (double page = mScene.lettering.pageWidth; page > 0.0) {
+    mUnit->setCurrentIndex(Centimetres);
+    int width = int(std::lround(page / 25.4 * mDpi->value()));
+    setPixels({width, int(std::lround(width / mAspect))});
+  }
 }
 
 void SavePictureDialog::remember() const {

@@ -27,7 +27,8 @@ class SavePictureDialog : public QDialog {
   SavePictureDialog(glm::ivec2 viewSize, glm::ivec2 size, const scene::Scene& scene, QWidget* parent);
   ~SavePictureDialog() override;
   /// Chooses what was chosen for the picture before: unit, resolution, layers, as far as this scene can have
-  /// them. The number of samples and the background are taken from the scene.
+  /// them. The number of samples and the background are taken from the scene, and the width of its page where it has
+  /// one.
   void recall();
   /// Keeps these choices, and the size, for the next picture.
   void remember() const;

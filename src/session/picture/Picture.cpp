@@ -26,6 +26,8 @@ namespace velum::session {
 
 namespace {
 
+constexpr double kMmPerInch = 25.4;
+
 /// What is drawn of a scene with inlays for each of kInlayLayers.
 constexpr render::InlayParts kInlayParts[] = {{true, false, false}, {false, true, false}, {false, false, true}};
 
@@ -102,6 +104,9 @@ scene::Scene sceneForPicture(const scene::Scene& scene, const PictureOptions& op
   scene::Scene out = scene;
   if (options.samples > 0) out.rayCast.samplesPerPixel = options.samples;
   if (options.transparent) out.background.transparent = true;
+  // A picture of a resolution is as wide on the page as its pixels say.
+  if (options.dpi > 0.0 && out.lettering.pageWidth > 0.0)
+    out.lettering.pageWidth = options.size.x / options.dpi * kMmPerInch;
   return out;
 }
 

@@ -38,7 +38,8 @@ glm::ivec2 parsePictureSize(const std::string& text, double dpi);
 std::string pictureCommand(const std::filesystem::path& scene, const PictureOptions& options,
                            const std::filesystem::path& output, std::string_view verb = "render");
 
-/// The scene with the options applied: as it is drawn, and as it is saved in the picture.
+/// The scene with the options applied: as it is drawn, and as it is saved in the picture. With a resolution the page of
+/// its lettering is as wide as the picture's pixels say.
 scene::Scene sceneForPicture(const scene::Scene& scene, const PictureOptions& options);
 
 /// Draws a scene in the GL context that is current, membranes with the shapes that the scene holds (see

@@ -97,7 +97,8 @@ vector::Drawing drawSectionPlate(const scene::Scene& scene, scene::SectionKind k
   std::vector<std::string> color{"R", "G", "B"};
   if (options.transparent) color.push_back("A");
   drawing.layers.push_back(plateLayer("plate", channelsOf(image, color)));
-  addLayers(drawing, layersOf(letteringBlocks(scene, kind, options.size, seenInSection(scene, progress))));
+  scene::Scene lettered = sceneForPicture(scene, options);
+  addLayers(drawing, layersOf(letteringBlocks(lettered, kind, options.size, seenInSection(lettered, progress))));
   return drawing;
 }
 

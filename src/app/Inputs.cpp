@@ -287,10 +287,11 @@ void addLettering(CLI::App& verb, LetteringOptions& lettering) {
 }
 
 void writeOver(session::Session& session, const LetteringOptions& lettering) {
-  if (lettering.legend) app::run(session, session::SetField{"lettering.legend", "true"});
-  if (lettering.scaleBar) app::run(session, session::SetField{"lettering.scaleBar", "true"});
-  if (lettering.timeStamp) app::run(session, session::SetField{"lettering.timeStamp", "true"});
-  if (lettering.names) app::run(session, session::SetField{"lettering.names", "true"});
+  for (auto [isOn, field] : {std::pair(lettering.legend, "lettering.legend"),
+                             {lettering.scaleBar, "lettering.scaleBar"},
+                             {lettering.timeStamp, "lettering.timeStamp"},
+                             {lettering.names, "lettering.names"}})
+    if (isOn) app::run(session, session::SetField{field, "true"});
   if (!lettering.style.empty())
     app::run(session, session::ChooseLetteringStyle{lettering.style}, {{"no style", "--style: no style"}});
   if (lettering.pageWidth > 0.0)

@@ -28,7 +28,7 @@ enum Unit { Pixels, Centimetres, Inches };
 constexpr const char *kShapeKey = "picture/keepShape", *kDpiKey = "picture/dpi", *kUnitKey = "picture/unit",
                      *kLayersKey = "picture/layers";
 
-double unitsPerInch(int unit, int dpi) { return unit == Pixels ? dpi : unit == Centimetres ? 2.54 : 1.0; }
+double pixelsPerUnit(int unit, int dpi) { return unit == Pixels ? 1.0 : unit == Centimetres ? dpi / 2.54 : dpi; }
 
 /// Squares behind what is transparent.
 QPixmap onSquares(const QImage& image) {
@@ -100,7 +100,7 @@ void SavePictureDialog::recall() {
   mLayers->setChecked(known.value(kLayersKey, mLayers->isChecked()).toBool());
   if (double page = mScene.lettering.pageWidth; page > 0.0) {
     mUnit->setCurrentIndex(Centimetres);
-    int width = int(std::lround(page / 25.4 * mDpi->value()));
+    int width = int(std::lround(0.1 * page * pixelsPerUnit(Centimetres, mDpi->value())));
     setPixels({width, int(std::lround(width / mAspect))});
   }
 }
@@ -234,7 +234,7 @@ void SavePictureDialog::setPixels(glm::ivec2 size) {
 void SavePictureDialog::showSize() {
   int unit = mUnit->currentIndex();
   const QSignalBlocker quietWidth(mWidth), quietHeight(mHeight);
-  double factor = unit == Pixels ? 1.0 : unitsPerInch(unit, mDpi->value()) / mDpi->value();
+  double factor = 1.0 / pixelsPerUnit(unit, mDpi->value());
   for (auto* spin : {mWidth, mHeight}) {
     spin->setUnitBeside(mUnit->currentText(), unit == Pixels ? 0.0 : unit == Centimetres ? 10.0 : 25.4);
     spin->setDecimals(unit == Pixels ? 0 : 2);
@@ -246,8 +246,7 @@ void SavePictureDialog::showSize() {
 }
 
 void SavePictureDialog::takeWidth() {
-  double factor =
-      mUnit->currentIndex() == Pixels ? 1.0 : mDpi->value() / unitsPerInch(mUnit->currentIndex(), mDpi->value());
+  double factor = pixelsPerUnit(mUnit->currentIndex(), mDpi->value());
   int width = int(std::lround(mWidth->value() * factor));
   int height =
       mKeepShape->isChecked() ? int(std::lround(width / mAspect)) : int(std::lround(mHeight->value() * factor));
@@ -255,8 +254,7 @@ void SavePictureDialog::takeWidth() {
 }
 
 void SavePictureDialog::takeHeight() {
-  double factor =
-      mUnit->currentIndex() == Pixels ? 1.0 : mDpi->value() / unitsPerInch(mUnit->currentIndex(), mDpi->value());
+  double factor = pixelsPerUnit(mUnit->currentIndex(), mDpi->value());
   int height = int(std::lround(mHeight->value() * factor));
   int width = mKeepShape->isChecked() ? int(std::lround(height * mAspect)) : int(std::lround(mWidth->value() * factor));
   setPixels({width, height});

@@ -98,11 +98,9 @@ void SavePictureDialog::recall() {
   mDpi->setValue(known.value(kDpiKey, mDpi->value()).toInt());
   mUnit->setCurrentIndex(std::clamp(known.value(kUnitKey, 0).toInt(), 0, mUnit->count() - 1));
   mLayers->setChecked(known.value(kLayersKey, mLayers->isChecked()).toBool());
-  if (double page = mScene.lettering.pageWidth; page > 0.0) {
-    mUnit->setCurrentIndex(Centimetres);
-    int width = int(std::lround(0.1 * page * pixelsPerUnit(Centimetres, mDpi->value())));
-    setPixels({width, int(std::lround(width / mAspect))});
-  }
+  if (mScene.lettering.pageWidth <= 0.0) return;
+  mUnit->setCurrentIndex(Centimetres);
+  mWidth->setValue(0.1 * mScene.lettering.pageWidth);
 }
 
 void SavePictureDialog::remember() const {

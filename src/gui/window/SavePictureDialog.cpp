@@ -204,7 +204,6 @@ QWidget* SavePictureDialog::makeQuality() {
   mLayers->setToolTip(
       tr("Inside an .exr file; as pictures beside a .png or .tif file.\nOf an inlay also what stands before "
          "it, its image, and what lies behind it, to be put together."));
-  // Their places.
   grid->addWidget(new QLabel(tr("Background"), box), 0, 0);
   grid->addWidget(mBackground, 0, 1);
   grid->addWidget(new QLabel(tr("Quality"), box), 1, 0);

@@ -61,6 +61,16 @@ TEST_F(NamesWindow, StandBesideThePictureAndBecomeMarksWhereAHandDragsThem) {
   EXPECT_TRUE(marks().empty()) << "one step";
 }
 
+TEST_F(NamesWindow, LetteringStaysWhereHandlesArePutAway) {
+  mWindow->actions().find("mark.names")->trigger();
+  ASSERT_TRUE(settle());
+  mWindow->toolbox().setHandlesShown(false);
+  EXPECT_EQ(words().size(), 2u);
+  mWindow->actions().find("mark.names")->trigger();
+  ASSERT_TRUE(settle());
+  EXPECT_TRUE(words().empty());
+}
+
 TEST_F(NamesWindow, ValuesThatTakeTheirTimeComeIntoTheListAndIntoTheTable) {
   mWindow->jobs().run(session::parseCall("mark.add circle 0,0,0;6,0,0"));
   ASSERT_TRUE(settle());

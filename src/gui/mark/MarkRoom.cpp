@@ -1,5 +1,6 @@
 #include "gui/mark/MarkRoom.h"
 
+#include <algorithm>
 #include <map>
 #include <memory>
 
@@ -130,11 +131,11 @@ void MarkRoom::refresh(const session::Session& session) {
 
 /// Measures in the background what takes its time: values in circles, boxes and structures, ways along surfaces.
 void MarkRoom::measure(const session::Session& session) {
-  scene::Scene wanted = measuredOf(session.shown());
-  if (wanted.lettering.marks.empty()) {
+  if (std::ranges::all_of(session.shown().lettering.marks, session::isMeasuredAtOnce)) {
     mMeasured = {};
     return mMeter.stop();
   }
+  scene::Scene wanted = measuredOf(session.shown());
   if (wanted == mMeasured) return;
   mMeasured = wanted;
   auto found = std::make_shared<std::map<int, session::Measured>>();

@@ -58,6 +58,8 @@ class Manipulator {
   /// The document has changed.
   virtual void refresh() {}
   virtual void paint(ViewPainter&) const {}
+  /// What is painted belongs to the picture: it stays where handles are put away.
+  virtual bool isOfPicture() const { return false; }
   /// True while a drag needs the machine for its own view: the other views pause.
   virtual bool pausesOtherViews() const { return false; }
 };

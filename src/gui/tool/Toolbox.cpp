@@ -260,8 +260,8 @@ void Toolbox::repaint(const ToolView& view) {
 }
 
 void Toolbox::paint(ViewPainter& over) const {
-  if (hasHandles(over.view))
-    for (auto each = mManipulators.rbegin(); each != mManipulators.rend(); ++each) (*each)->paint(over);
+  for (auto each = mManipulators.rbegin(); each != mManipulators.rend(); ++each)
+    if (hasHandles(over.view) || (*each)->isOfPicture()) (*each)->paint(over);
   if (!mActive) return;
   mActive->paint(over);
   mKeyPointer.paint(over);

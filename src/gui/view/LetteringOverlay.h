@@ -31,6 +31,7 @@ class LetteringOverlay : public Manipulator {
   void setMeasured(std::map<int, session::Measured> measured) { mMeasured = std::move(measured); }
 
   void paint(ViewPainter& over) const override;
+  bool isOfPicture() const override { return true; }
 
  private:
   const session::TypePixels& pixels() const;

@@ -4,7 +4,6 @@
 #include <filesystem>
 
 #include "app/Inputs.h"
-#include "app/MarkText.h"
 #include "app/Verbs.h"
 #include "core/Error.h"
 #include "core/ReplaceFile.h"
@@ -54,16 +53,25 @@ void print(const std::vector<session::MeasureRow>& rows) {
   }
 }
 
+/// @param text  arguments of the command mark.add: "distance points=0,0,0;10,0,0"
+void addMark(session::Session& session, const std::string& text) {
+  try {
+    app::run(session, session::parseCall("mark.add " + text));
+  } catch (const ArgumentError& error) {
+    throw ArgumentError(fmt::format("--mark: {}", error.what()));
+  }
+}
+
 int run(const MeasureOptions& options) {
   expectOutput(options.output, expectTableFormat);
   expectOutput(options.profiles, expectCsv);
   session::Session session;
   session.setContextKind(options.common.context);
   openInputs(session, options.input, 1.0);
+  for (const std::string& text : options.marks) addMark(session, text);
   Progress& progress = consoleProgress();
   // Only sheets need a driver.
   scene::Scene scene = session::hasMembranes(session.scene()) ? session.settled(progress) : session.scene();
-  for (const std::string& text : options.marks) scene::addMark(scene.lettering.marks, parseMark(scene, text));
   session::TableParts parts{true, options.structures, options.faces};
   if (scene.lettering.marks.empty() && !options.structures && !options.faces)
     throw ArgumentError("there is nothing to measure: the scene has no marks; give --mark, --structures or --faces");
@@ -90,8 +98,9 @@ Run registerMeasure(CLI::App& verb) {
   addCommon(verb, options->common);
   addInput(verb, options->input, true);
   verb.add_option("--mark", options->marks,
-                  "measure this, too: KIND points=x,y,z;x,y,z;... [alongSurface=true] [structure=NAME] [text=WORDS]; "
-                  "kinds are distance, angle, path, area, circle, box, region, profile; repeatable")
+                  "measure this, too, as the command mark.add has it: KIND points=x,y,z;x,y,z;... [alongSurface=true] "
+                  "[structure=NAME] [text=\"WORDS\"]; kinds are distance, angle, path, area, circle, box, region, "
+                  "profile; repeatable")
       ->allow_extra_args(false);
   verb.add_flag("--structures", options->structures,
                 "what the cuts leave of each structure: volume, share, surface, values");

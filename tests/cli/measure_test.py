@@ -16,7 +16,7 @@ class Measure(CliTest):
 
     def test_marks_of_the_command_line(self):
         path = self.sample()
-        rows = self.table(path, "--mark", "distance points=0,0,0;3,4,0 text=Width, or so", "--mark",
+        rows = self.table(path, "--mark", 'distance points=0,0,0;3,4,0 text="Width, or so"', "--mark",
                           "circle points=0,0,0;9,0,0", "--mark", "angle points=50,0,0;0,0,0;0,50,0")
         self.assertEqual([row["kind"] for row in rows], ["distance", "circle", "angle"])
         self.assertEqual(rows[0]["name"], "Width, or so")
@@ -24,7 +24,7 @@ class Measure(CliTest):
         self.assertGreater(int(rows[1]["voxels"]), 10)
         self.assertEqual(float(rows[2]["value"]), 90.0)
         self.assertIn(b"distance 1 Width, or so: 5 mm", self.run_batch(
-            "measure", path, "--mark", "distance points=0,0,0;3,4,0 text=Width, or so").stdout)
+            "measure", path, "--mark", 'distance points=0,0,0;3,4,0 text="Width, or so"').stdout)
 
     def test_marks_of_a_scene(self):
         path = self.sample()
@@ -63,7 +63,7 @@ class Measure(CliTest):
     def test_bad_words_are_one_line(self):
         path = self.sample()
         self.refuse("measure", path, code=1, words=["--mark"])
-        self.refuse("measure", path, "--mark", "distanse points=0,0,0;1,0,0", code=1, words=["is 'distance' meant?"])
+        self.refuse("measure", path, "--mark", "distanse points=0,0,0;1,0,0", code=1, words=["distance"])
         self.refuse("measure", path, "--mark", "distance points=0,0;1,0,0", code=1, words=["--mark"])
         self.refuse("measure", path, "--mark", "distance points=0,0,0", code=1, words=["2 points"])
         self.refuse("measure", path, "--mark", "distance place=0,0,0", code=1, words=["place"])

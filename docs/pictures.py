@@ -363,9 +363,7 @@ def plate(folder):
     atlas = ["--style", "atlas", "--page-width", "120"]
     hand = [*phantom(folder, "hand", "labels"), "--view", "superior", "--finish", "ink", "--names", "--scale-bar", *atlas,
             *sets("lettering.mostNames=18", "labels.unlabelled=0")]
-    head = [WELCOME, "--finish", "plate", *atlas, "--scale-bar",
-            *sets("lettering.marks.+.kind=label", "lettering.marks.0.points=[[96,18,124]]", "lettering.marks.0.text=Skin",
-                  "lettering.marks.+.kind=label", "lettering.marks.1.points=[[118,60,96]]", "lettering.marks.1.text=Membrane")]
+    head = [WELCOME, "--finish", "plate", "--names", "--scale-bar", *atlas, *sets("lettering.mostNames=12")]
     virus = [folder / "virion.cif", "--view", "anterior", "--finish", "plate", *near(14), *cut(0, "axis=0,-1,0", "centre=0,-60,0"),
              "--names", "--scale-bar", *atlas, *sets("lettering.mostNames=8", "lettering.nameOrder=around")]
     return [hand, head, virus]

@@ -33,7 +33,9 @@ const char* markStepOf(MarkPart part) {
 MarkGrips::MarkGrips(session::Document& document, Selection& selection, Toolbox& toolbox,
                      const LetteringOverlay& lettering, QObject* parent)
     : QObject(parent), mDocument(document), mSelection(selection), mToolbox(toolbox), mLettering(lettering) {
-  connect(&selection, &Selection::markChanged, this, [this] { choosePoint(-1); });
+  connect(&selection, &Selection::markChanged, this, [this] {
+    if (mHeld.part == MarkPart::None) choosePoint(-1);  // what is dragged stays one step
+  });
 }
 
 MarkGrip MarkGrips::gripUnder(const ViewPoint& at) const {

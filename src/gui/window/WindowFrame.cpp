@@ -32,7 +32,7 @@ WindowFrame::WindowFrame(QMainWindow& window, session::Document& document, Playe
   bar = new ToolStrip(&window);
   window.addToolBar(bar);
   const char* titles[] = {"&File",       "&Edit",  "&View", "&Look", "&Cut",
-                          "&Structures", "M&arks", "&Time", "Fil&m", "&Help"};
+                          "&Structures", "Mar&ks", "&Time", "Fil&m", "&Help"};
   static_assert(std::size(titles) == std::tuple_size_v<Menus>, "each menu has its title");
   for (std::size_t i = 0; i < menus.size(); ++i) menus[i] = window.menuBar()->addMenu(QMainWindow::tr(titles[i]));
 }

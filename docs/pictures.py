@@ -361,11 +361,14 @@ def first_virus(folder):
 def plate(folder):
     """Plates as SVG: a hand whose bones are named, a head in a membrane, a virus with its types."""
     atlas = ["--style", "atlas", "--page-width", "120"]
-    hand = [*phantom(folder, "hand", "labels"), "--view", "superior", "--finish", "ink", "--names", "--scale-bar", *atlas,
-            *sets("lettering.mostNames=18", "labels.unlabelled=0")]
-    head = [WELCOME, "--finish", "plate", "--names", "--scale-bar", *atlas, *sets("lettering.mostNames=12")]
-    virus = [folder / "virion.cif", "--view", "anterior", "--finish", "plate", *near(14), *cut(0, "axis=0,-1,0", "centre=0,-60,0"),
-             "--names", "--scale-bar", *atlas, *sets("lettering.mostNames=8", "lettering.nameOrder=around")]
+    soft = ("skin", "subcutaneous fat", "muscle", "artery", "vein", "flexor tendons", "extensor tendons", "cartilage")
+    hand = [*phantom(folder, "hand", "labels"), "--view", "anterior", "--finish", "ink", "--names", "--scale-bar", *atlas, *near(34),
+            *sets("lettering.mostNames=22", "labels.unlabelled=0", *(f"labels.structures[{name}].visible=false" for name in soft))]
+    head = [WELCOME, "--finish", "plate", "--names", "--scale-bar", *atlas, *near(34), *sets("lettering.mostNames=12")]
+    virus = [folder / "virion.cif", "--view", "anterior", "--finish", "plate", "--names", "--scale-bar", *atlas, *near(17),
+             *cut(0, "shape=sphere", "centre=250,-520,200", "size=1100,1100,1100"),
+             *cut(1, "shape=everywhere", 'model.spares=[{"type":"root","share":1},{"type":"root.plasma","share":0}]'),
+             *sets("lettering.mostNames=8", "lettering.nameOrder=around")]
     return [hand, head, virus]
 
 

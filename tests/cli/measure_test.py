@@ -66,7 +66,7 @@ class Measure(CliTest):
         self.refuse("measure", path, "--mark", "distanse points=0,0,0;1,0,0", code=1, words=["distance"])
         self.refuse("measure", path, "--mark", "distance points=0,0;1,0,0", code=1, words=["--mark"])
         self.refuse("measure", path, "--mark", "distance points=0,0,0", code=1, words=["2 points"])
-        self.refuse("measure", path, "--mark", "distance place=0,0,0", code=1, words=["place"])
+        self.refuse("measure", path, "--mark", "distance place=0,0,0", code=1, words=["points"])
         self.refuse("measure", path, "--mark", "region", code=1, words=["structure"])
         self.refuse("measure", path, "--mark", "distance points=0,0,0;1,0,nan", code=1, words=["--mark"])
         self.refuse("measure", path, "--structures", code=2, words=["labels"])

@@ -21,7 +21,7 @@ namespace velum::session {
 
 namespace {
 
-constexpr double kUsualDpi = 300.0, kMmPerInch = 25.4;
+constexpr double kUsualDpi = 300.0, kInch = 25.4;  // mm
 
 vector::Layer plateLayer(std::string name, Image image) {
   glm::dvec2 size(image.width, image.height);
@@ -56,7 +56,7 @@ void addLayers(vector::Drawing& drawing, std::vector<vector::Layer> layers) {
 double plateDpi(const scene::Scene& scene, const PictureOptions& options) {
   if (options.dpi > 0.0) return options.dpi;
   double width = scene.lettering.pageWidth;
-  return width > 0.0 ? options.size.x / width * kMmPerInch : kUsualDpi;
+  return width > 0.0 ? options.size.x / width * kInch : kUsualDpi;
 }
 
 vector::Drawing drawPlate(render::Renderer& renderer, const scene::Scene& scene, const PictureOptions& options,

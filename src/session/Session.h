@@ -111,7 +111,7 @@ class Session {
   /// @param section  none: the 3D picture  @return of a drawing for a page what journals refuse, see journalNotes()
   /// @throw Cancelled, gpu::GpuError, InputError when the disk refuses
   std::vector<std::string> savePicture(const PictureOptions& options, std::optional<scene::SectionKind> section,
-                   const std::filesystem::path& path, Progress& progress);
+                                       const std::filesystem::path& path, Progress& progress);
   /// Draws and writes the film of the scene's timeline, see makeFilm(): each frame at rest, with its scene in it, and
   /// drawn of all of its data. The rate is the timeline's.
   /// @throw gpu::GpuError, and as makeFilm()

@@ -133,8 +133,7 @@ std::vector<Command> readyFilms() {
                              [](Scene& scene, const AddComparison& a) {
                                addComparison(scene, {a.start, a.seconds}, a.hold);
                              }),
-      editRow<AddTitle>("Ready-made film: words come and go.", "film.title \"The heart, cut open\" 1 3",
-                        "Film: title",
+      editRow<AddTitle>("Ready-made film: words come and go.", "film.title \"The heart, cut open\" 1 3", "Film: title",
                         [](Scene& scene, const AddTitle& a) {
                           addTitle(scene, {a.start, a.seconds}, a.text, a.fade, a.place);
                         }),

@@ -71,6 +71,20 @@ TEST_F(NamesWindow, LetteringStaysWhereHandlesArePutAway) {
   EXPECT_TRUE(words().empty());
 }
 
+TEST_F(NamesWindow, ACircleThatIsDrawnOnASectionIsFlatAndOneInThePictureIsABall) {
+  mWindow->views().setLayout(scene::Layout::FourUp);
+  ASSERT_TRUE(settle());
+  SectionView& axial = mWindow->views().section(scene::SectionKind::Axial);
+  mWindow->actions().find("mark.circle")->trigger();
+  QTest::mouseClick(&axial, Qt::LeftButton, {}, axial.rect().center());
+  QTest::mouseClick(&axial, Qt::LeftButton, {}, axial.rect().center() + QPoint(40, 0));
+  QTest::mouseClick(&viewport(), Qt::LeftButton, {}, viewport().rect().center() + QPoint(-30, -30));
+  QTest::mouseClick(&viewport(), Qt::LeftButton, {}, viewport().rect().center() + QPoint(-50, -30));
+  ASSERT_EQ(marks().size(), 2u);
+  EXPECT_NEAR(std::abs(glm::dot(marks()[0].normal, glm::dvec3(0, 0, 1))), 1.0, 1e-9);
+  EXPECT_EQ(marks()[1].normal, glm::dvec3(0.0));
+}
+
 TEST_F(NamesWindow, ValuesThatTakeTheirTimeComeIntoTheListAndIntoTheTable) {
   mWindow->jobs().run(session::parseCall("mark.add circle 0,0,0;6,0,0"));
   ASSERT_TRUE(settle());

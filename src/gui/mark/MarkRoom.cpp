@@ -20,21 +20,6 @@ namespace {
 
 constexpr int kMeterPatienceMs = 200;
 
-/// The scene without what no measure depends on.
-scene::Scene measuredOf(scene::Scene scene) {
-  scene.camera = {};
-  scene.sections = {};
-  scene.lighting = {};
-  scene.finish = {};
-  scene.background = {};
-  scene.timeline = {};
-  std::vector<scene::Mark> marks = std::move(scene.lettering.marks);
-  scene.lettering = {};
-  for (scene::Mark& mark : marks)
-    if (!session::isMeasuredAtOnce(mark)) scene.lettering.marks.push_back(std::move(mark));
-  return scene;
-}
-
 }  // namespace
 
 MarkRoom::MarkRoom(const WindowParts& parts, LetteringOverlay& lettering)
@@ -135,7 +120,7 @@ void MarkRoom::measure(const session::Session& session) {
     mMeasured = {};
     return mMeter.stop();
   }
-  scene::Scene wanted = measuredOf(session.shown());
+  scene::Scene wanted = session::measuredScene(session.shown());
   if (wanted == mMeasured) return;
   mMeasured = wanted;
   auto found = std::make_shared<std::map<int, session::Measured>>();

@@ -134,6 +134,7 @@ void MarkTool::add(scene::Mark mark) {
   int id = scene::nextId(scene.lettering.marks);
   session::AddMark call{mark.kind, mark.points, mark.text, {}, mark.type};
   call.instance = mark.instance;
+  call.normal = mark.normal;
   if (mark.structure != 0) call.structure = session::structureNames(scene, {mark.structure})[0];
   if (mKind == MarkKind::Label) call.text = tr("Label").toStdString();
   try {

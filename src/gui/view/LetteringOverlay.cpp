@@ -1,5 +1,6 @@
 #include "gui/view/LetteringOverlay.h"
 
+#include <QElapsedTimer>
 #include <QImage>
 #include <algorithm>
 
@@ -10,7 +11,8 @@ namespace velum::gui {
 namespace {
 
 constexpr double kLeastLetters = 12.0;  // of marks in small views, pixels
-constexpr int kMostSteps = 120;         // until names have gone to new places
+constexpr qint64 kSettleMs = 25;
+constexpr int kMostSteps = 120;  // until names have gone to new places
 
 void paintBlocks(QPainter& painter, const std::vector<session::LetteringBlock>& blocks, glm::ivec2 size, double ratio) {
   for (const session::LetteringBlock& block : blocks) {
@@ -82,7 +84,10 @@ session::SeenNames LetteringOverlay::namesFrom(const session::ViewSpace& space) 
 /// Lets names go from their places before to those of the new picture, until none moves any more.
 void LetteringOverlay::settleNames() {
   session::Seen seen{pixels(), mMeasured, mSeen};
+  QElapsedTimer clock;
+  clock.start();
   for (int i = 0; i < kMostSteps; ++i) {
+    if (clock.elapsed() > kSettleMs) break;
     std::vector<session::NamePlace> before = mPlaces;
     seen.namesBefore = before.empty() ? nullptr : &before;
     mPlaces = session::layLettering(mDocument.shown(), mSize, seen).names;
@@ -91,6 +96,9 @@ void LetteringOverlay::settleNames() {
     });
     if (isStill) return;
   }
+  // Too far to go: as in a picture of its own.
+  seen.namesBefore = nullptr;
+  mPlaces = session::layLettering(mDocument.shown(), mSize, seen).names;
 }
 
 std::span<const session::PlacedWords> LetteringOverlay::words(const ToolView& view) const {

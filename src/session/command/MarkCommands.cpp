@@ -20,6 +20,7 @@ using scene::Scene;
 Mark markFrom(const Scene& scene, const AddMark& a) {
   Mark mark{.kind = a.kind, .points = a.points, .alongSurface = a.alongSurface, .type = a.type, .text = a.text};
   mark.instance = a.instance;
+  mark.normal = a.normal;
   if (!a.structure.empty()) mark.structure = structureIds(scene, {a.structure})[0];
   if (!a.type.empty()) typeNumbers(scene, {a.type});  // says where there is none
   if (a.kind == MarkKind::Name && mark.structure == 0 && a.type.empty())

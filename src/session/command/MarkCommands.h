@@ -20,6 +20,7 @@ struct AddMark {
   std::string text, structure, type;
   bool alongSurface = false;
   int instance = scene::Mark().instance;
+  glm::dvec3 normal = scene::Mark().normal;
   static void fields(auto& o, auto& visit) {
     visit("kind", o.kind, FieldInfo{"", {}, "What it is; how many points it has follows."});
     visit(
@@ -33,6 +34,7 @@ struct AddMark {
           FieldInfo{"", {}, "On: a way is measured along the surface that is seen, not through the air."});
     visit("instance", o.instance,
           FieldInfo{"", {-1, 2e9}, "Number of the instance with which the first point goes; -1: none."});
+    visit("normal", o.normal, directionInfo("Of the plane of a circle; 0,0,0: it is a ball."));
   }
 };
 

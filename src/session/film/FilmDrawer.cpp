@@ -20,7 +20,11 @@ int namesStep(glm::ivec2 size) { return std::max(1, std::max(size.x, size.y) / k
 FilmDrawer::FilmDrawer(const scene::Scene& scene, const FilmOutput& output, render::Renderer* renderer,
                        const gpu::Limits* limits)
     : mOutput(output), mRenderer(renderer), mLimits(limits), mFilm(scene) {
-  if (output.section || !needsSeenNames(scene.lettering)) return;
+  // What a film changes of the lettering may be whether there are names.
+  bool mayHaveNames = needsSeenNames(scene.lettering) ||
+                      std::ranges::any_of(scene.timeline.tracks,
+                                          [](const auto& track) { return track.path.starts_with("lettering."); });
+  if (output.section || !mayHaveNames) return;
   mAhead = std::make_unique<Film>(scene);
   mNames.emplace(mFilm.frames(), output.picture.size, namesStep(output.picture.size),
                  [this](int frame, Progress& progress) { return lookAt(frame, progress); });
@@ -45,13 +49,26 @@ FilmNames::Look FilmDrawer::lookAt(int frame, Progress& progress) {
   return look;
 }
 
+/// Measured anew only where the film has changed what is measured: that may take seconds.
+const std::map<int, Measured>& FilmDrawer::measured(const scene::Scene& scene, Progress& progress) {
+  if (scene.lettering.marks.empty()) return mMeasured;
+  scene::Scene of = measuredScene(scene);
+  if (of == mMeasuredOf) return mMeasured;
+  mMeasured = measuredMarks(scene, progress);
+  mMeasuredOf = std::move(of);
+  return mMeasured;
+}
+
 FilmFrame FilmDrawer::draw(int frame, double share, Progress& progress) {
   Film::Frame at = mFilm.at(frame, share, progress);
   if (mOutput.section)
     return {drawSectionPicture(at.drawn, *mOutput.section, mOutput.picture, progress), std::move(at.scene)};
+  Seen known;
+  known.measured = measured(at.drawn, progress);
   std::optional<NamesBetween> names;
-  if (mNames) names = mNames->at(frame, share, at.drawn, progress);
-  Image image = drawPicture(*mRenderer, at.drawn, mOutput.picture, *mLimits, progress, names ? &*names : nullptr);
+  if (mNames && needsSeenNames(at.drawn.lettering)) names = mNames->at(frame, share, at.drawn, progress);
+  if (names) known.between = &*names;
+  Image image = drawPicture(*mRenderer, at.drawn, mOutput.picture, *mLimits, progress, &known);
   return {std::move(image), std::move(at.scene)};
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <map>
 #include <memory>
 #include <optional>
 
@@ -21,6 +22,7 @@ class FilmDrawer {
   FilmFrame draw(int frame, double share, Progress& progress);
 
  private:
+  const std::map<int, Measured>& measured(const scene::Scene& scene, Progress& progress);
   FilmNames::Look lookAt(int frame, Progress& progress);
 
   const FilmOutput& mOutput;
@@ -29,6 +31,8 @@ class FilmDrawer {
   Film mFilm;
   std::unique_ptr<Film> mAhead;  ///< where names are looked at before the film is there
   std::optional<FilmNames> mNames;
+  scene::Scene mMeasuredOf;  ///< what `mMeasured` depends on
+  std::map<int, Measured> mMeasured;
 };
 
 }  // namespace velum::session

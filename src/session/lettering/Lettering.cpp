@@ -79,10 +79,25 @@ render::Layers withLetteringLayers(render::Layers layers, const scene::Scene& sc
   return layers;
 }
 
-Seen seenIn(const Image& image, const scene::Scene& scene, Progress& progress, const NamesBetween* between) {
+scene::Scene measuredScene(scene::Scene scene) {
+  scene.camera = {};
+  scene.sections = {};
+  scene.lighting = {};
+  scene.finish = {};
+  scene.background = {};
+  scene.timeline = {};
+  std::vector<scene::Mark> marks = std::move(scene.lettering.marks);
+  scene.lettering = {};
+  for (scene::Mark& mark : marks)
+    if (mark.visible && !isMeasuredAtOnce(mark)) scene.lettering.marks.push_back(std::move(mark));
+  return scene;
+}
+
+Seen seenIn(const Image& image, const scene::Scene& scene, Progress& progress, const Seen* known) {
+  const NamesBetween* between = known ? known->between : nullptr;
   Seen seen;
   if (scene.lettering.legend && scene.model.data) seen.pixels = countPixels(image, scene.model.data->types.size());
-  seen.measured = measuredMarks(scene, progress);
+  seen.measured = known ? known->measured : measuredMarks(scene, progress);
   if (needsSeenNames(scene.lettering))
     seen.names = between ? seenNear(scene, image, between->near) : seenNames(scene, image);
   seen.between = between;

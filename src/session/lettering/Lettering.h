@@ -42,11 +42,14 @@ struct Seen {
 /// shapes of its sheets  @throw as measure(). Any thread.
 std::map<int, Measured> measuredMarks(const scene::Scene& scene, Progress& progress);
 
+/// A scene reduced to what measuredMarks() depends on: where it is the same, so is what the marks measure.
+scene::Scene measuredScene(scene::Scene scene);
+
 /// Layers of a picture with those from which seenIn() sees what the scene's lettering is about.
 render::Layers withLetteringLayers(render::Layers layers, const scene::Scene& scene);
 /// What a picture with these layers shows. @param scene  settled  @throw as measuredMarks(). Any thread.
-/// @param between  of a frame of a film; it outlives what is returned
-Seen seenIn(const Image& image, const scene::Scene& scene, Progress& progress, const NamesBetween* between = nullptr);
+/// @param known  of a frame of a film: what its marks measure, and where its names stand; null: nothing is known
+Seen seenIn(const Image& image, const scene::Scene& scene, Progress& progress, const Seen* known = nullptr);
 /// The same for a section: it has no names.
 Seen seenInSection(const scene::Scene& scene, Progress& progress);
 

@@ -111,7 +111,7 @@ scene::Scene sceneForPicture(const scene::Scene& scene, const PictureOptions& op
 }
 
 Image drawPicture(render::Renderer& renderer, const scene::Scene& scene, const PictureOptions& options,
-                  const gpu::Limits& limits, Progress& progress, const NamesBetween* names) {
+                  const gpu::Limits& limits, Progress& progress, const Seen* known) {
   render::Frame frame;
   frame.scene = sceneForPicture(scene, options);
   TrueLevels().give(frame.scene.model, progress);
@@ -123,7 +123,7 @@ Image drawPicture(render::Renderer& renderer, const scene::Scene& scene, const P
   render::Layers asked = withLetteringLayers(layers, scene);
   int window = std::min(4096, limits.texture2d);
   Image image = render::renderPicture(renderer, frame, asked, window, progress);
-  layOver(letteringBlocks(frame.scene, options.size, seenIn(image, frame.scene, progress, names)), image);
+  layOver(letteringBlocks(frame.scene, options.size, seenIn(image, frame.scene, progress, known)), image);
   std::vector<std::string> channels = image.channels;
   for (auto [isAsked, name] : {std::pair(layers.type, "type"), {layers.structure, "id"}, {layers.instance, "instance"}})
     if (!isAsked) std::erase(channels, name);

@@ -13,7 +13,7 @@
 
 namespace velum::session {
 
-struct NamesBetween;
+struct Seen;
 
 /// How a picture of a scene is made.
 struct PictureOptions {
@@ -44,10 +44,10 @@ scene::Scene sceneForPicture(const scene::Scene& scene, const PictureOptions& op
 
 /// Draws a scene in the GL context that is current, membranes with the shapes that the scene holds (see
 /// settleMembranes()): the same scene, options and driver give the same samples everywhere.
-/// @param names  of a frame of a film: where its names stand; null: they find their places
+/// @param known  of a frame of a film: what its lettering knows already, see seenIn(); null: nothing
 /// @throw Cancelled, gpu::GpuError
 Image drawPicture(render::Renderer& renderer, const scene::Scene& scene, const PictureOptions& options,
-                  const gpu::Limits& limits, Progress& progress, const NamesBetween* names = nullptr);
+                  const gpu::Limits& limits, Progress& progress, const Seen* known = nullptr);
 
 /// A section view as a picture: R, G, B, A. Without a graphics context. @throw Cancelled. Any thread.
 Image drawSectionPicture(const scene::Scene& scene, scene::SectionKind kind, const PictureOptions& options,

@@ -33,7 +33,7 @@ vector::Drawing drawSectionPlate(const scene::Scene& scene, scene::SectionKind k
 void savePlate(const vector::Drawing& drawing, const std::filesystem::path& path);
 
 /// What journals refuse of a drawing, one line each, for people: pictures of less than 300 pixels an inch, lines of
-/// less than half a point, letters of less than 6 points or more than 12 but for a title. Empty: nothing.
+/// less than half a point, letters of less than 6 points or more than 8. Empty: nothing.
 std::vector<std::string> journalNotes(const vector::Drawing& drawing);
 
 }  // namespace velum::session

@@ -11,7 +11,7 @@ namespace velum::session {
 namespace {
 
 constexpr double kPoints = 72.0;  // an inch
-constexpr double kLeastDpi = 300.0, kLeastLinePoints = 0.5, kLeastTextPoints = 6.0, kMostTextPoints = 12.0;
+constexpr double kLeastDpi = 300.0, kLeastLinePoints = 0.5, kLeastTextPoints = 6.0, kMostTextPoints = 8.0;
 constexpr double kRounding = 1e-3;
 
 /// The thinnest line, and the smallest and largest letters, pixels.

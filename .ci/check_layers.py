@@ -34,7 +34,7 @@ ROOMS = {  # module: {room: rooms of the module it may include (its own is impli
                 "document": "growth model", "model": ". bar cut", "growth": ".", "section": "", "structure": "",
                 "measure": "structure", "cut": ".", "look": "document",
                 "extrusion": ". bar cut growth look structure", "membrane": ". cut look model structure",
-                "plate": ". document lettering model picture structure",
+                "plate": ". document lettering model picture structure", "each": "film",
                 "picture": ". document extrusion growth lettering membrane model",
                 "film": ". document extrusion growth lettering membrane model picture structure"},
     # A membrane is a cut: the panel of cuts holds its form.

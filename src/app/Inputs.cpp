@@ -233,9 +233,8 @@ void openFiles(session::Session& session, const InputOptions& input, const std::
 }
 
 /// Of the scene's own, or as data is first seen, or from the side that is asked for.
-void placeCamera(session::Session& session, const InputOptions& input, double aspect) {
-  bool isScene = !input.inputs.empty() && io::holdsScene(io::kindOf(session.file().path()));
-  if (input.view.empty() && isScene) return;
+void placeCamera(session::Session& session, const InputOptions& input, double aspect, bool hasOwn) {
+  if (input.view.empty() && hasOwn) return;
   auto side = enumValue<scene::StandardView>(input.view);
   if (!side && !input.view.empty())
     throw ArgumentError(
@@ -247,17 +246,21 @@ void placeCamera(session::Session& session, const InputOptions& input, double as
 
 void openInputs(session::Session& session, const InputOptions& input, double aspect) {
   if (input.inputs.empty() && input.labels.empty()) throw ArgumentError("name a file, folder or scene to open");
-  auto sets = splitSets(input.sets);
-  openFiles(session, input, sets);
+  openFiles(session, input, splitSets(input.sets));
   consoleProgress().report(1.0, "");
+  bool isScene = !input.inputs.empty() && io::holdsScene(io::kindOf(session.file().path()));
+  applyInput(session, input, aspect, isScene);
+}
+
+void applyInput(session::Session& session, const InputOptions& input, double aspect, bool hasCamera) {
   if (!input.preset.empty()) app::run(session, session::ChoosePreset{input.preset});
   if (input.smooth) app::run(session, session::SetField{"volume.smooth", *input.smooth ? "true" : "false"});
   if (!input.transfer.empty()) app::run(session, session::ImportLook{input.transfer});
   if (input.makesSurface) app::run(session, session::MakeSurface{});
   if (input.hidesTable) app::run(session, session::HideTable{true});
-  placeCamera(session, input, aspect);
+  placeCamera(session, input, aspect, hasCamera);
   if (!input.finish.empty()) app::run(session, session::ChooseFinish{input.finish});
-  for (const auto& [path, value] : sets) {
+  for (const auto& [path, value] : splitSets(input.sets)) {
     if (path == kWindowField)
       app::run(session, session::ChooseWindow{value}, {{"look.window", "--window"}});
     else

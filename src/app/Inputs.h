@@ -44,6 +44,9 @@ scene::Source firstSource(const InputOptions& input);
 /// table, view, finish and --set, in this order; then lets all that grows come to rest. Shows progress on a terminal.
 /// @param aspect  width by height of the picture in which the camera is to show everything that is opened
 void openInputs(session::Session& session, const InputOptions& input, double aspect);
+/// The same of what is open already: all but the opening. @param hasCamera  the scene has a camera of its own, which
+/// stays where no view is asked for
+void applyInput(session::Session& session, const InputOptions& input, double aspect, bool hasCamera);
 /// Pairs: the words of a command that an error may begin with, and the option of the command line that they stand for.
 using Words = std::vector<std::pair<std::string, std::string>>;
 /// Runs a command and prints, as warnings, what the command tells. @param options  see Words  @throw what

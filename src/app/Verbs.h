@@ -15,6 +15,7 @@ Run registerFilm(CLI::App& verb);
 Run registerMembrane(CLI::App& verb);
 Run registerGrow(CLI::App& verb);
 Run registerCount(CLI::App& verb);
+Run registerEach(CLI::App& verb);
 Run registerMeasure(CLI::App& verb);
 Run registerBench(CLI::App& verb);
 Run registerCompare(CLI::App& verb);

@@ -36,6 +36,7 @@ constexpr Row kVerbs[] = {
     {"info", "say what a file is", velum::app::registerInfo},
     {"render", "make a picture", velum::app::registerRender},
     {"film", "make a film: a video, or pictures that several machines draw", velum::app::registerFilm},
+    {"each", "the same picture or table of many data sets, on many machines", velum::app::registerEach},
     {"membrane", "settle the membranes of a scene and report", velum::app::registerMembrane},
     {"grow", "grow a structure out of a volume, and report", velum::app::registerGrow},
     {"count", "say how much of a model or of structures shows, is hidden, is cut away", velum::app::registerCount},

@@ -1,0 +1,278 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <optional>
+
+#include "app/EachPiece.h"
+#include "app/Verbs.h"
+#include "core/Clock.h"
+#include "core/Error.h"
+#include "core/Log.h"
+#include "core/Text.h"
+#include "io/stores/Crc32c.h"
+#include "scene/Sections.h"
+#include "session/each/PieceRecord.h"
+#include "session/film/FrameNames.h"
+
+namespace velum::app {
+
+namespace {
+
+/// So often a piece may end the process that makes it before it counts as failed.
+constexpr int kMostDeaths = 3;
+
+std::optional<int> numberFrom(const char* variable) {
+  const char* text = std::getenv(variable);
+  if (!text) return std::nullopt;
+  std::string_view view = text;
+  int number = 0;
+  auto [end, error] = std::from_chars(view.data(), view.data() + view.size(), number);
+  if (error != std::errc() || end != view.data() + view.size()) return std::nullopt;
+  return number;
+}
+
+/// The part that a task of a Slurm array has: the array's indices in order are the parts.
+std::optional<session::FilmPart> partOfTask() {
+  auto id = numberFrom("SLURM_ARRAY_TASK_ID"), first = numberFrom("SLURM_ARRAY_TASK_MIN"),
+       count = numberFrom("SLURM_ARRAY_TASK_COUNT");
+  if (!id || !first || !count) return std::nullopt;
+  int step = std::max(1, numberFrom("SLURM_ARRAY_TASK_STEP").value_or(1));
+  int number = (*id - *first) / step + 1;
+  if (number < 1 || number > *count || (*id - *first) % step != 0)
+    throw ArgumentError(
+        fmt::format("task {} of an array of {} tasks from {} is no part of its own where indices are left out; give "
+                    "--part, as --part $SLURM_ARRAY_TASK_ID/60 for tasks 1 to 60",
+                    *id, *count, *first));
+  return session::FilmPart{number, *count};
+}
+
+session::FilmPart partOf(const EachVerb& options) {
+  if (!options.part.empty()) return session::parseFilmPart(options.part);
+  return partOfTask().value_or(session::FilmPart());
+}
+
+std::string textOfFile(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw InputError(fmt::format("{}: cannot be read", path));
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// What all pieces depend on besides their data.
+session::FilmIdentity commonIdentity(const EachVerb& options) {
+  session::FilmIdentity identity{{"version", VELUM_VERSION},
+                                 {"words", fmt::format("{}", fmt::join(options.words, " "))}};
+  if (!options.scene.empty()) {
+    std::string text = textOfFile(options.scene);
+    identity.emplace_back("scene", fmt::format("{:08x}", io::crc32c(std::as_bytes(std::span(text)))));
+  }
+  return identity;
+}
+
+session::FilmIdentity identityOf(session::FilmIdentity common, const session::Piece& piece) {
+  common.emplace_back("data", fmt::format("{}: {}", piece.data, session::dataStamp(piece.data)));
+  if (!piece.labels.empty())
+    common.emplace_back("labels", fmt::format("{}: {}", piece.labels, session::dataStamp(piece.labels)));
+  return common;
+}
+
+/// Counts, for the end and the exit code.
+struct Tally {
+  int done = 0, kept = 0, failed = 0, busy = 0, missing = 0;
+  std::string firstError;
+};
+
+/// An error that says in any case whose it is.
+std::string withData(const session::Piece& piece, const std::string& error) {
+  return error.starts_with(piece.data) ? error : fmt::format("{}: {}", piece.data, error);
+}
+
+/// A line of JSON a piece, as soon as it is known; else lines for people.
+void tell(const EachVerb& options, const session::Piece& piece, const char* state, double ms,
+          const std::string& error) {
+  std::vector<std::string> outputs;
+  for (const auto& path : piece.outputs) outputs.push_back(path.string());
+  if (options.common.json) {
+    Json json = {{"name", piece.name}, {"data", piece.data}, {"state", state}, {"outputs", outputs}};
+    if (ms > 0.0) json["ms"] = ms;
+    if (!error.empty()) json["error"] = error;
+    fmt::print("{}\n", json.dump(-1, ' ', false, Json::error_handler_t::replace));
+  } else if (options.list) {
+    fmt::print("{:<8} {}\n", state, error.empty() ? printable(piece.data) : withData(piece, error));
+  } else if (!error.empty()) {
+    log::warning(withData(piece, error));
+  }
+  std::fflush(stdout);
+}
+
+void fail(const EachVerb& options, const session::Piece& piece, Tally& tally, double ms, const std::string& error) {
+  ++tally.failed;
+  if (tally.firstError.empty()) tally.firstError = withData(piece, error);
+  tell(options, piece, "failed", ms, error);
+}
+
+void makeAndRecord(const EachVerb& options, const session::Piece& piece, const session::FilmIdentity& wanted,
+                   session::PieceRecord& record, Tally& tally) {
+  auto start = Clock::now();
+  record.begin(wanted);
+  try {
+    makePiece(options, piece);
+    record.done(msSince(start), piece.outputs);
+  } catch (const Cancelled&) {
+    record.stopped();
+    throw;
+  } catch (const ArgumentError&) {
+    // The command line is wrong, for this piece as for all.
+    record.stopped();
+    throw;
+  } catch (const std::exception& error) {
+    std::string why = dynamic_cast<const std::bad_alloc*>(&error) ? "the machine has no memory left" : error.what();
+    record.failed(msSince(start), why);
+    return fail(options, piece, tally, msSince(start), why);
+  }
+  ++tally.done;
+  tell(options, piece, "done", msSince(start), {});
+}
+
+void workAt(const EachVerb& options, const session::FilmIdentity& common, const session::Piece& piece, Tally& tally) {
+  session::FilmIdentity wanted;
+  try {
+    wanted = identityOf(common, piece);
+  } catch (const InputError& error) {
+    return fail(options, piece, tally, 0.0, error.what());
+  }
+  auto record = session::PieceRecord::take(piece.record);
+  if (!record) {
+    ++tally.busy;
+    return tell(options, piece, "busy", 0.0, {});
+  }
+  session::PieceState state = session::stateOf(piece.record, wanted, piece.outputs);
+  using enum session::PieceState::Is;
+  if (!options.again && state.is == Done) {
+    ++tally.kept;
+    return tell(options, piece, "kept", state.ms, {});
+  }
+  if (!options.again && state.is == Begun && state.begun >= kMostDeaths)
+    return fail(options, piece, tally, 0.0,
+                fmt::format("{} processes have ended while they made this; --again tries once more", state.begun));
+  makeAndRecord(options, piece, wanted, *record, tally);
+}
+
+void list(const EachVerb& options, const session::FilmIdentity& common, const std::vector<session::Piece>& pieces) {
+  constexpr const char* kNames[] = {"missing", "begun", "failed", "done"};
+  for (const session::Piece& piece : pieces) {
+    session::PieceState state = session::stateOf(piece.record, identityOf(common, piece), piece.outputs);
+    tell(options, piece, kNames[int(state.is)], state.ms, state.error);
+  }
+}
+
+void expectEach(const EachVerb& options) {
+  if (!options.section.empty() && !enumValue<scene::SectionKind>(options.section))
+    throw ArgumentError(fmt::format("--section {}: not one of {}", options.section,
+                                    fmt::join(EnumNames<scene::SectionKind>::kNames, ", ")));
+  for (const std::string& output : options.names.outputs)
+    if (!isTable(output)) session::expectPictureFormat(output);
+  bool readsOwnWay = !options.input.series.empty() || !options.input.raw.empty() || !options.input.spacing.empty() ||
+                     options.input.level != scene::kFittingLevel;
+  if (!options.scene.empty() && readsOwnWay)
+    throw ArgumentError("--series, --raw, --spacing and --level are for data without --scene");
+  if (!options.by.empty() && options.input.labels.empty())
+    throw ArgumentError("--by: a structure is found in labels; give those of each data set with --labels");
+}
+
+int run(EachVerb options) {
+  options.picture.size = session::parsePictureSize(options.size, options.picture.dpi);
+  expectEach(options);
+  options.names.data = options.input.inputs;
+  options.names.labels = options.input.labels;
+  std::vector<session::Piece> pieces = session::findPieces(options.names);
+  session::FilmIdentity common = commonIdentity(options);
+  session::FilmPart part = partOf(options);
+  std::vector<session::Piece> mine;
+  for (std::size_t i = std::size_t(part.number) - 1; i < pieces.size(); i += std::size_t(part.parts))
+    mine.push_back(pieces[i]);
+  if (options.list) return list(options, common, mine), 0;
+  Tally tally;
+  for (std::size_t i = 0; i < mine.size(); ++i) {
+    consoleProgress().throwIfCancelled();
+    consoleProgress().report(double(i) / double(mine.size()),
+                             fmt::format("{} ({} of {})", mine[i].name, i + 1, mine.size()));
+    workAt(options, common, mine[i], tally);
+  }
+  consoleProgress().report(1.0, "");
+  if (tally.busy > 0) log::say(fmt::format("note: {} are being made by another process", tally.busy));
+  if (tally.failed == 0) return 0;
+  throw InputError(fmt::format("{} of {} pieces failed, {} are done; the first: {}", tally.failed, mine.size(),
+                               tally.done + tally.kept, tally.firstError));
+}
+
+/// The words of the command line on which pieces depend: all but those that say which pieces, and how to report.
+std::vector<std::string> wordsOf(const CLI::App& verb) {
+  std::vector<std::string> words;
+  for (const CLI::Option* option : verb.get_options()) {
+    std::string name = option->get_name();
+    bool isOfRun = name == "input" || name == "--output" || name == "--part" || name == "--records" ||
+                   name == "--again" || name == "--list" || name == "--json" || name == "--verbose" ||
+                   name == "--timeout" || name == "--scene";
+    if (isOfRun || option->count() == 0) continue;
+    words.push_back(name);
+    for (const std::string& value : option->results()) words.push_back(value);
+  }
+  return words;
+}
+
+}  // namespace
+
+Run registerEach(CLI::App& verb) {
+  auto options = std::make_shared<EachVerb>();
+  addCommon(verb, options->common);
+  addInput(verb, options->input, true);
+  verb.get_option("input")
+      ->description("data sets: files, DICOM folders, or patterns in quotes: 'studies/*/ct.nii.gz'")
+      ->required();
+  verb.get_option("--labels")->description("labels of each: studies/{name}/labels.nii.gz");
+  verb.add_option("--scene", options->scene,
+                  "a scene that is carried over to each: camera and cuts go by the data's box, curves by modality");
+  verb.add_option("--by", options->by, "name of a structure of both labels by which the scene goes, not the box");
+  verb.add_option("-o,--output", options->names.outputs,
+                  "what to make of each: a picture (.png, .tif, .exr, .svg, .pdf), or a table of all marks (.csv, "
+                  ".json); {name} is what the pattern's * stands for, {dir} the data's folder; repeatable")
+      ->allow_extra_args(false)
+      ->required();
+  verb.add_option("--part", options->part,
+                  "K/N: the K-th of N parts, every N-th piece; default: all, in a task of a Slurm array the task's");
+  verb.add_option("--records", options->names.records,
+                  "folder for what became of each piece; default: pieces, beside the outputs");
+  verb.add_flag("--again", options->again, "make all anew, also what is done");
+  verb.add_flag("--list", options->list,
+                "make nothing: say of each piece whether it is done, failed and why, or missing");
+  verb.add_flag("--structures", options->structures, "tables hold what the cuts leave of each structure, too");
+  verb.add_flag("--faces", options->faces, "tables hold the areas of the cuts' faces, too");
+  verb.add_option("--size", options->size, "WIDTHxHEIGHT in pixels, or with a unit: 12x8cm, 120x80mm, 5x3in")
+      ->capture_default_str();
+  verb.add_option("--samples", options->picture.samples,
+                  "pictures that are averaged, 1 to 256; default: as the scene says")
+      ->check(CLI::Range(1, 256));
+  verb.add_option("--section", options->section, "a section view instead of the 3D picture: axial, coronal, sagittal");
+  verb.add_option("--bits", options->picture.bits, "levels of colour: 8 bits, or 16, also in .exr")
+      ->check(CLI::IsMember({8, 16}));
+  verb.add_option("--dpi", options->picture.dpi, "pixels an inch in print: for sizes with a unit (else 300)")
+      ->check(CLI::Range(1.0, 10000.0));
+  verb.add_flag("--transparent", options->picture.transparent, "no background, with alpha");
+  addLettering(verb, options->lettering);
+  verb.add_option("--timeout", options->timeout, "give up after so many seconds, with exit code 142; 0: never")
+      ->check(CLI::Range(0.0, 1e6));
+  return [options, &verb] {
+    stopAfter(options->timeout);
+    options->words = wordsOf(verb);
+    return run(*options);
+  };
+}
+
+}  // namespace velum::app

@@ -1,0 +1,141 @@
+#include "session/each/PieceRecord.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <span>
+
+#include "core/Error.h"
+#include "core/ReplaceFile.h"
+
+namespace velum::session {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using PieceJson = nlohmann::ordered_json;
+
+std::string pieceLine(const PieceJson& json) {
+  return json.dump(-1, ' ', false, PieceJson::error_handler_t::replace) + "\n";
+}
+
+PieceJson identityJson(const FilmIdentity& wanted) {
+  PieceJson json = PieceJson::object();
+  for (const auto& [name, value] : wanted) json[name] = value;
+  // As it is read back: bytes that are not UTF-8 are replaced.
+  return PieceJson::parse(pieceLine(json));
+}
+
+bool areWhole(const PieceJson& files, const std::vector<fs::path>& outputs) {
+  if (files.size() != outputs.size()) return false;
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    FrameFile told{outputs[i].filename().string(), files[i].at("bytes").get<std::uint64_t>(),
+                   files[i].at("crc32c").get<std::uint32_t>()};
+    std::error_code error;
+    if (files[i].at("file") != outputs[i].string()) return false;
+    if (fs::file_size(outputs[i], error) != told.bytes || frameFileAt(outputs[i]) != told) return false;
+  }
+  return true;
+}
+
+/// Takes in a line of an attempt at what is wanted.
+void follow(PieceState& state, const PieceJson& line, const std::vector<fs::path>& outputs) {
+  using enum PieceState::Is;
+  if (line.contains("begun")) {
+    state.is = Begun;
+    ++state.begun;
+  } else if (line.contains("failed")) {
+    state = {Failed, 0, line.at("failed").get<std::string>(), line.at("ms").get<double>()};
+  } else if (line.contains("done")) {
+    bool isWhole = areWhole(line.at("done"), outputs);
+    state = {isWhole ? Done : Missing, 0, {}, isWhole ? line.at("ms").get<double>() : 0.0};
+  } else if (line.contains("stopped")) {
+    state.begun = std::max(0, state.begun - 1);
+    state.is = state.begun > 0 ? Begun : Missing;
+  }
+}
+
+}  // namespace
+
+std::optional<PieceRecord> PieceRecord::take(const fs::path& file) {
+  std::error_code error;
+  fs::create_directories(file.parent_path(), error);
+  int descriptor = ::open(file.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC, 0666);
+  if (descriptor < 0)
+    throw InputError(fmt::format("{}: cannot be written ({})", file.string(), std::generic_category().message(errno)));
+  if (::flock(descriptor, LOCK_EX | LOCK_NB) == 0) return PieceRecord(file, descriptor);
+  bool isBusy = errno == EWOULDBLOCK;
+  std::string why = std::generic_category().message(errno);
+  ::close(descriptor);
+  if (!isBusy) throw InputError(fmt::format("{}: cannot be locked ({})", file.string(), why));
+  return std::nullopt;
+}
+
+PieceRecord::~PieceRecord() {
+  if (mFile >= 0) ::close(mFile);
+}
+
+void PieceRecord::append(const std::string& line) {
+  if (!writeAll(mFile, std::as_bytes(std::span(line))))
+    throw InputError(fmt::format("{}: cannot be written; check the free space", mPath.string()));
+}
+
+void PieceRecord::begin(const FilmIdentity& wanted) { append(pieceLine({{"begun", identityJson(wanted)}})); }
+
+void PieceRecord::done(double ms, const std::vector<fs::path>& outputs) {
+  PieceJson files = PieceJson::array();
+  for (const fs::path& path : outputs) {
+    auto file = frameFileAt(path);
+    if (!file) throw InputError(fmt::format("{}: cannot be read again", path.string()));
+    files.push_back({{"file", path.string()}, {"bytes", file->bytes}, {"crc32c", file->sum}});
+  }
+  append(pieceLine({{"done", files}, {"ms", ms}}));
+}
+
+void PieceRecord::failed(double ms, const std::string& error) { append(pieceLine({{"failed", error}, {"ms", ms}})); }
+
+void PieceRecord::stopped() { append(pieceLine({{"stopped", true}})); }
+
+PieceState stateOf(const fs::path& record, const FilmIdentity& wanted, const std::vector<fs::path>& outputs) {
+  std::ifstream file(record, std::ios::binary);
+  PieceJson identity = identityJson(wanted);
+  PieceState state;
+  bool isWanted = false;
+  for (std::string line; std::getline(file, line);) {
+    try {
+      PieceJson json = PieceJson::parse(line);
+      if (json.contains("begun")) isWanted = json.at("begun") == identity;
+      if (isWanted) follow(state, json, outputs);
+    } catch (const PieceJson::exception&) {
+      // The last line of a process that was killed.
+    }
+  }
+  return state;
+}
+
+std::string dataStamp(const fs::path& path) {
+  try {
+    std::uintmax_t bytes = 0, files = 0;
+    fs::file_time_type latest = fs::last_write_time(path);
+    auto add = [&](const fs::path& file) {
+      bytes += fs::file_size(file), ++files;
+      latest = std::max(latest, fs::last_write_time(file));
+    };
+    if (!fs::is_directory(path))
+      add(path);
+    else
+      for (const auto& entry : fs::recursive_directory_iterator(path))
+        if (entry.is_regular_file()) add(entry.path());
+    return fmt::format("{} bytes in {}, {}", bytes, files == 1 ? "1 file" : fmt::format("{} files", files),
+                       latest.time_since_epoch().count());
+  } catch (const fs::filesystem_error& error) {
+    throw InputError(fmt::format("{}: {}", path.string(), error.code().message()));
+  }
+}
+
+}  // namespace velum::session

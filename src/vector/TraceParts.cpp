@@ -26,11 +26,11 @@ constexpr int kPlaces = 12;
 constexpr double kUnseen = 0.02;  // of a line's darkness
 constexpr double kRows = 1000.0;
 
-double smooth(double low, double high, double x) {
+double riseOf(double low, double high, double x) {
   double t = std::clamp((x - low) / (high - low), 0.0, 1.0);
   return t * t * (3.0 - 2.0 * t);
 }
-double shownOf(double size) { return smooth(kNoLine, kFullLine, size); }
+double shownOf(double size) { return riseOf(kNoLine, kFullLine, size); }
 
 /// The band of a line: how much ink it has, as the width of a line that is all dark, and where its middle is.
 struct Band {
@@ -105,14 +105,14 @@ class PartEdges {
       if (a.id != own.id || b.id != own.id) continue;
       double before = std::abs(a.depth - own.depth), after = std::abs(b.depth - own.depth);
       double fall = std::max(before, after) - 3.0 * std::min(before, after);
-      folds += smooth(mOptions.stepLength, 2.0 * mOptions.stepLength, fall);
+      folds += riseOf(mOptions.stepLength, 2.0 * mOptions.stepLength, fall);
     }
     return std::min(1.0, kFullShare * folds / (0.5 * kPlaces));
   }
 
   double faintInk(glm::dvec2 place) const {
     double size = at(place).size;
-    return kFaint * mOptions.steps * smooth(kNoneWithin, kFullWithin, size) * kFineLine * penOf(size);
+    return kFaint * mOptions.steps * riseOf(kNoneWithin, kFullWithin, size) * kFineLine * penOf(size);
   }
 
  private:
@@ -129,7 +129,7 @@ class PartEdges {
   }
   int groupOf(const Seen& seen) const { return mMap.groups[std::size_t(seen.part) - 1]; }
   double deepOf(const Seen& a, const Seen& b) const {
-    return smooth(0.5 * mOptions.deepStep, 1.5 * mOptions.deepStep, std::abs(a.depth - b.depth));
+    return riseOf(0.5 * mOptions.deepStep, 1.5 * mOptions.deepStep, std::abs(a.depth - b.depth));
   }
 
   Band bandBetween(const Seen& left, const Seen& right, double deep) const {

@@ -42,6 +42,18 @@ TEST(Svg, NamesAreIdsOnceEach) {
   EXPECT_EQ(countOf(svg, "<title>Lung</title>"), 3u);
 }
 
+TEST(Svg, ShapesOfAGroupAreOneElementAndHiddenLayersAreOff) {
+  Shape one = filled({circle({5, 5}, 2)}), other = one, alone = one;
+  one.group = other.group = "capsid / surface";
+  Drawing drawing{{10, 10}, 300.0, "", {{"contours", {one, other, alone}, true}}};
+  std::string svg = svgOf(drawing);
+  EXPECT_NE(svg.find("inkscape:label=\"contours\" style=\"display:none\">"), std::string::npos) << svg;
+  EXPECT_EQ(countOf(svg, "<g id=\"capsid-surface\" inkscape:label=\"capsid / surface\">"), 1u) << svg;
+  EXPECT_EQ(countOf(svg, "<g "), countOf(svg, "</g>"));
+  std::size_t group = svg.find("capsid-surface"), end = svg.find("</g>", group);
+  EXPECT_EQ(countOf(svg.substr(group, end - group), "<path"), 2u) << "and the third stands behind it";
+}
+
 TEST(Svg, WhatCannotBeDrawnIsLeftOut) {
   std::string svg = svgOf({{10, 10}, 300.0, "", {{"a", undrawable()}}});
   EXPECT_EQ(svg.find("nan"), std::string::npos);

@@ -25,6 +25,10 @@ constexpr int kPlaces = 12;
 
 constexpr double kUnseen = 0.02;  // of a line's darkness
 constexpr double kRows = 1000.0;
+constexpr double kFinest = 1.0 / 32.0;  // of the widest line: what has less ink is left out
+
+/// Regions that are smaller have no outlines of their own, pixels.
+double leastAreaOf(glm::ivec2 size) { return std::clamp(12.0 * size.y * size.y / (4.0 * kRows * kRows), 3.0, 12.0); }
 
 double riseOf(double low, double high, double x) {
   double t = std::clamp((x - low) / (high - low), 0.0, 1.0);
@@ -184,12 +188,12 @@ std::vector<Stroke> traceParts(const PartMap& map, const PartOptions& options, P
   if (count == 0) return {};
   JoinedParts joined = joinSmall(map);
   PartEdges edges(map, joined, options);
-  RegionMap regions = traceRegions({map.size, joined.ids, {}}, {}, progress);
+  RegionMap regions = traceRegions({map.size, joined.ids, {}}, {leastAreaOf(map.size)}, progress);
   double widest = kWidestPartLine * options.width;
   std::vector<Stroke> strokes;
   auto pressureAt = [&](glm::dvec2 place, glm::dvec2 way) {
     Band band = edges.bandAt(place, way);
-    return Pressure{band.ink / widest, band.id};
+    return Pressure{band.ink < kFinest * widest ? 0.0 : band.ink / widest, band.id};
   };
   for (const Border& border : regions.borders)
     if (border.left != kOutside && border.right != kOutside)

@@ -15,7 +15,7 @@ namespace {
 
 // As in render/passes/FinishPass.cpp.
 constexpr double kStepAngstrom = 20.0, kDeepShare = 0.03, kDeepSteps = 3.0;
-constexpr double kRowsOfFinish = 1000.0;
+constexpr double kFinishRows = 1000.0;
 constexpr double kFinestLine = 0.25;  // pixels
 
 /// What the finish sees of a model.
@@ -65,7 +65,7 @@ std::vector<vector::Item> modelContours(const Image& image, const scene::Scene& 
   scene::ModelBox box = scene::modelBox(scene.model);
   double angstrom = scene::modelFrame(scene).length, step = kStepAngstrom * angstrom;
   double deep = std::max(kDeepSteps * step, kDeepShare * glm::length(box.high - box.low) * angstrom);
-  double width = finish.contourWidth * image.height / kRowsOfFinish;
+  double width = finish.contourWidth * image.height / kFinishRows;
   vector::PartOptions options{finish.contours, finish.contourSteps, finish.contourStructures, width, step, deep};
   vector::Pen pen{finish.contourColor, width, finish.contours, {}};
   return itemsOf(vector::traceParts(seen.map(), options, progress), seen.owners, pen, vector::kWidestPartLine * width,

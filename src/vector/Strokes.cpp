@@ -11,13 +11,14 @@ namespace velum::vector {
 
 namespace {
 
-constexpr double kWidthClasses = 16.0;
+constexpr double kStep = 1.0 / 16.0, kFineStep = 1.0 / 64.0, kFine = 1.0 / 8.0;
 
 /// The next width of a pen that has a width, in classes. @param last  0: none
 double widthClass(double width, double last) {
-  if (width <= 0.0) return 0.0;
-  bool isKept = last > 0.0 && std::abs(width - last) < 0.75 / kWidthClasses;
-  return isKept ? last : std::max(1.0, std::round(width * kWidthClasses)) / kWidthClasses;
+  double step = width < kFine ? kFineStep : kStep;
+  if (width < 0.5 * kFineStep) return 0.0;
+  bool isKept = last > 0.0 && std::abs(width - last) < 0.75 * step;
+  return isKept ? last : std::round(width / step) * step;
 }
 
 /// The part of a curve between two places on it.

@@ -25,7 +25,6 @@ constexpr int kPlaces = 12;
 
 constexpr double kUnseen = 0.02;  // of a line's darkness
 constexpr double kRows = 1000.0;
-constexpr double kFinest = 1.0 / 32.0;  // of the widest line: what has less ink is left out
 
 /// Regions that are smaller have no outlines of their own, pixels.
 double leastAreaOf(glm::ivec2 size) { return std::clamp(12.0 * size.y * size.y / (4.0 * kRows * kRows), 3.0, 12.0); }
@@ -193,7 +192,7 @@ std::vector<Stroke> traceParts(const PartMap& map, const PartOptions& options, P
   std::vector<Stroke> strokes;
   auto pressureAt = [&](glm::dvec2 place, glm::dvec2 way) {
     Band band = edges.bandAt(place, way);
-    return Pressure{band.ink < kFinest * widest ? 0.0 : band.ink / widest, band.id};
+    return Pressure{band.ink / widest, band.id};
   };
   for (const Border& border : regions.borders)
     if (border.left != kOutside && border.right != kOutside)

@@ -37,8 +37,8 @@ inline constexpr double kWidestPartLine = 1.6;
 /// which belongs to the part that is before the other one, and lies in the middle of the finish's band. What the finish
 /// draws fainter is as much finer here, so that lines have as much ink. Parts too small for lines of their own are one
 /// with those around them in their compartment.
-/// @return strokes whose `strength` is their width as a share of kWidestPartLine, in sixteenths, and whose id that of a
-/// part; closed where a weight goes all round. Any thread, partly on all cores. @throw Cancelled
+/// @return strokes whose `strength` is their width as a share of kWidestPartLine, in sixteenths or quarters of these,
+/// and whose id that of a part; closed where a weight goes all round. Any thread, partly on all cores. @throw Cancelled
 std::vector<Stroke> traceParts(const PartMap& map, const PartOptions& options, Progress& progress);
 
 }  // namespace velum::vector

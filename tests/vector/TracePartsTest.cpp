@@ -71,7 +71,7 @@ TEST(TraceParts, EachKindOfBorderHasItsWeight) {
 
 TEST(TraceParts, LinesGoAsInstancesBecomeSmall) {
   double last = 1.0;
-  for (double across : {200.0, 25.0, 13.0, 5.0}) {
+  for (double across : {200.0, 25.0, 13.0, 9.0, 5.0}) {
     double width = widthAt(trace(stripes(across)), {100, 200});
     EXPECT_LT(width, last) << across;
     last = width;

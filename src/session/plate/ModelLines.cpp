@@ -16,7 +16,7 @@ namespace {
 // As in render/passes/FinishPass.cpp.
 constexpr double kStepAngstrom = 20.0, kDeepShare = 0.03, kDeepSteps = 3.0;
 constexpr double kFinishRows = 1000.0;
-constexpr double kFinestLine = 0.25;  // pixels
+constexpr double kFinestLine = 0.5;  // pixels
 
 /// What the finish sees of a model.
 struct SeenParts {

@@ -34,13 +34,16 @@ Owner ownerOf(const scene::Scene& scene, int structure, int type) {
   return {namesDownTo(scene, of.compartment), scene::shownName(scene.model, pathOf(*scene.model.data, of), of.name)};
 }
 
-std::vector<vector::Item> itemsOf(std::vector<vector::Stroke> strokes, std::span<const Owner> owners, vector::Pen pen,
-                                  double widest, double least) {
+std::vector<vector::Item> itemsOf(std::vector<vector::Stroke> strokes, std::span<const Owner> owners,
+                                  const vector::Pen& pen, double widest, double least) {
   std::map<std::pair<Owner, double>, vector::Shape> shapes;
   for (vector::Stroke& stroke : strokes) {
     Owner owner = stroke.id > 0 ? owners[std::size_t(stroke.id) - 1] : Owner{};
-    pen.width = std::max(least, stroke.strength * widest);
-    auto shape = shapes.try_emplace({owner, pen.width}, vector::Shape{owner.name, {}, pen, {}, owner.group}).first;
+    double width = stroke.strength * widest;
+    vector::Pen own = pen;
+    own.width = std::max(least, width);
+    own.opacity *= std::min(1.0, width / least);
+    auto shape = shapes.try_emplace({owner, width}, vector::Shape{owner.name, {}, own, {}, owner.group}).first;
     shape->second.outlines.push_back(std::move(stroke.line));
   }
   std::vector<vector::Item> items;

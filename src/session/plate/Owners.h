@@ -20,8 +20,9 @@ struct Owner {
 Owner ownerOf(const scene::Scene& scene, int structure, int type);
 
 /// Strokes of one owner and one width together, owners of a group one after the other.
-/// @param owners  by id - 1 of strokes  @param widest  of a stroke of strength 1, and the least of any, pixels
-std::vector<vector::Item> itemsOf(std::vector<vector::Stroke> strokes, std::span<const Owner> owners, vector::Pen pen,
-                                  double widest, double least);
+/// @param owners  by id - 1 of strokes  @param widest  width of a stroke of strength 1, pixels  @param least  of any:
+/// what is finer is as wide, and as much fainter
+std::vector<vector::Item> itemsOf(std::vector<vector::Stroke> strokes, std::span<const Owner> owners,
+                                  const vector::Pen& pen, double widest, double least);
 
 }  // namespace velum::session

@@ -72,6 +72,19 @@ TEST(Svg, LinesAndLabelsAreSmall) {
 
 class SvgPrograms : public Programs {};
 
+TEST_F(SvgPrograms, RsvgDrawsGroupsAndNoHiddenLayers) {
+  if (!has("rsvg-convert")) GTEST_SKIP() << "rsvg-convert is not there: install Debian's librsvg2-bin";
+  Shape shown = filled({circle({50, 50}, 20)}), hidden = filled({circle({150, 50}, 20)});
+  shown.group = hidden.group = "a & b";
+  Drawing drawing{{200, 100}, 300.0, "", {{"on", {shown}}, {"off", {hidden}, true}}};
+  writeSvg(drawing, mFolder / "hidden.svg");
+  run("rsvg-convert -w 200 -h 100 -b white -o hidden.png hidden.svg");
+  Image image = plainImage(200, 100);
+  paint(drawing.layers, image);
+  EXPECT_NEAR(coverOf(image), 3.1416 * 400, 10.0);
+  EXPECT_LT(differenceOf(readPng("hidden.png"), image).far, 0.001);
+}
+
 TEST_F(SvgPrograms, RsvgDrawsWhatIsPainted) {
   if (!has("rsvg-convert")) GTEST_SKIP() << "rsvg-convert is not there: install Debian's librsvg2-bin";
   Drawing drawing = plate();

@@ -1,5 +1,7 @@
 #include "render/Gbuffer.h"
 
+#include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -58,6 +60,18 @@ int faceAt(const FrameData& data, const Texel& texel, glm::vec3 point) {
   return 0;
 }
 
+/// The layers of lines, of a sample as shaders/render/sample.glsl packs it.
+void appendLines(const FrameData& data, glm::uvec4 words, std::vector<float>& pixels) {
+  constexpr float kSmallestSize = 2.0f;
+  bool isSolid = float(words.w >> 24) - 1.0f > 0.5f * 254.0f;
+  float depth = std::bit_cast<float>(words.z);
+  bool isOrthographic = (data.params.flags & shared::kFlagOrthographic) != 0;
+  pixels.push_back(isSolid ? float(int(words.w & 0xffffu) - int(data.structures.size())) : -1.0f);
+  pixels.push_back(isSolid ? float((words.w >> 16 & 0xffu) | (words.y >> 16 & 0x3ffu) << 8) : 0.0f);
+  pixels.push_back(isSolid ? kSmallestSize * std::exp2(float(words.y >> 26) / 8.0f) : 0.0f);
+  pixels.push_back(float(data.unit * double(isOrthographic ? depth : 1.0f / std::max(depth, 1e-9f))));
+}
+
 }  // namespace
 
 void Gbuffer::resize(glm::ivec2 size, bool keepsSample) {
@@ -107,12 +121,16 @@ void Gbuffer::appendLayers(const FrameData& data, const Layers& layers, Image& i
   name(layers.instance, {"instance"});
   name(layers.type, {"type"});
   name(layers.face, {"face"});
+  name(layers.lines, {"lines.type", "lines.part", "lines.size", "lines.depth"});
   if (image.channels.size() == before) return;
   std::size_t count = std::size_t(image.width) * std::size_t(image.height);
   std::vector<glm::vec4> surfaces(count);
   std::vector<glm::uvec2> ids(count);
   mSurface.read(surfaces.data(), count * sizeof(surfaces[0]));
   mIds.read(ids.data(), count * sizeof(ids[0]));
+  std::vector<glm::uvec4> samples(layers.lines ? count : 0);
+  VELUM_ASSERT(!layers.lines || mSample, "the finish looks at samples");
+  if (layers.lines) mSample.read(samples.data(), count * sizeof(samples[0]));
   glm::dvec3 origin = sceneOrigin(data.grid);
   std::vector<float> pixels;
   pixels.reserve(count * image.channels.size());
@@ -136,6 +154,7 @@ void Gbuffer::appendLayers(const FrameData& data, const Layers& layers, Image& i
     if (layers.instance) pixels.push_back(texel.isEmpty() ? -1.0f : float(texel.ids.y - 1));
     if (layers.type) pixels.push_back(float(type));
     if (layers.face) pixels.push_back(float(faceAt(data, texel, point)));
+    if (layers.lines) appendLines(data, samples[i], pixels);
   }
   image.pixels = std::move(pixels);
 }

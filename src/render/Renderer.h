@@ -61,6 +61,7 @@ struct Layers {
   bool ghosts = false;
   bool isFine = false;  ///< R, G, B, A as the mean of the samples is; else in 256 levels
   bool face = false;
+  bool lines = false;
 };
 
 /// Draws scenes. A frame is a queue of small pieces of work (uploads, tables, light, tiles, sample by sample), so that
@@ -88,7 +89,11 @@ class Renderer {
   /// nothing is), "id" (structure), "instance" (as Pick; -1 where nothing is), "type" (of the model; -1 where no
   /// instance of it is seen), "ghosts.R/G/B/A" (the instances that cuts have removed, as they are blended over the
   /// picture; straight alpha), "face" (place in Scene::cuts of the cut whose face is seen, plus 1; 0: none. Of planes,
-  /// boxes and the like, to a voxel; membranes have none here).
+  /// boxes and the like, to a voxel; membranes have none here),
+  /// and what the finish sees of the last sample, where it looks: "lines.type" (of the model; below 0: something else),
+  /// "lines.part" (a number of what a line goes around, alike within it, other in its neighbours), "lines.size" (across
+  /// it, pixels of a picture of 1000 rows or of a smaller one; 0: nothing is seen), "lines.depth" (from the picture
+  /// plane).
   Image read(const Layers& layers = {});
 
   /// What the last frame shows at a pixel of its window. From the drawn layers, so it agrees with the picture.

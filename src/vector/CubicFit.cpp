@@ -13,12 +13,15 @@ namespace {
 
 constexpr int kMostAsked = 64;  // points that decide what a curve is like; all decide whether it is near
 constexpr int kRounds = 4;      // of fitting, and finding the points' places on the curve
+constexpr int kMostHeld = 600;
+constexpr int kHoldRounds = 24;
 
 /// A point and where on the curve it is.
 struct Asked {
   glm::dvec2 point;
   int index;
   double t;
+  double weight = 1.0;
 };
 
 struct Derivatives {
@@ -52,7 +55,7 @@ class Handles {
       double near = 3.0 * s * s * t, far = 3.0 * s * t * t;
       glm::dvec2 rest = a.point - (s * s * s + near) * mFrom.place - (far + t * t * t) * mTo.place;
       for (std::size_t i = 0; i < n; ++i) {
-        double own = mIsFirst[i] ? near : far;
+        double own = a.weight * (mIsFirst[i] ? near : far);
         for (std::size_t j = 0; j < n; ++j)
           matrix[i * n + j] += own * (mIsFirst[j] ? near : far) * glm::dot(mWays[i], mWays[j]);
         answer[i] += own * glm::dot(mWays[i], rest);
@@ -92,10 +95,10 @@ class Handles {
 };
 
 /// Points by their share of the way along the track.
-std::vector<Asked> askedOf(const Track& track, int first, int end, const CurveEnd& from, const CurveEnd& to,
+std::vector<Asked> askedOf(const Track& track, int first, int end, const CurveEnd& from, const CurveEnd& to, int most,
                            double& length) {
   std::vector<Asked> asked;
-  int stride = std::max(1, (end - first) / kMostAsked);
+  int stride = std::max(1, (end - first) / most);
   length = 0.0;
   glm::dvec2 last = from.place;
   for (int i = first; i < end; ++i) {
@@ -164,7 +167,7 @@ double nearer(glm::dvec2 from, const Curve& curve, glm::dvec2 point, double t) {
 std::optional<Curve> fitCubic(const Track& track, int first, int end, const CurveEnd& from, const CurveEnd& to,
                               const Nearness& nearness) {
   double length = 0.0;
-  std::vector<Asked> asked = askedOf(track, first, end, from, to, length);
+  std::vector<Asked> asked = askedOf(track, first, end, from, to, kMostAsked, length);
   if (!from.direction && !to.direction) {
     Curve line = straight(from.place, to.place);
     Nearness nearAsLine = nearness;
@@ -180,6 +183,55 @@ std::optional<Curve> fitCubic(const Track& track, int first, int end, const Curv
   }
   if (!isSimple(from, *curve, to, length) || !isNear(track, first, end, from.place, *curve, asked, nearness)) return {};
   return curve;
+}
+
+double farthestOff(const Track& track, int first, int end, glm::dvec2 from, const Curve& curve) {
+  constexpr double kPerPixel = 20.0;
+  int low = std::max(first - 1, 0), high = std::min(end + 1, int(track.points.size()));
+  double length = glm::distance(from, curve.control1) + glm::distance(curve.control1, curve.control2) +
+                  glm::distance(curve.control2, curve.end);
+  int steps = std::max(6, int(kPerPixel * length)), at = low;
+  double farthest = 0.0;
+  for (int i = 0; i <= steps; ++i) {
+    glm::dvec2 place = placeOn(from, curve, double(i) / steps);
+    double least = 1e9;
+    int nearest = at;
+    for (int k = std::max(low, at - 3); k < std::min(high, at + 6); ++k) {
+      double off = distanceToSegment(place, track.fence[std::size_t(k)], track.fence[std::size_t(k) + 1]);
+      if (off >= least) continue;
+      least = off;
+      nearest = k;
+    }
+    at = nearest;
+    farthest = std::max(farthest, least);
+  }
+  return farthest;
+}
+
+std::optional<Curve> holdCubic(const Track& track, int first, int end, const CurveEnd& from, const CurveEnd& to,
+                               double most) {
+  double length = 0.0;
+  std::vector<Asked> asked = askedOf(track, first, end, from, to, kMostHeld, length);
+  if (asked.empty()) return {};
+  Handles handles(from, to, length);
+  for (int round = 0; round < kHoldRounds; ++round) {
+    std::optional<Curve> curve = handles.fit(asked);
+    if (!curve) return {};
+    double sum = 0.0;
+    for (Asked& a : asked) {
+      a.t = nearer(from.place, *curve, a.point, a.t);
+      sum += glm::distance(placeOn(from.place, *curve, a.t), a.point);
+    }
+    bool isWell = round > 1 && isSimple(from, *curve, to, length);
+    if (isWell && farthestOff(track, first, end, from.place, *curve) <= most) return curve;
+    double mean = std::max(sum / double(asked.size()), 1e-6), weights = 0.0;
+    for (Asked& a : asked) {
+      a.weight *= 0.3 + glm::distance(placeOn(from.place, *curve, a.t), a.point) / mean;
+      weights += a.weight;
+    }
+    for (Asked& a : asked) a.weight *= double(asked.size()) / weights;
+  }
+  return {};
 }
 
 }  // namespace velum::vector

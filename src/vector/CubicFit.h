@@ -24,6 +24,7 @@ struct Nearness {
   double fence = 0.6;   ///< from the nearest of the fence's pieces
   double point = 1.05;  ///< from each point
   double mean = 0.36;   ///< root of the mean square from points
+  double held = 0.0;    ///< from the fence, nowhere farther, whatever curves that takes; 0: not asked for
 };
 
 glm::dvec2 placeOn(glm::dvec2 from, const Curve& curve, double t);
@@ -37,5 +38,13 @@ double nearer(glm::dvec2 from, const Curve& curve, glm::dvec2 point, double t);
 /// is found, too. @param first, end  points of the track between the ends; may be none
 std::optional<Curve> fitCubic(const Track& track, int first, int end, const CurveEnd& from, const CurveEnd& to,
                               const Nearness& nearness);
+
+/// How far the farthest place of a curve is from the fence along which it goes, pixels. @param first, end  as above
+double farthestOff(const Track& track, int first, int end, glm::dvec2 from, const Curve& curve);
+
+/// The curve between two ends that is nearest to all points at its farthest, nearly: least squares again and again, in
+/// which those count for more that are far off [LAWSON]; nothing where it comes no nearer than `most` to the fence.
+std::optional<Curve> holdCubic(const Track& track, int first, int end, const CurveEnd& from, const CurveEnd& to,
+                               double most);
 
 }  // namespace velum::vector

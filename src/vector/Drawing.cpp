@@ -21,6 +21,11 @@ bool isStraight(glm::dvec2 from, const Curve& curve) {
   return isOn(curve.control1) && isOn(curve.control2);
 }
 
+std::string_view groupOf(const Item& item) {
+  const auto* shape = std::get_if<Shape>(&item);
+  return shape ? std::string_view(shape->group) : std::string_view();
+}
+
 Outline outlineThrough(const std::vector<glm::dvec2>& points, bool isClosed) {
   VELUM_ASSERT(!points.empty(), "a line goes through a point");
   Outline out{points.front(), {}, isClosed};

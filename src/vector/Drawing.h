@@ -2,6 +2,7 @@
 #include <glm/glm.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -60,6 +61,8 @@ struct Shape {
   std::vector<Outline> outlines;
   std::optional<Pen> pen;
   std::optional<Fill> fill;
+  std::string group;  ///< shapes of a layer that follow each other and have the same are a group in files, which has
+                      ///< this name and can be selected at once, as the lines of a compartment; empty: none
 };
 
 /// Fonts that are part of the program.
@@ -83,11 +86,14 @@ struct Plate {
 };
 
 using Item = std::variant<Plate, Shape, Words>;
+/// Of a shape; empty for the others.
+std::string_view groupOf(const Item& item);
 
 /// What users switch on and off together.
 struct Layer {
   std::string name;         ///< "contours"
   std::vector<Item> items;  ///< in the order in which they are drawn
+  bool isHidden = false;    ///< files have it switched off; pictures are without it
 };
 
 struct Drawing {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "vector/HoldCurves.h"
 #include "vector/LineFit.h"
 #include "vector/SettleCurves.h"
 #include "vector/StraightRuns.h"
@@ -16,8 +17,6 @@ namespace {
 constexpr int kMostLook = 150;
 // Turn of a curve, radians: a quarter of a circle and a little.
 constexpr double kMostTurnOfCurve = 1.9;
-// What points may lie about a curve near a joint.
-constexpr double kJointSquare = 0.13, kJointLargest = 0.8;
 
 /// Where curves may meet.
 struct Joint {
@@ -56,7 +55,7 @@ class JointFinder {
       auto points = std::span(mTrack.points).subspan(std::size_t(from), std::size_t(to - from));
       if (points.size() < 6) continue;
       auto curve = fitLocalCurve(points, about, reach > 0.6 && points.size() > 11 ? 3 : 2);
-      if (!curve || curve->meanSquare > kJointSquare || curve->largest > kJointLargest || curve->bend > 1.6) {
+      if (!curve || curve->meanSquare > kJointSquare || curve->largest > kJointLargest || curve->bend > kJointBend) {
         if (reach > 0.6) break;
         continue;
       }
@@ -105,6 +104,7 @@ class CurveFitter {
     }
     if (!isClosed || joints.front().isCorner) mPieces.back().isSmoothAfter = false;
     settleCurves(mTrack, mPieces, mOutline);
+    if (mNearness.held > 0.0) holdCurves(mTrack, mFits, mPieces, mOutline, mNearness.held);
     return std::move(mOutline);
   }
 
@@ -115,7 +115,8 @@ class CurveFitter {
   void append(const Curve& curve, const Joint& from, const Joint& to) {
     mOutline.curves.push_back(curve);
     int first = firstAfter(from);
-    mPieces.push_back({first, std::max(first, lastBefore(to)), !to.isCorner && bool(to.end.direction)});
+    mPieces.push_back({first, std::max(first, lastBefore(to)), !to.isCorner && bool(to.end.direction),
+                       !from.end.direction, !to.end.direction});
   }
 
   bool mayJoin(const std::vector<Joint>& joints, std::size_t from, std::size_t to) const {
@@ -141,11 +142,9 @@ class CurveFitter {
       append(simple(from.end, to.end), from, to);
       return;
     }
-    int middle = (first + end - 1) / 2, wide = std::min(3, (end - first) / 2);
-    FittedLine line = mFits.line(std::max(first, middle - wide), std::min(end, middle + wide + 1));
-    glm::dvec2 place =
-        line.middle.place + line.middle.direction * alongOf(line.middle, mTrack.points[std::size_t(middle)]);
-    Joint joint{double(middle), {place, line.middle.direction}, 0.0, false};
+    int middle = (first + end - 1) / 2;
+    Tangent there = jointAt(mTrack, mFits, middle, first, end);
+    Joint joint{double(middle), {there.place, there.direction}, 0.0, false};
     divide(from, joint);
     divide(joint, to);
   }

@@ -5,22 +5,24 @@
 #include <span>
 
 #include "vector/LineFit.h"
+#include "vector/StraightRuns.h"
 #include "vector/TraceRegions.h"
 
 namespace velum::vector {
 
 namespace {
 
-constexpr int kLook = 14;          // points of each border
+constexpr int kLook = 14;          // points of each border that pass
+constexpr int kLongLook = 400;     // and of those that end, as far as they are straight
 constexpr int kLeastLook = 4;      // with fewer a border says nothing
-constexpr double kReach = 0.6;     // of a node from its corner
+constexpr double kReach = 0.5;     // of a node from its corner
 constexpr double kMostBend = 0.9;  // radians over both borders together
 constexpr double kHold = 0.2;      // weight of the corner, of an edge's
 
 /// The first points of a border from a node.
-std::vector<glm::dvec2> pointsFrom(const std::vector<Track>& tracks, int leaving) {
+std::vector<glm::dvec2> pointsFrom(const std::vector<Track>& tracks, int leaving, int most) {
   const std::vector<glm::dvec2>& points = tracks[std::size_t(leaving / 2)].points;
-  auto count = std::min(points.size(), std::size_t(kLook));
+  auto count = std::min(points.size(), std::size_t(most));
   if (leaving % 2 == 0) return {points.begin(), points.begin() + std::ptrdiff_t(count)};
   return {points.rbegin(), points.rbegin() + std::ptrdiff_t(count)};
 }
@@ -30,11 +32,26 @@ glm::dvec2 within(glm::dvec2 place, glm::dvec2 corner, double reach) {
   return off <= reach ? place : corner + (place - corner) * (reach / off);
 }
 
+/// The line along which a border ends in a node: flat ones have long steps.
+Tangent lineFrom(const std::vector<glm::dvec2>& points) {
+  LineFits fits(points);
+  int near = std::min(int(points.size()), kLook), end = longestRun(fits, points, 0, int(points.size()));
+  Tangent line = fits.line(0, near).middle;
+  if (end <= 2 * kLook) return line;
+  Tangent about = fits.line(0, end).middle;
+  about.place += about.direction * alongOf(about, points.front());
+  auto curve = fitLocalCurve(std::span(points).first(std::size_t(end)), about, 2);
+  return curve ? curve->tangent : line;
+}
+
 using Ends = std::array<std::vector<glm::dvec2>, 4>;
 
+std::span<const glm::dvec2> nearEnd(const std::vector<glm::dvec2>& points) {
+  return std::span(points).first(std::min(points.size(), std::size_t(kLook)));
+}
+
 /// How two borders go on into each other; nothing where they do not.
-std::optional<LocalCurve> passing(const std::vector<glm::dvec2>& a, const std::vector<glm::dvec2>& b,
-                                  glm::dvec2 corner) {
+std::optional<LocalCurve> passing(std::span<const glm::dvec2> a, std::span<const glm::dvec2> b, glm::dvec2 corner) {
   if (a.size() < kLeastLook || b.size() < kLeastLook) return {};
   std::vector<glm::dvec2> points(a.rbegin(), a.rend());
   points.insert(points.end(), b.begin(), b.end());
@@ -54,7 +71,7 @@ glm::dvec2 meetingPlace(const Ends& ends, glm::dvec2 corner) {
   std::array<double, 2> answer{};
   for (const auto& points : ends) {
     if (int(points.size()) < kLeastLook) continue;
-    Tangent line = LineFits(points).line(0, int(points.size())).middle;
+    Tangent line = lineFrom(points);
     glm::dvec2 across(-line.direction.y, line.direction.x);
     double off = glm::dot(across, line.place - corner);
     matrix[0] += across.x * across.x;
@@ -75,7 +92,7 @@ Junction onEdge(const BorderNode& node, const Ends& ends, const std::array<bool,
   glm::dvec2 along = isEdge[0] || isEdge[2] ? glm::dvec2(1, 0) : glm::dvec2(0, 1);
   for (std::size_t way = 0; way < 4; ++way) {
     if (isEdge[way] || int(ends[way].size()) < kLeastLook) continue;
-    Tangent line = LineFits(ends[way]).line(0, int(ends[way].size())).middle;
+    Tangent line = lineFrom(ends[way]);
     if (auto crossing = crossingOf(line, {corner, along})) junction.place = within(*crossing, corner, 0.5);
   }
   return junction;
@@ -86,7 +103,7 @@ Junction placed(const BorderNode& node, const PixelBorders& borders, const std::
   std::array<bool, 4> isEdge{};
   for (std::size_t way = 0; way < 4; ++way) {
     if (node.leaving[way] < 0) continue;
-    ends[way] = pointsFrom(tracks, node.leaving[way]);
+    ends[way] = pointsFrom(tracks, node.leaving[way], kLongLook);
     const PixelBorder& border = borders.borders[std::size_t(node.leaving[way] / 2)];
     isEdge[way] = border.left == kOutside || border.right == kOutside;
   }
@@ -98,7 +115,7 @@ Junction placed(const BorderNode& node, const PixelBorders& borders, const std::
   for (std::size_t a = 0; a < 4; ++a)
     for (std::size_t b = a + 1; b < 4; ++b) {
       if (node.leaving[a] < 0 || node.leaving[b] < 0 || node.leaving[a] / 2 == node.leaving[b] / 2) continue;
-      auto curve = passing(ends[a], ends[b], corner);
+      auto curve = passing(nearEnd(ends[a]), nearEnd(ends[b]), corner);
       if (!curve || curve->bend >= least) continue;
       least = curve->bend;
       passes = true;

@@ -186,7 +186,8 @@ void paint(std::span<const Item> items, Image& image, double scale) {
 
 void paint(std::span<const Layer> layers, Image& image, double scale) {
   Painter painter({image.width, image.height}, scale);
-  for (const Layer& layer : layers) painter.add(layer.items);
+  for (const Layer& layer : layers)
+    if (!layer.isHidden) painter.add(layer.items);
   paintOver(painter, image);
 }
 
@@ -198,7 +199,8 @@ Raster rasterOf(std::span<const Item> items, glm::ivec2 size, double scale) {
 
 Raster rasterOf(std::span<const Layer> layers, glm::ivec2 size, double scale) {
   Painter painter(size, scale);
-  for (const Layer& layer : layers) painter.add(layer.items);
+  for (const Layer& layer : layers)
+    if (!layer.isHidden) painter.add(layer.items);
   return rasterOf(painter);
 }
 

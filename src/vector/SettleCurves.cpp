@@ -11,9 +11,9 @@ namespace velum::vector {
 namespace {
 
 constexpr int kRounds = 2;
-constexpr int kMostPoints = 60;           // of a curve that are asked
+constexpr int kMostPoints = 400;          // of a curve that are asked
 constexpr std::size_t kLeastPoints = 14;  // of two curves; fewer do not say how they bend
-constexpr double kFarOff = 0.42;          // pixels: from there a point counts for twice as much, and soon for far more
+constexpr double kFarOff = 0.44;          // pixels: from there a point counts for twice as much, and soon for far more
 constexpr double kMostStep = 0.5;         // of a joint across the line
 
 /// Two curves and the joint between them, in its own terms.
@@ -50,7 +50,7 @@ struct Beside {
 
 double weightOf(double off) {
   double far = off / kFarOff, square = far * far;
-  return 1.0 + square * square;
+  return 1.0 + square * square * square * square;
 }
 
 class JointSettler {
@@ -98,7 +98,7 @@ class JointSettler {
       glm::dvec2 from = beside.isAfter ? shape.place : shape.start;
       double t = nearer(from, curve, beside.point, beside.t);
       double off = glm::distance(placeOn(from, curve, t), beside.point), far = off / kFarOff;
-      cost += off * off * (1.0 + far * far * far * far / 3.0);
+      cost += off * off * (1.0 + std::pow(far, 8.0) * 0.2);
     }
     return cost;
   }

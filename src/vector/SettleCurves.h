@@ -9,6 +9,7 @@ namespace velum::vector {
 struct FittedPiece {
   int first = 0, end = 0;
   bool isSmoothAfter = false;  ///< it goes on into the next curve without a kink, which the next joint keeps
+  bool isFreeBefore = true, isFreeAfter = true;  ///< nobody says which way it goes at its ends
 };
 
 /// Moves the joints of a line across it, turns them and changes handles until the curves on both sides lie best: each

@@ -10,7 +10,7 @@ namespace {
 // The middles of the edges of pixels lie about a straight border within half a pixel, evenly: 0.29 is the root of their
 // mean square. A run may bend a little.
 constexpr double kRunSquare = 0.16;
-constexpr double kRunEnd = 0.8;
+constexpr double kRunEnd = 1.05;
 constexpr int kLeastRun = 3;
 
 // Corners turn by more than this, and two lines are so much nearer to the points than a bow is.
@@ -19,7 +19,7 @@ constexpr double kSharpTurn = 1.75;
 constexpr double kCornerGain = 0.55;
 constexpr int kCornerLook = 24;  // points on each side
 constexpr int kLeastCorner = 4;  // points of each of its sides
-constexpr double kCornerReach = 0.7;
+constexpr double kCornerReach = 0.5;
 
 bool isRun(const LineFits& fits, std::span<const glm::dvec2> points, int first, int end) {
   FittedLine line = fits.line(first, end);
@@ -29,7 +29,12 @@ bool isRun(const LineFits& fits, std::span<const glm::dvec2> points, int first, 
   return true;
 }
 
-/// One past the last point of the longest run, nearly, that begins somewhere.
+double squaresOf(const LineFits& fits, int first, int end) { return fits.line(first, end).squares; }
+
+double turnBetween(glm::dvec2 a, glm::dvec2 b) { return std::atan2(a.x * b.y - a.y * b.x, glm::dot(a, b)); }
+
+}  // namespace
+
 int longestRun(const LineFits& fits, std::span<const glm::dvec2> points, int first, int end) {
   int good = std::min(first + kLeastRun, end), step = kLeastRun;
   while (good < end && isRun(fits, points, first, std::min(good + step, end))) {
@@ -40,12 +45,6 @@ int longestRun(const LineFits& fits, std::span<const glm::dvec2> points, int fir
     if (good + step <= end && isRun(fits, points, first, good + step)) good += step;
   return good;
 }
-
-double squaresOf(const LineFits& fits, int first, int end) { return fits.line(first, end).squares; }
-
-double turnBetween(glm::dvec2 a, glm::dvec2 b) { return std::atan2(a.x * b.y - a.y * b.x, glm::dot(a, b)); }
-
-}  // namespace
 
 void settleRuns(const LineFits& fits, std::span<StraightRun> runs) {
   constexpr int kReach = 6;

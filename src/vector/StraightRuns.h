@@ -17,6 +17,9 @@ struct StraightRun {
 /// @param first, end  end - first is at least 1
 std::vector<StraightRun> findRuns(const LineFits& fits, std::span<const glm::dvec2> points, int first, int end);
 
+/// One past the last point of the longest run, nearly, that begins somewhere.
+int longestRun(const LineFits& fits, std::span<const glm::dvec2> points, int first, int end);
+
 /// Moves the ends of neighbouring runs to where they lie best.
 void settleRuns(const LineFits& fits, std::span<StraightRun> runs);
 

@@ -9,6 +9,7 @@
 #include "core/Parallel.h"
 #include "vector/FitCurves.h"
 #include "vector/HatchField.h"
+#include "vector/Strokes.h"
 
 namespace velum::vector {
 
@@ -18,7 +19,6 @@ constexpr double kPerSpacing = 5.0;   // places that are asked from stroke to st
 constexpr double kMostAcross = 0.6;   // cosine: what goes on across the strokes is none, but where two of them meet
 constexpr double kLeastLength = 2.0;  // of a stroke, in spacings
 constexpr double kLeastWidth = 0.06;  // where a stroke ends, as a share of the spacing
-constexpr double kWidthClasses = 16.0;
 
 /// The waves at places on a lattice.
 struct WaveGrid {
@@ -176,53 +176,6 @@ void calmWidths(std::vector<Pressed>& line, int reach) {
   }
 }
 
-/// The next width of a pen that has a width, in classes; it is kept until it is clearly another. @param last  0: none
-double widthClass(double width, double last) {
-  bool isKept = last > 0.0 && std::abs(width - last) < 0.75 / kWidthClasses;
-  return isKept ? last : std::max(1.0, std::round(width * kWidthClasses)) / kWidthClasses;
-}
-
-/// The part of a curve between two places on it.
-Curve partOf(glm::dvec2 from, const Curve& curve, double low, double high) {
-  auto cut = [](glm::dvec2 start, const Curve& whole, double t) {  // the part before t
-    glm::dvec2 a = glm::mix(start, whole.control1, t), b = glm::mix(whole.control1, whole.control2, t);
-    glm::dvec2 c = glm::mix(whole.control2, whole.end, t), ab = glm::mix(a, b, t), bc = glm::mix(b, c, t);
-    return Curve{a, ab, glm::mix(ab, bc, t)};
-  };
-  Curve before = cut(from, curve, high);
-  Curve back{before.control2, before.control1, from};  // walked backwards, of which the beginning is wanted
-  Curve part = cut(before.end, back, high > 0.0 ? 1.0 - low / high : 0.0);
-  return {part.control2, part.control1, before.end};
-}
-
-/// Appends a fitted line as strokes of one width each. @param line  places and widths along it
-void appendPieces(const Outline& fitted, std::span<const Pressed> line, double apart, std::vector<Stroke>& strokes) {
-  std::size_t at = 0;
-  auto widthAt = [&](glm::dvec2 place) {
-    auto off = [&](std::size_t i) { return glm::distance(line[i].place, place); };
-    while (at + 1 < line.size() && off(at + 1) <= off(at)) ++at;
-    return line[at].width;
-  };
-  glm::dvec2 from = fitted.start, start = fitted.start;
-  double last = 0.0;
-  for (const Curve& curve : fitted.curves) {
-    int steps = std::max(1, int(glm::distance(from, curve.end) / apart));
-    double begin = 0.0;
-    for (int i = 0; i < steps; ++i) {
-      double width = widthClass(widthAt(placeOn(from, curve, (i + 0.5) / steps)), last), t = double(i) / steps;
-      if (width != last) {
-        if (t > begin) strokes.back().line.curves.push_back(partOf(from, curve, begin, t));
-        start = t > 0.0 ? placeOn(from, curve, t) : from;
-        strokes.push_back({{start, {}, false}, width, line.front().id});
-        begin = t;
-        last = width;
-      }
-    }
-    strokes.back().line.curves.push_back(begin > 0.0 ? partOf(from, curve, begin, 1.0) : curve);
-    from = curve.end;
-  }
-}
-
 /// What is left of a line when its round ends are to lie where it ended.
 std::span<const Pressed> withoutEnds(std::span<const Pressed> line, double spacing) {
   if (line.empty()) return line;
@@ -242,7 +195,13 @@ void appendStroke(std::span<const Pressed> line, double spacing, std::vector<Str
   double near = std::max(0.4, 0.05 * spacing);
   Nearness nearness{near, 2.0 * near, near};
   Outline fitted = fitCurves(track, {line.front().place, {}}, {line.back().place, {}}, nearness);
-  appendPieces(fitted, line, 0.5 * spacing, strokes);
+  std::size_t at = 0;
+  auto pressureAt = [&](glm::dvec2 place, glm::dvec2) {
+    auto off = [&](std::size_t i) { return glm::distance(line[i].place, place); };
+    while (at + 1 < line.size() && off(at + 1) <= off(at)) ++at;
+    return Pressure{line[at].width, line.front().id};
+  };
+  appendStrokes(fitted, 0.5 * spacing, pressureAt, strokes);
 }
 
 }  // namespace

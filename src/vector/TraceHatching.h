@@ -15,8 +15,8 @@ struct HatchOptions {
 /// knows how large they are. Strokes shorter than twice the spacing are left out; one ends at the border of a region.
 /// Where its width changes on its way a stroke is several, end to end.
 /// @param tones  how light each pixel is without strokes, 0..1: 0.30 R + 0.59 G + 0.11 B
-/// @return strokes whose `strength` is their width as a share of the spacing, in sixteenths. Any thread, partly on all
-/// cores; 12 million pixels take two seconds. @throw Cancelled
+/// @return strokes whose `strength` is their width as a share of the spacing, in sixteenths or quarters of these. Any
+/// thread, partly on all cores; 12 million pixels take two seconds. @throw Cancelled
 std::vector<Stroke> traceHatching(const SurfaceMap& map, const View& view, std::span<const float> tones,
                                   const HatchOptions& options, Progress& progress);
 

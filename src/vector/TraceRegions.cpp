@@ -18,6 +18,7 @@ namespace {
 // So far from the edge of its pixel may coverage move a border, pixels: farther off is what is seen through, and no
 // border.
 constexpr double kMostOff = 0.75;
+constexpr double kHeld = 0.5;  // pixels
 
 bool isEdge(const PixelBorder& border) { return border.left == kOutside || border.right == kOutside; }
 
@@ -67,11 +68,14 @@ Outline roundLine(const Track& track) {
 
 constexpr std::size_t kSmallest = 12;  // edges of pixels
 
+/// @param held  see Nearness
 Outline smoothLine(const PixelBorder& border, const Track& track, const PixelBorders& borders,
-                   const std::vector<Junction>& junctions) {
+                   const std::vector<Junction>& junctions, double held) {
+  Nearness nearness;
+  nearness.held = held;
   if (border.isClosed()) {
     if (isEdge(border)) return edgeLine(border, track.fence.front(), track.fence.front());
-    return track.points.size() < kSmallest ? roundLine(track) : fitClosedCurves(track);
+    return track.points.size() < kSmallest ? roundLine(track) : fitClosedCurves(track, nearness);
   }
   auto endAt = [&](int node, glm::ivec2 next, double sign) {
     const Junction& junction = junctions[std::size_t(node)];
@@ -82,7 +86,7 @@ Outline smoothLine(const PixelBorder& border, const Track& track, const PixelBor
   };
   CurveEnd from = endAt(border.startNode, border.corners[1], 1.0);
   CurveEnd to = endAt(border.endNode, border.corners[border.corners.size() - 2], -1.0);
-  return isEdge(border) ? edgeLine(border, from.place, to.place) : fitCurves(track, from, to);
+  return isEdge(border) ? edgeLine(border, from.place, to.place) : fitCurves(track, from, to, nearness);
 }
 
 /// Appends a line to another one, which it goes on from. @param isBackwards  from its end to its start
@@ -154,13 +158,14 @@ RegionMap traceRegions(const IdMap& map, const RegionOptions& options, Progress&
     followCoverage(map, border, tracks.back());
   }
   std::vector<Junction> junctions = placeJunctions(borders, tracks);
+  double held = map.coverage.empty() ? kHeld : 0.0;  // what coverage moves is nearer to it than to the edges of pixels
   RegionMap out;
   out.borders.resize(tracks.size());
   parallelForRanges(std::size_t(0), tracks.size(), std::size_t(16), [&](std::size_t first, std::size_t end) {
     progress.throwIfCancelled();
     for (std::size_t i = first; i < end; ++i) {
       const PixelBorder& border = borders.borders[i];
-      out.borders[i] = {smoothLine(border, tracks[i], borders, junctions), border.left, border.right};
+      out.borders[i] = {smoothLine(border, tracks[i], borders, junctions, held), border.left, border.right};
     }
   });
   progress.report(0.9, "tracing regions");

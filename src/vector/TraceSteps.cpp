@@ -102,7 +102,7 @@ double strengthAlong(glm::dvec2 from, const Curve& curve, const Strengths& stren
 }
 
 /// Appends a line as strokes of one strength each.
-void appendStrokes(const Outline& line, const Strengths& strengths, int id, std::vector<Stroke>& strokes) {
+void bandStrokes(const Outline& line, const Strengths& strengths, int id, std::vector<Stroke>& strokes) {
   std::vector<double> classes;
   glm::dvec2 from = line.start;
   for (const Curve& curve : line.curves) {
@@ -121,15 +121,12 @@ void appendStrokes(const Outline& line, const Strengths& strengths, int id, std:
 
 }  // namespace
 
-std::vector<Stroke> traceSteps(const SurfaceMap& map, const View& view, const StepOptions& options,
-                               Progress& progress) {
-  progress.report(0.0, "tracing lines");
-  std::vector<float> values = edgeStrengths(map, view, options);
-  progress.report(0.4, "tracing lines");
-  Mask mask = bandsOf(map.size, values, options.least);
+std::vector<Stroke> traceBands(glm::ivec2 size, std::span<const int> ids, const std::vector<float>& values,
+                               const StepOptions& options, Progress& progress) {
+  Mask mask = bandsOf(size, values, options.least);
   std::vector<PixelChain> chains = thinLines(mask, int(std::ceil(1.5 * options.width)) + 2);
   progress.report(0.7, "tracing lines");
-  Strengths strengths(map.size, values);
+  Strengths strengths(size, values);
   std::vector<Stroke> strokes;
   double least = options.leastLength * options.width;
   for (std::size_t i = 0; i < chains.size(); ++i) {
@@ -141,11 +138,18 @@ std::vector<Stroke> traceSteps(const SurfaceMap& map, const View& view, const St
     Outline line = track.isClosed ? fitClosedCurves(track, nearness)
                                   : fitCurves(track, {track.points.front(), {}}, {track.points.back(), {}}, nearness);
     glm::ivec2 middle = chains[i].pixels[chains[i].pixels.size() / 2];
-    appendStrokes(line, strengths, map.ids[std::size_t(middle.y) * std::size_t(map.size.x) + std::size_t(middle.x)],
-                  strokes);
+    bandStrokes(line, strengths, ids[std::size_t(middle.y) * std::size_t(size.x) + std::size_t(middle.x)], strokes);
   }
   progress.report(1.0, "tracing lines");
   return strokes;
+}
+
+std::vector<Stroke> traceSteps(const SurfaceMap& map, const View& view, const StepOptions& options,
+                               Progress& progress) {
+  progress.report(0.0, "tracing lines");
+  std::vector<float> values = edgeStrengths(map, view, options);
+  progress.report(0.4, "tracing lines");
+  return traceBands(map.size, map.ids, values, options, progress);
 }
 
 }  // namespace velum::vector

@@ -48,6 +48,12 @@ struct Stroke {
 /// are traceRegions()'s. Any thread, on all cores.
 std::vector<float> edgeStrengths(const SurfaceMap& map, const View& view, const StepOptions& options);
 
+/// Strokes along the middles of bands. @param strengths  how much of a line each pixel has, 0..1, row by row
+/// @param ids  of which a stroke has that of its middle  @param options  of which width, least and leastLength count
+/// @throw Cancelled
+std::vector<Stroke> traceBands(glm::ivec2 size, std::span<const int> ids, const std::vector<float>& strengths,
+                               const StepOptions& options, Progress& progress);
+
 /// Strokes along the middles of the bands that edgeStrengths() finds, within about half a pixel. A line whose strength
 /// changes on its way is several strokes, end to end. Any thread; 12 million pixels take a second or two, and some 20
 /// bytes a pixel. @throw Cancelled

@@ -24,6 +24,7 @@ using Object = QPDFObjectHandle;
 struct Part {
   const Plate* plate = nullptr;
   std::size_t page = 0;
+  std::string_view group;
 };
 
 /// A drawing on its way into a document. Cairo draws lines and letters, a page for what stands between two plates;
@@ -37,7 +38,9 @@ class PdfWriter {
   void plan();
   void addForms();
   void addLayers();
-  std::string contentOf(const std::vector<Part>& parts);
+  /// An entry of the list of layers. @return its name in the content
+  std::string addGroup(std::string_view name, bool isHidden, Object& order);
+  std::string contentOf(const std::vector<Part>& parts, Object& order);
   Object imageOf(const Image& image);
   Object streamOf(const Image& image, Alpha alpha);
   std::string number(double pixels) const { return fmt::format("{:.4f}", pixels * mPoints); }
@@ -52,6 +55,7 @@ class PdfWriter {
   std::string mDrawnBytes;     ///< which mDrawn reads
   QPDF mDrawn, mPdf;
   Object mObjects = Object::newDictionary(), mGroups = Object::newDictionary();  ///< by names of the content
+  Object mAll = Object::newArray(), mShown = Object::newArray(), mHidden = Object::newArray();
   std::string mContent;
 };
 
@@ -68,11 +72,11 @@ void PdfWriter::plan() {
     for (const Item& item : layer.items) {
       if (!isDrawable(item)) continue;
       if (auto* plate = std::get_if<Plate>(&item)) {
-        parts.push_back({plate, 0});
+        parts.push_back({plate, 0, {}});
         continue;
       }
-      if (parts.empty() || parts.back().plate) {
-        parts.push_back({nullptr, mPages.size()});
+      if (parts.empty() || parts.back().plate || parts.back().group != groupOf(item)) {
+        parts.push_back({nullptr, mPages.size(), groupOf(item)});
         mPages.emplace_back();
       }
       mPages.back().push_back(&item);
@@ -116,7 +120,21 @@ Object PdfWriter::imageOf(const Image& image) {
   return stream;
 }
 
-std::string PdfWriter::contentOf(const std::vector<Part>& parts) {
+std::string PdfWriter::addGroup(std::string_view name, bool isHidden, Object& order) {
+  Object group = Object::newDictionary();
+  group.replaceKey("/Type", Object::newName("/OCG"));
+  group.replaceKey("/Name", Object::newUnicodeString(cleanText(name)));
+  group = mPdf.makeIndirectObject(group);
+  std::string key = fmt::format("/L{}", mAll.getArrayNItems());
+  mGroups.replaceKey(key, group);
+  mAll.appendItem(group);
+  order.appendItem(group);
+  (isHidden ? mHidden : mShown).appendItem(group);
+  return key;
+}
+
+/// @param order  gets the groups within the layer
+std::string PdfWriter::contentOf(const std::vector<Part>& parts, Object& order) {
   std::string content;
   for (const Part& part : parts) {
     std::string name = fmt::format("/X{}", mObjects.getKeys().size());
@@ -125,30 +143,31 @@ std::string PdfWriter::contentOf(const std::vector<Part>& parts) {
       double bottom = mDrawing.size.y - part.plate->low.y - part.plate->size.y;
       content += fmt::format("q {} 0 0 {} {} {} cm {} Do Q\n", number(part.plate->size.x), number(part.plate->size.y),
                              number(part.plate->low.x), number(bottom), name);
-    } else {
+    } else if (part.group.empty()) {
       content += fmt::format("q {} Do Q\n", name);
+    } else {
+      content += fmt::format("/OC {} BDC\nq {} Do Q\nEMC\n", addGroup(part.group, false, order), name);
     }
   }
   return content;
 }
 
 void PdfWriter::addLayers() {
-  std::vector<Object> groups;
+  Object order = Object::newArray();
   for (std::size_t i = 0; i < mParts.size(); ++i) {
-    Object group = Object::newDictionary();
-    group.replaceKey("/Type", Object::newName("/OCG"));
-    group.replaceKey("/Name", Object::newUnicodeString(cleanText(mDrawing.layers[i].name)));
-    groups.push_back(mPdf.makeIndirectObject(group));
-    std::string name = fmt::format("/L{}", i);
-    mGroups.replaceKey(name, groups.back());
-    mContent += fmt::format("/OC {} BDC\n{}EMC\n", name, contentOf(mParts[i]));
+    const Layer& layer = mDrawing.layers[i];
+    Object within = Object::newArray();
+    std::string name = addGroup(layer.name, layer.isHidden, order);
+    mContent += fmt::format("/OC {} BDC\n{}EMC\n", name, contentOf(mParts[i], within));
+    if (within.getArrayNItems() > 0) order.appendItem(within);
   }
   Object shown = Object::newDictionary(), properties = Object::newDictionary();
-  shown.replaceKey("/Order", Object::newArray(groups));
-  shown.replaceKey("/ON", Object::newArray(groups));
-  properties.replaceKey("/OCGs", Object::newArray(groups));
+  shown.replaceKey("/Order", order);
+  shown.replaceKey("/ON", mShown);
+  if (mHidden.getArrayNItems() > 0) shown.replaceKey("/OFF", mHidden);
+  properties.replaceKey("/OCGs", mAll);
   properties.replaceKey("/D", shown);
-  if (!groups.empty()) mPdf.getRoot().replaceKey("/OCProperties", properties);
+  if (mAll.getArrayNItems() > 0) mPdf.getRoot().replaceKey("/OCProperties", properties);
 }
 
 std::string PdfWriter::takeText() {

@@ -180,10 +180,19 @@ void SvgWriter::write(const Plate& plate) {
 }
 
 void SvgWriter::write(const Layer& layer) {
-  put("<g id=\"{}\" inkscape:groupmode=\"layer\" inkscape:label=\"{}\">\n", idOf("layer-" + layer.name, "layer"),
-      xmlText(layer.name));
-  for (const Item& item : layer.items)
-    if (isDrawable(item)) std::visit([&](const auto& one) { write(one); }, item);
+  put("<g id=\"{}\" inkscape:groupmode=\"layer\" inkscape:label=\"{}\"{}>\n", idOf("layer-" + layer.name, "layer"),
+      xmlText(layer.name), layer.isHidden ? " style=\"display:none\"" : "");
+  std::string_view group;
+  for (const Item& item : layer.items) {
+    if (!isDrawable(item)) continue;
+    if (groupOf(item) != group) {
+      if (!group.empty()) put("</g>\n");
+      group = groupOf(item);
+      if (!group.empty()) put("<g id=\"{}\" inkscape:label=\"{}\">\n", idOf(group, "group"), xmlText(group));
+    }
+    std::visit([&](const auto& one) { write(one); }, item);
+  }
+  if (!group.empty()) put("</g>\n");
   put("</g>\n");
 }
 

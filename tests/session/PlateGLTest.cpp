@@ -3,11 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <set>
 
 #include "GlFixture.h"
 #include "core/ImageChannels.h"
+#include "makeModel.h"
 #include "makeVolume.h"
+#include "model/Levels.h"
 #include "scene/Finishes.h"
 #include "scene/Scene.h"
 #include "session/picture/Picture.h"
@@ -47,6 +50,21 @@ class PlateGL : public GlTest {
     scene.finish.contourWidth = 12.0;
     return scene;
   }
+  /// Molecules of two compartments, black lines, no light. @param away  how far the eye is
+  static scene::Scene cluster(double away) {
+    scene::Scene scene;
+    scene.unit = LengthUnit::Angstrom;
+    ModelMaker maker{4, 300, 120, 30.0f, 130.0f, 3};
+    scene.model.data = Shared<Model>(maker.make());
+    scene.model.levels = Shared<LevelSet>(model::computeLevels(*scene.model.data, sProgress));
+    scene.lighting.shaded = false;
+    scene.background.top = scene.background.bottom = glm::vec3(1.0f);
+    scene.camera = scene::frameCamera(scene, scene::StandardView::Anterior, double(kPlateSize.x) / kPlateSize.y);
+    scene.camera.eye = scene.camera.target + away * (scene.camera.eye - scene.camera.target);
+    scene.finish.contours = 1.0;
+    scene.finish.contourColor = glm::vec3(0.0f);
+    return scene;
+  }
   static PictureOptions options() { return {kPlateSize, 4, false, false, 0}; }
   static vector::Drawing plateOf(const scene::Scene& scene) {
     return drawPlate(*sRenderer, scene, options(), context().limits(), sProgress);
@@ -73,6 +91,31 @@ double meanDifference(const Image& a, const Image& b) {
     for (std::size_t c = 0; c < 3; ++c) sum += std::abs(a.pixels[i * n + c] - b.pixels[i * m + c]);
   return sum / double(3 * count);
 }
+
+/// How dark lines make each pixel.
+struct Darkness {
+  explicit Darkness(glm::ivec2 area) : size(area), values(std::size_t(area.x) * std::size_t(area.y)) {}
+  double sum() const { return std::accumulate(values.begin(), values.end(), 0.0); }
+  float at(glm::ivec2 p) const {
+    bool isInside = p.x >= 0 && p.y >= 0 && p.x < size.x && p.y < size.y;
+    return isInside ? values[std::size_t(p.y) * std::size_t(size.x) + std::size_t(p.x)] : 0.0f;
+  }
+  /// Of the pixels that are dark those within 1.5 pixels of what the other has.
+  double shareNear(const Darkness& other) const {
+    double dark = 0.0, near = 0.0;
+    for (int y = 0; y < size.y; ++y)
+      for (int x = 0; x < size.x; ++x) {
+        if (at({x, y}) < 0.5f) continue;
+        ++dark;
+        float most = 0.0f;
+        for (int i = 0; i < 9; ++i) most = std::max(most, other.at({x + i % 3 - 1, y + i / 3 - 1}));
+        near += most > 0.2f;
+      }
+    return near / std::max(dark, 1.0);
+  }
+  glm::ivec2 size;
+  std::vector<float> values;
+};
 
 }  // namespace
 
@@ -108,12 +151,65 @@ TEST_F(PlateGL, EachStructureHasClosedContoursOfItsName) {
   EXPECT_TRUE(closed.contains("left") && closed.contains("right"));
 }
 
-TEST_F(PlateGL, WithoutLinesOfTheFinishThereAreNoneAndTheTransparentHaveNoPaper) {
+TEST_F(PlateGL, ContoursThatTheFinishLacksAreHiddenAndTheTransparentHaveNoPaper) {
   scene::Scene scene = twoBalls();
+  vector::Drawing lined = plateOf(scene);
   scene.finish.contours = 0.0;
-  EXPECT_FALSE(layer(plateOf(scene), "contours"));
+  vector::Drawing drawing = plateOf(scene);
+  const vector::Layer* hidden = layer(drawing, "contours");
+  ASSERT_TRUE(hidden && hidden->isHidden);
+  EXPECT_FALSE(layer(lined, "contours")->isHidden);
+  EXPECT_EQ(hidden->items.size(), layer(lined, "contours")->items.size());
+  // Pictures, files' first look and what journals refuse are without them.
+  vector::Drawing bare = drawing;
+  std::erase_if(bare.layers, [](const vector::Layer& one) { return one.isHidden; });
+  Image with{kPlateSize.x, kPlateSize.y, {"R", "G", "B"}, {}};
+  with.pixels.assign(std::size_t(3 * kPlateSize.x * kPlateSize.y), 0.0f);
+  Image without = with;
+  vector::paint(std::span<const vector::Layer>(drawing.layers), with);
+  vector::paint(std::span<const vector::Layer>(bare.layers), without);
+  EXPECT_EQ(with.pixels, without.pixels);
+  EXPECT_EQ(journalNotes(drawing), journalNotes(bare));
   scene.background.transparent = true;
   EXPECT_FALSE(layer(plateOf(scene), "paper"));
+}
+
+TEST_F(PlateGL, LinesOfModelsLieOnThoseThatTheFinishDraws) {
+  for (double away : {1.0, 4.0}) {
+    scene::Scene scene = cluster(away);
+    PictureOptions large{{500, 500}, 4, false, false, 0};
+    vector::Drawing drawing = drawPlate(*sRenderer, scene, large, context().limits(), sProgress);
+    Darkness traced(large.size), drawn(large.size);
+    Image lines{500, 500, {"R", "G", "B"}, std::vector<float>(std::size_t(3 * 500 * 500), 1.0f)};
+    vector::paint(layer(drawing, "contours")->items, lines);
+    Image with = drawPicture(*sRenderer, scene, large, context().limits(), sProgress);
+    scene.finish.contours = 1e-6;
+    Image without = drawPicture(*sRenderer, scene, large, context().limits(), sProgress);
+    std::size_t n = with.channels.size();
+    for (std::size_t i = 0; i < traced.values.size(); ++i) {
+      traced.values[i] = 1.0f - lines.pixels[3 * i];
+      drawn.values[i] = without.pixels[n * i] > 0.05f ? 1.0f - with.pixels[n * i] / without.pixels[n * i] : 0.0f;
+    }
+    EXPECT_GT(drawn.sum(), 1000.0) << "there are lines to compare";
+    EXPECT_GT(drawn.shareNear(traced), 0.98) << away;
+    EXPECT_GT(traced.shareNear(drawn), 0.98) << away;
+    EXPECT_NEAR(traced.sum() / drawn.sum(), 1.0, 0.2) << away;
+  }
+}
+
+TEST_F(PlateGL, LinesOfACompartmentAreAGroupWithItsTypes) {
+  vector::Drawing drawing = plateOf(cluster(1.0));
+  const vector::Layer* contours = layer(drawing, "contours");
+  ASSERT_TRUE(contours);
+  std::vector<std::string> groups;
+  std::set<std::string> names;
+  for (const vector::Item& item : contours->items) {
+    const auto& shape = std::get<vector::Shape>(item);
+    if (groups.empty() || groups.back() != shape.group) groups.push_back(shape.group);
+    names.insert(shape.group + "/" + shape.name);
+  }
+  EXPECT_EQ(groups, (std::vector<std::string>{"a", "b"})) << "each once";
+  EXPECT_EQ(names, (std::set<std::string>{"a/type0", "b/type1", "a/type2", "b/type3"}));
 }
 
 TEST_F(PlateGL, NamesArePointedAtWhatIsSeen) {

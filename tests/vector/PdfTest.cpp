@@ -148,6 +148,32 @@ TEST_F(PdfPrograms, LayersAreSwitchedByTheirNames) {
   EXPECT_LT(differenceOf(readPng("off.png"), image).far, 0.001);
 }
 
+TEST_F(PdfPrograms, GroupsAreListedWithinTheirLayerAndHiddenLayersAreOff) {
+  if (!has("qpdf")) GTEST_SKIP() << "qpdf is not there: install Debian's qpdf";
+  auto inGroup = [](const char* group, double x) {
+    Shape shape = filled({circle({x, 50}, 20)});
+    shape.group = group;
+    return shape;
+  };
+  Drawing drawing{{400, 100},
+                  72.0,
+                  "",
+                  {{"lines", {inGroup("inner", 50), inGroup("inner", 100), inGroup("outer", 150)}},
+                   {"off", {inGroup("", 300)}, true}}};
+  writePdf(drawing, mFolder / "plate.pdf");
+  EXPECT_NE(run("qpdf --check plate.pdf").find("No syntax or stream encoding errors"), std::string::npos);
+  std::string text = unpacked();
+  for (const char* name : {"lines", "inner", "outer", "off"})
+    EXPECT_NE(text.find(std::string("/Name (") + name + ")"), std::string::npos) << name;
+  EXPECT_EQ(text.find("/Name (inner)", text.find("/Name (inner)") + 1), std::string::npos) << "once";
+  EXPECT_NE(text.find("/OFF ["), std::string::npos);
+  run("pdftocairo -png -singlefile -r 72 plate.pdf drawn");
+  Image image = plainImage(400, 100);
+  paint(drawing.layers, image);
+  EXPECT_NEAR(coverOf(image), 3 * 3.1416 * 400, 20.0) << "a hidden layer is not painted";
+  EXPECT_LT(differenceOf(readPng("drawn.png"), image).far, 0.001) << "nor drawn";
+}
+
 TEST_F(PdfPrograms, AnyTextIsAFile) {
   Shape shape = filled({circle({5, 5}, 2)});
   shape.name = kHostileText;

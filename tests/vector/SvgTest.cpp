@@ -42,6 +42,18 @@ TEST(Svg, NamesAreIdsOnceEach) {
   EXPECT_EQ(countOf(svg, "<title>Lung</title>"), 3u);
 }
 
+TEST(Svg, ShapesOfAGroupAreOneElementAndHiddenLayersAreOff) {
+  Shape one = filled({circle({5, 5}, 2)}), other = one, alone = one;
+  one.group = other.group = "capsid / surface";
+  Drawing drawing{{10, 10}, 300.0, "", {{"contours", {one, other, alone}, true}}};
+  std::string svg = svgOf(drawing);
+  EXPECT_NE(svg.find("inkscape:label=\"contours\" style=\"display:none\">"), std::string::npos) << svg;
+  EXPECT_EQ(countOf(svg, "<g id=\"capsid-surface\" inkscape:label=\"capsid / surface\">"), 1u) << svg;
+  EXPECT_EQ(countOf(svg, "<g "), countOf(svg, "</g>"));
+  std::size_t group = svg.find("capsid-surface"), end = svg.find("</g>", group);
+  EXPECT_EQ(countOf(svg.substr(group, end - group), "<path"), 2u) << "and the third stands behind it";
+}
+
 TEST(Svg, WhatCannotBeDrawnIsLeftOut) {
   std::string svg = svgOf({{10, 10}, 300.0, "", {{"a", undrawable()}}});
   EXPECT_EQ(svg.find("nan"), std::string::npos);
@@ -59,6 +71,19 @@ TEST(Svg, LinesAndLabelsAreSmall) {
 }
 
 class SvgPrograms : public Programs {};
+
+TEST_F(SvgPrograms, RsvgDrawsGroupsAndNoHiddenLayers) {
+  if (!has("rsvg-convert")) GTEST_SKIP() << "rsvg-convert is not there: install Debian's librsvg2-bin";
+  Shape shown = filled({circle({50, 50}, 20)}), hidden = filled({circle({150, 50}, 20)});
+  shown.group = hidden.group = "a & b";
+  Drawing drawing{{200, 100}, 300.0, "", {{"on", {shown}}, {"off", {hidden}, true}}};
+  writeSvg(drawing, mFolder / "hidden.svg");
+  run("rsvg-convert -w 200 -h 100 -b white -o hidden.png hidden.svg");
+  Image image = plainImage(200, 100);
+  paint(drawing.layers, image);
+  EXPECT_NEAR(coverOf(image), 3.1416 * 400, 10.0);
+  EXPECT_LT(differenceOf(readPng("hidden.png"), image).far, 0.001);
+}
 
 TEST_F(SvgPrograms, RsvgDrawsWhatIsPainted) {
   if (!has("rsvg-convert")) GTEST_SKIP() << "rsvg-convert is not there: install Debian's librsvg2-bin";

@@ -10,9 +10,9 @@
 namespace velum::vector {
 namespace {
 
-// A border that is drawn on pixels lies within half a pixel of their edges; what is traced from it knows it to a part
-// of a pixel.
-constexpr double kWorst = 0.75;
+// A border that is drawn on pixels lies within half a pixel of their edges, and comes as near to that where it is
+// nearly level; a fiftieth more is not worth taking lines apart, and a hundredth is missed.
+constexpr double kWorst = 0.53;
 
 RegionMap trace(const Picture& picture, double least = 0.0) {
   Progress progress;
@@ -49,7 +49,7 @@ TEST(TraceRegions, CirclesAreRoundOfFewCurves) {
     expectLaws(picture, traced, "radius " + std::to_string(radius));
     ASSERT_EQ(regionOf(traced, 1).outlines.size(), 1u);
     const Outline& outline = regionOf(traced, 1).outlines.front();
-    EXPECT_LE(outline.curves.size(), 14u) << radius;
+    EXPECT_LE(outline.curves.size(), 22u) << radius;
     walkAlong(outline, 0.25, [&](glm::dvec2 p) { EXPECT_NEAR(glm::distance(p, middle), radius, 0.45); });
   }
 }
@@ -80,7 +80,7 @@ TEST(TraceRegions, TurnedBoxesHaveFourStraightSides) {
     });
     RegionMap traced = trace(picture);
     expectLaws(picture, traced, "turned");
-    EXPECT_LE(regionOf(traced, 1).outlines.front().curves.size(), 8u) << angle;
+    EXPECT_LE(regionOf(traced, 1).outlines.front().curves.size(), 10u) << angle;
   }
 }
 
@@ -114,7 +114,7 @@ TEST(TraceRegions, ThreeMeetInAPoint) {
     if (border.left == 0 || border.right == 0 || border.line.isClosed) continue;
     for (glm::dvec2 end : {border.line.start, border.line.curves.back().end})
       if (glm::distance(end, middle) < 1.2) ++ends;
-    EXPECT_LE(border.line.curves.size(), 3u);  // they are straight
+    EXPECT_LE(border.line.curves.size(), 6u);  // they are straight
   }
   EXPECT_EQ(ends, 3);
 }
@@ -186,6 +186,7 @@ TEST(TraceRegions, NoiseIsTracedWithoutHarm) {
     RegionMap traced = trace(picture, least);
     if (least == 0.0) {
       EXPECT_EQ(faultsOf(picture, traced).wrongInside, 0);
+      EXPECT_LT(faultsOf(picture, traced).worst, kWorst);
     }
     for (const Region& region : traced.regions)
       for (const Outline& outline : region.outlines)
@@ -210,6 +211,39 @@ TEST(TraceRegions, ManyRegionsOfALargePictureAreAMap) {
   });
   Faults faults = expectLaws(picture, trace(picture, 12.0), "map");
   EXPECT_LT(faults.per1000, 40.0);
+}
+
+TEST(TraceRegions, SlopesAreStraightHoweverLongTheirSteps) {
+  for (double slope : {0.004, 0.01, 0.03, 0.1, 0.33, 0.5, 0.77}) {
+    Picture picture = paint({900, 750}, [&](glm::dvec2 p) { return p.y > slope * p.x + 20.3 ? 1 : 0; });
+    RegionMap traced = trace(picture);
+    expectLaws(picture, traced, "slope " + std::to_string(slope));
+    for (const Border& border : traced.borders) {
+      if (border.left == kOutside || border.right == kOutside) continue;
+      EXPECT_LE(border.line.curves.size(), 11u) << slope;
+      walkAlong(border.line, 1.0, [&](glm::dvec2 p) { EXPECT_NEAR(p.y, slope * p.x + 20.3, 0.5) << slope; });
+    }
+  }
+}
+
+TEST(TraceRegions, NothingIsFarFromPixelsThatAreRough) {
+  std::mt19937 random(5);
+  Picture smooth = paint({300, 300}, [&](glm::dvec2 p) {
+    double angle = std::atan2(p.y - 150, p.x - 150), radius = glm::distance(p, {150, 150});
+    return radius + 5 * std::sin(17 * angle) + 2 * std::sin(53 * angle) < 90 ? 1 : radius < 130 ? 2 : 0;
+  });
+  Picture rough = paint(smooth.size, [&](glm::dvec2 p) {
+    return smooth.at(glm::ivec2(p) + glm::ivec2(int(random() % 5u) - 2, int(random() % 5u) - 2));
+  });
+  for (int& id : rough.ids) id = std::max(id, 0);
+  EXPECT_LT(faultsOf(rough, trace(rough)).worst, kWorst);
+  std::vector<glm::dvec2> seeds;
+  for (int i = 0; i < 1500; ++i) seeds.emplace_back(double(random() % 200u), double(random() % 200u));
+  Picture crowd = paint({200, 200}, [&](glm::dvec2 p) {
+    auto nearest = std::ranges::min_element(seeds, {}, [&](glm::dvec2 seed) { return glm::distance(p, seed); });
+    return int(nearest - seeds.begin()) % 40 + 1;
+  });
+  EXPECT_LT(faultsOf(crowd, trace(crowd)).worst, kWorst);
 }
 
 TEST(TraceRegions, IsCancelled) {

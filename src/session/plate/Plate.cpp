@@ -13,6 +13,7 @@
 #include "session/document/Open.h"
 #include "session/lettering/Lettering.h"
 #include "session/model/TrueLevels.h"
+#include "session/plate/ModelLines.h"
 #include "session/plate/PlateLines.h"
 #include "vector/WritePdf.h"
 #include "vector/WriteSvg.h"
@@ -22,6 +23,7 @@ namespace velum::session {
 namespace {
 
 constexpr double kUsualDpi = 300.0, kInch = 25.4;  // mm
+constexpr double kUnseen = 1e-6;
 
 vector::Layer plateLayer(std::string name, Image image) {
   glm::dvec2 size(image.width, image.height);
@@ -71,7 +73,11 @@ vector::Drawing drawPlate(render::Renderer& renderer, const scene::Scene& scene,
   if (!frame.scene.background.transparent) drawing.layers.push_back(paperLayer(renderer, frame, window, progress));
   // What becomes lines is not drawn in pixels, too.
   scene::Scene lined = frame.scene;
-  frame.scene.finish.contours = frame.scene.finish.hatching = 0.0;
+  bool isForModel = isModelAlone(lined);
+  frame.scene.finish.hatching = 0.0;
+  // A finish calms specks of models: it is there, and draws nothing.
+  bool isCalmed = isForModel && (lined.finish.contours > 0.0 || lined.finish.hatching > 0.0);
+  frame.scene.finish.contours = isCalmed ? kUnseen : 0.0;
   frame.scene.finish.paper = scene::Paper::None;
   frame.scene.background.transparent = true;
   Image image =
@@ -83,7 +89,12 @@ vector::Drawing drawPlate(render::Renderer& renderer, const scene::Scene& scene,
     frame.scene.finish.litSphere = 0.0;
     unlit = render::renderPicture(renderer, frame, {}, window, progress);
   }
-  addLayers(drawing, tracedLines(image, hasSpheres ? unlit : image, lined, progress));
+  Image lines;
+  if (isForModel) {
+    frame.scene = sceneOfLines(std::move(frame.scene));
+    lines = render::renderPicture(renderer, frame, {.lines = true}, window, progress);
+  }
+  addLayers(drawing, tracedLines({image, hasSpheres ? unlit : image, lines}, lined, progress));
   addLayers(drawing, layersOf(letteringBlocks(lined, options.size, seenIn(image, lined, progress))));
   return drawing;
 }

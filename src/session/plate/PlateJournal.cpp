@@ -31,8 +31,10 @@ struct Extremes {
 
 std::vector<std::string> journalNotes(const vector::Drawing& drawing) {
   Extremes found;
-  for (const vector::Layer& layer : drawing.layers)
+  for (const vector::Layer& layer : drawing.layers) {
+    if (layer.isHidden) continue;
     for (const vector::Item& item : layer.items) std::visit([&](const auto& of) { found.take(of); }, item);
+  }
   double points = kPoints / drawing.dpi;
   std::vector<std::string> notes;
   if (drawing.dpi < kLeastDpi - kRounding)

@@ -5,16 +5,19 @@
 #include <iterator>
 #include <limits>
 #include <map>
+#include <optional>
 #include <set>
 #include <span>
 #include <string>
 #include <tuple>
+#include <utility>
 
 #include "core/ImageChannels.h"
 #include "scene/Project.h"
 #include "scene/Scene.h"
 #include "scene/SectionPlane.h"
-#include "session/structure/StructureEdit.h"
+#include "session/plate/ModelLines.h"
+#include "session/plate/Owners.h"
 #include "vector/TraceHatching.h"
 #include "vector/TraceRegions.h"
 #include "vector/TraceSteps.h"
@@ -32,8 +35,7 @@ constexpr double kFinestHatching = 3.0;   // pixels
 /// What a picture shows, channel by channel.
 class SeenPixels {
  public:
-  SeenPixels(const Image& image, const scene::Scene& scene)
-      : mImage(image), mScene(scene), size(image.width, image.height) {
+  SeenPixels(const Image& image, const scene::Scene& scene) : mImage(image), size(image.width, image.height) {
     std::size_t channels = image.channels.size();
     std::map<std::tuple<int, int>, int> known;
     const int alpha = of("A"), depth = of("Z"), id = of("id"), instance = of("instance"), type = of("type"),
@@ -46,8 +48,8 @@ class SeenPixels {
       if (isSeen) {
         auto key = std::tuple(int(at(id, 0.0f)), int(at(instance, 0.0f)));
         bool parts = scene.finish.contourStructures > 0.0;
-        auto [found, isNew] = known.try_emplace(parts ? key : std::tuple(0, 0), int(names.size()) + 1);
-        if (isNew) names.push_back(parts ? nameOf(std::get<0>(key), int(at(type, -1.0f))) : "");
+        auto [found, isNew] = known.try_emplace(parts ? key : std::tuple(0, 0), int(owners.size()) + 1);
+        if (isNew) owners.push_back(parts ? ownerOf(scene, std::get<0>(key), int(at(type, -1.0f))) : Owner{});
         region = found->second;
       }
       faces.push_back(isSeen ? int(at(face, 0.0f)) : 0);
@@ -61,22 +63,14 @@ class SeenPixels {
 
  private:
   int of(const char* channel) const { return channelIndex(mImage, channel); }
-  std::string nameOf(int structure, int type) const {
-    if (structure > 0 && type < 0) return structureName(mScene, structure);
-    if (type < 0 || !mScene.model.data || std::size_t(type) >= mScene.model.data->types.size()) return {};
-    const Model& model = *mScene.model.data;
-    return scene::shownName(mScene.model, pathOf(model, model.types[std::size_t(type)]),
-                            model.types[std::size_t(type)].name);
-  }
 
   const Image& mImage;
-  const scene::Scene& mScene;
 
  public:
   glm::ivec2 size;
-  std::vector<int> ids;            ///< of regions, from 1; 0: nothing
-  std::vector<std::string> names;  ///< of regions, by id - 1
-  std::vector<int> faces;          ///< of cuts, from 1
+  std::vector<int> ids;       ///< of regions, from 1; 0: nothing
+  std::vector<Owner> owners;  ///< of regions, by id - 1
+  std::vector<int> faces;     ///< of cuts, from 1
   std::vector<float> distances, opacities;
   std::vector<glm::vec3> normals;
 };
@@ -103,15 +97,14 @@ double stepLengthOf(const scene::Scene& scene) {
 
 double pixelsOf(double length, const SeenPixels& seen) { return length * seen.size.y / kRowsOfFinish; }
 
-/// The outlines of regions, those of one name together. @param names  by id - 1
-std::vector<vector::Item> outlinesOf(const SeenPixels& seen, std::span<const int> ids,
-                                     const std::vector<std::string>& names, const vector::Pen& pen,
-                                     Progress& progress) {
+/// The outlines of regions, those of one owner together. @param owners  by id - 1
+std::vector<vector::Item> outlinesOf(const SeenPixels& seen, std::span<const int> ids, std::span<const Owner> owners,
+                                     const vector::Pen& pen, Progress& progress) {
   vector::RegionMap map = vector::traceRegions({seen.size, ids, {}}, {}, progress);
-  std::map<std::string, vector::Shape> byName;
+  std::map<Owner, vector::Shape> byOwner;
   auto shapeOf = [&](int id) -> vector::Shape& {
-    const std::string& name = names[std::size_t(id) - 1];
-    return byName.try_emplace(name, vector::Shape{name, {}, pen, {}}).first->second;
+    const Owner& owner = owners[std::size_t(id) - 1];
+    return byOwner.try_emplace(owner, vector::Shape{owner.name, {}, pen, {}, owner.group}).first->second;
   };
   // What goes beyond the picture has no line along the picture's edge, and is open there.
   std::set<int> beyond;
@@ -126,63 +119,81 @@ std::vector<vector::Item> outlinesOf(const SeenPixels& seen, std::span<const int
     if (!beyond.contains(region.id))
       std::ranges::move(region.outlines, std::back_inserter(shapeOf(region.id).outlines));
   std::vector<vector::Item> items;
-  for (auto& [name, shape] : byName) items.emplace_back(std::move(shape));
+  for (auto& [owner, shape] : byOwner) items.emplace_back(std::move(shape));
   return items;
 }
 
-/// Strokes of one region and one width together. @param widthOf  of a stroke, pixels
-template <class Width>
-std::vector<vector::Item> strokesOf(const SeenPixels& seen, std::vector<vector::Stroke> strokes, vector::Pen pen,
-                                    const Width& widthOf) {
-  std::map<std::pair<std::string, double>, vector::Shape> shapes;
-  for (vector::Stroke& stroke : strokes) {
-    std::string name = stroke.id > 0 ? seen.names[std::size_t(stroke.id) - 1] : "";
-    pen.width = widthOf(stroke.strength);
-    vector::Shape& shape = shapes.try_emplace({name, pen.width}, vector::Shape{name, {}, pen, {}}).first->second;
-    shape.outlines.push_back(std::move(stroke.line));
-  }
-  std::vector<vector::Item> items;
-  for (auto& [key, shape] : shapes) items.emplace_back(std::move(shape));
+std::vector<vector::Item> hatchingOf(const SeenPixels& seen, const Image& unlit, const scene::Scene& scene,
+                                     Progress& progress) {
+  const scene::Finish& finish = scene.finish;
+  double spacing = std::max(kFinestHatching, pixelsOf(finish.hatchWidth, seen));
+  vector::Pen pen{finish.contourColor, 1.0, finish.hatching, {}};
+  auto strokes =
+      vector::traceHatching(seen.surfaces(), viewOf(scene.camera), tonesOf(unlit), {spacing, true}, progress);
+  return itemsOf(std::move(strokes), seen.owners, pen, spacing, 0.3);
+}
+
+std::vector<vector::Item> contoursOf(const SeenPixels& seen, const scene::Scene& scene, const vector::Pen& pen,
+                                     Progress& progress) {
+  const scene::Finish& finish = scene.finish;
+  vector::StepOptions steps{finish.contourSteps, finish.contourCreases, pen.width, stepLengthOf(scene)};
+  auto strokes = vector::traceSteps(seen.surfaces(), viewOf(scene.camera), steps, progress);
+  std::vector<vector::Item> items = itemsOf(std::move(strokes), seen.owners, pen, pen.width, kThinnest * pen.width);
+  std::ranges::move(outlinesOf(seen, seen.ids, seen.owners, pen, progress), std::back_inserter(items));
+  // Those of a compartment, a structure or a type lie together.
+  std::ranges::stable_sort(items, {}, [](const vector::Item& item) {
+    const auto& shape = std::get<vector::Shape>(item);
+    return std::pair(shape.group, shape.name);
+  });
   return items;
+}
+
+/// Whether what nobody sees is small enough to be there all the same.
+bool isSmall(const vector::Layer& layer) {
+  constexpr std::size_t kMostCurves = 40'000;  // of some 40 bytes each in an SVG
+  std::size_t curves = 0;
+  for (const vector::Item& item : layer.items)
+    for (const vector::Outline& outline : std::get<vector::Shape>(item).outlines) curves += outline.curves.size();
+  return curves <= kMostCurves;
 }
 
 }  // namespace
 
 render::Layers plateLayers(const scene::Scene& scene) {
   render::Layers layers;
-  bool hasLines = scene.finish.contours > 0.0 || scene.finish.hatching > 0.0;
+  bool isForModel = isModelAlone(scene), hasLines = !isForModel || scene.finish.hatching > 0.0;
   layers.depth = layers.structure = layers.instance = layers.normal = hasLines;
   layers.face = hasLines && !scene.cuts.empty();
   layers.type = bool(scene.model.data) && hasLines;
   return layers;
 }
 
-std::vector<vector::Layer> tracedLines(const Image& image, const Image& unlit, const scene::Scene& scene,
-                                       Progress& progress) {
-  const scene::Finish& finish = scene.finish;
-  if (finish.contours <= 0.0 && finish.hatching <= 0.0) return {};
+scene::Scene sceneOfLines(scene::Scene scene) {
+  scene.finish.contours = 1.0;
+  scene.finish.hatching = scene.finish.litSphere = 0.0;
+  scene.rayCast.samplesPerPixel = 1;
+  return scene;
+}
+
+std::vector<vector::Layer> tracedLines(const PlateImages& images, scene::Scene scene, Progress& progress) {
   progress.report(0.8, "Tracing lines");
-  SeenPixels seen(image, scene);
-  vector::View view = viewOf(scene.camera);
+  bool isForModel = isModelAlone(scene), isHidden = scene.finish.contours <= 0.0;
+  if (isHidden) scene.finish.contours = 1.0;
+  const scene::Finish& finish = scene.finish;
+  std::optional<SeenPixels> seen;
+  if (!isForModel || finish.hatching > 0.0) seen.emplace(images.picture, scene);
   std::vector<vector::Layer> layers;
-  if (finish.hatching > 0.0) {
-    double spacing = std::max(kFinestHatching, pixelsOf(finish.hatchWidth, seen));
-    vector::Pen pen{finish.contourColor, 1.0, finish.hatching, {}};
-    auto strokes = vector::traceHatching(seen.surfaces(), view, tonesOf(unlit), {spacing, true}, progress);
-    layers.push_back({"hatching", strokesOf(seen, std::move(strokes), pen,
-                                            [&](double share) { return std::max(0.3, share * spacing); })});
+  if (finish.hatching > 0.0) layers.push_back({"hatching", hatchingOf(*seen, images.unlit, scene, progress)});
+  if (isForModel) {
+    layers.push_back({"contours", modelContours(images.lines, scene, progress), isHidden});
+  } else {
+    vector::Pen pen{finish.contourColor, pixelsOf(finish.contourWidth, *seen), finish.contours, {}};
+    layers.push_back({"contours", contoursOf(*seen, scene, pen, progress), isHidden});
+    std::vector<Owner> cuts;
+    for (const scene::Cut& cut : scene.cuts) cuts.push_back({"", cut.name});
+    if (!cuts.empty()) layers.push_back({"cut lines", outlinesOf(*seen, seen->faces, cuts, pen, progress), isHidden});
   }
-  if (finish.contours <= 0.0) return layers;
-  double width = pixelsOf(finish.contourWidth, seen);
-  vector::Pen pen{finish.contourColor, width, finish.contours, {}};
-  vector::StepOptions steps{finish.contourSteps, finish.contourCreases, width, stepLengthOf(scene)};
-  vector::Layer contours{"contours", strokesOf(seen, vector::traceSteps(seen.surfaces(), view, steps, progress), pen,
-                                               [&](double share) { return width * std::max(kThinnest, share); })};
-  std::ranges::move(outlinesOf(seen, seen.ids, seen.names, pen, progress), std::back_inserter(contours.items));
-  layers.push_back(std::move(contours));
-  std::vector<std::string> cuts;
-  for (const scene::Cut& cut : scene.cuts) cuts.push_back(cut.name);
-  if (!cuts.empty()) layers.push_back({"cut lines", outlinesOf(seen, seen.faces, cuts, pen, progress)});
+  std::erase_if(layers, [](const vector::Layer& layer) { return layer.isHidden && !isSmall(layer); });
   return layers;
 }
 

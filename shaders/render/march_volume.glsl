@@ -20,6 +20,15 @@ struct Segment {
   vec2 solids1;
 };
 
+/// The face that a ray has come through last.
+struct Entry {
+  int cut;
+  float t;           // where; < 0: none
+  vec3 normal;
+  float extinction;  // of the data's material there, by the transfer function
+  bool isSolid;      // a voxel of what begins on it is half opaque, or more: what is seen there is a face
+};
+
 /// Whether each sample asks whose it is. Where structures have no say in what is seen, only what is hit is asked in the end.
 bool asksStructures() {
   return hasFlag(kFlagInlays) || hasFlag(kFlagSheets) || (LABELS == 1 && hasFlag(kFlagStructureLooks));
@@ -30,10 +39,27 @@ bool asksStructures() {
 bool mayBeSolid(vec2 a, vec2 b) { return max(a.y, b.y) > 0.5; }
 #endif
 
+const float kHalfOpaque = 0.693147;  // optical depth
+
+/// The cut on whose face a segment shows, or -1: that through which its ray has come into material, less than a voxel ago.
+/// What lies behind a face, however near, and begins by itself, is no face.
+/// @param tm  middle of what shows of it  @param ofData  its optical depth without what is shown as a surface
+int faceSeen(inout Entry entry, Segment segment, float tm, float ofData, bool isSolid, Ray ray) {
+  if ((segment.t0 - entry.t) * frame.voxelsPerLength < 0.01) {
+    // As opaque as the transfer function says of the face itself, and by as much less as looks, gradients and inlays say of the segment.
+    float extinction = entry.extinction * ofData / max(segment.depth, 1e-12);
+    bool isDense = segment.share0 > 0.5 && extinction > kHalfOpaque * frame.voxelsPerLength;
+    entry.isSolid = isDense || isSolid && segment.solids0.x > 0.5;
+  }
+  float voxels = (tm - entry.t) * -dot(entry.normal, ray.direction) * frame.voxelsPerLength;
+  return entry.t >= 0.0 && entry.isSolid && voxels < 1.0 ? entry.cut : -1;
+}
+
 /// Shades and composites one segment.
 /// @param slot  of groupSlot(), of its group
-/// @param faceT  where the face lies that the ray has come through last; < 0: none
-void addSegment(inout Hit hit, Ray ray, Walk walk, Segment segment, int slot, float faceT, vec3 faceNormal, bool sparedOnly) {
+void addSegment(inout Hit hit, Ray ray, Walk walk, Segment segment, int slot, inout Entry entry, bool sparedOnly) {
+  float faceT = entry.t;
+  vec3 faceNormal = entry.normal;
   float tm = 0.5 * (segment.t0 + segment.t1);
   vec2 classes = vec2(1.0, 0.0);
 #if LABELS != 0
@@ -63,6 +89,7 @@ void addSegment(inout Hit hit, Ray ray, Walk walk, Segment segment, int slot, fl
   vec3 tex = texAt(walk, tm);
   uint structure = 0u;
   float depth = segment.depth;
+  float surface = 0.0;  // of that, of what is shown as one
   float alpha = 1.0 - exp(-depth);
   bool asksGradient = hasFlag(kFlagShaded) || hasFlag(kFlagGradientOpacity);
   // Whose material it is.
@@ -124,7 +151,7 @@ void addSegment(inout Hit hit, Ray ray, Walk walk, Segment segment, int slot, fl
   if (isSolid) {
     // What is before the surface, or behind it, belongs to nobody here.
     vec4 row = structureRow(structure);
-    float surface = solidDepth(segment.solids0, segment.solids1, segment.t1 - segment.t0, row.a);
+    surface = solidDepth(segment.solids0, segment.solids1, segment.t1 - segment.t0, row.a);
     depth *= frame.unlabelledOpacity;
     albedo = mix(albedo, row.rgb, surface / max(depth + surface, 1e-9));
     depth += surface;
@@ -174,7 +201,8 @@ void addSegment(inout Hit hit, Ray ray, Walk walk, Segment segment, int slot, fl
   if (hasFlag(kFlagGradientOpacity) || hasFlag(kFlagInlays) || LABELS != 0) alpha = 1.0 - exp(-depth);
   float voxels = max((segment.t1 - segment.t0) * frame.voxelsPerLength, 1e-6);
   float solid = hasFlag(kFlagFinish) ? 1.0 - exp(-depth / voxels) : 1.0;
-  if (alpha > 0.0) addSample(hit, vec4(color * alpha, alpha), tm, normal, structure, solid);
+  int face = hasFlag(kFlagCuts) ? faceSeen(entry, segment, tm, depth - surface, isSolid, ray) : -1;
+  if (alpha > 0.0) addSample(hit, vec4(color * alpha, alpha), tm, normal, structure, solid, face, faceT);
 }
 
 /// Segments between neighbouring samples of the lattice, cut off at a stretch's ends.
@@ -383,11 +411,13 @@ Segment segmentAt(Group group, Walk walk, Depths depths, int n, bool sparedOnly)
 /// 22 takes what it computes last as the value after the loop: so nothing that is used after a loop may change when its last
 /// turn is repeated.
 void march(inout Hit hit, Ray ray, Walk walk, float a, float b, Face face, bool sparedOnly) {
-  vec3 faceNormal = vec3(0.0);
-  float faceT = -1.0;
+  Entry entry = Entry(face.cut, -1.0, vec3(0.0), 0.0, false);
   if (isOnFace(face)) {
-    faceT = a;
-    faceNormal = faceNormalAt(face, ray.origin + faceT * ray.direction, ray.direction);
+    entry.t = a;
+    entry.normal = faceNormalAt(face, ray.origin + a * ray.direction, ray.direction);
+#if LABELS != 2
+    entry.extinction = extinctionAt(tableAt(texAt(walk, a)));
+#endif
   }
   float cutoff = hasFlag(kFlagStopOpaque) ? frame.opaqueAlpha : 2.0;
   float t = a;
@@ -412,7 +442,7 @@ void march(inout Hit hit, Ray ray, Walk walk, float a, float b, Face face, bool 
     int slot = groupSlot(texBetween(walk, timeIn(group, walk, 0), timeIn(group, walk, kGroup)));
     do {
       Segment segment = segmentAt(group, walk, depths, max(findLSB(marks), 0), sparedOnly);
-      if (marks != 0u) addSegment(hit, ray, walk, segment, slot, faceT, faceNormal, sparedOnly);
+      if (marks != 0u) addSegment(hit, ray, walk, segment, slot, entry, sparedOnly);
       marks &= marks - 1u;
     } while (marks != 0u && hit.color.a < cutoff);
   } while (t < b && hit.color.a < cutoff);

@@ -31,6 +31,7 @@
 #include "session/growth/Growths.h"
 #include "session/model/LegendLacks.h"
 #include "session/model/LevelCache.h"
+#include "vector/Description.h"
 
 namespace velum::session {
 
@@ -195,7 +196,7 @@ std::optional<std::string> readSceneText(const fs::path& path) {
   io::FileKind kind = io::kindOf(path);
   if (kind == io::FileKind::Scene) return readText(path);
   if (kind != io::FileKind::Picture) return std::nullopt;
-  std::string text = io::readImageDescription(path);
+  std::string text = io::isDrawing(path) ? vector::readDescription(path) : io::readImageDescription(path);
   if (text.empty()) throw InputError(fmt::format("{}: the picture holds no scene of ours", path.string()));
   return text;
 }

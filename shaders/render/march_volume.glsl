@@ -62,6 +62,7 @@ void addSegment(inout Hit hit, Ray ray, Walk walk, Segment segment, int slot, in
   vec3 faceNormal = entry.normal;
   float tm = 0.5 * (segment.t0 + segment.t1);
   vec2 classes = vec2(1.0, 0.0);
+  bool isSolid = false;
 #if LABELS != 0
   if (hasFlag(kFlagSpareClasses) && sparedOnly) {
     // What was asked for is what some cut spares: here it is known which of it all of them leave.
@@ -73,7 +74,6 @@ void addSegment(inout Hit hit, Ray ray, Walk walk, Segment segment, int slot, in
     segment.solids0 = min(segment.solids0, segment.share0);
     segment.solids1 = min(segment.solids1, segment.share1);
   }
-  bool isSolid = false;
   if (hasSolids()) isSolid = mayBeSolid(segment.solids0, segment.solids1);
   if (usesShares(sparedOnly)) {
     // The middle of the part that shows; of what is opaque where it begins.

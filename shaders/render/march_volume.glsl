@@ -4,6 +4,7 @@
 #include "common/volume.glsl"
 #include "render/composite.glsl"
 #include "render/data_color.glsl"
+#include "render/entry.glsl"
 #include "render/hit.glsl"
 #include "render/walk.glsl"
 
@@ -20,15 +21,6 @@ struct Segment {
   vec2 solids1;
 };
 
-/// The face that a ray has come through last.
-struct Entry {
-  int cut;
-  float t;           // where; < 0: none
-  vec3 normal;
-  float extinction;  // of the data's material there, by the transfer function
-  bool isSolid;      // a voxel of what begins on it is half opaque, or more: what is seen there is a face
-};
-
 /// Whether each sample asks whose it is. Where structures have no say in what is seen, only what is hit is asked in the end.
 bool asksStructures() {
   return hasFlag(kFlagInlays) || hasFlag(kFlagSheets) || (LABELS == 1 && hasFlag(kFlagStructureLooks));
@@ -39,26 +31,12 @@ bool asksStructures() {
 bool mayBeSolid(vec2 a, vec2 b) { return max(a.y, b.y) > 0.5; }
 #endif
 
-const float kHalfOpaque = 0.693147;  // optical depth
-
-/// The cut on whose face a segment shows, or -1: that through which its ray has come into material, less than a voxel ago.
-/// What lies behind a face, however near, and begins by itself, is no face.
-/// @param tm  middle of what shows of it  @param ofData  its optical depth without what is shown as a surface
-int faceSeen(inout Entry entry, Segment segment, float tm, float ofData, bool isSolid, Ray ray) {
-  if ((segment.t0 - entry.t) * frame.voxelsPerLength < 0.01) {
-    // As opaque as the transfer function says of the face itself, and by as much less as looks, gradients and inlays say of the segment.
-    float extinction = entry.extinction * ofData / max(segment.depth, 1e-12);
-    bool isDense = segment.share0 > 0.5 && extinction > kHalfOpaque * frame.voxelsPerLength;
-    entry.isSolid = isDense || isSolid && segment.solids0.x > 0.5;
-  }
-  float voxels = (tm - entry.t) * -dot(entry.normal, ray.direction) * frame.voxelsPerLength;
-  return entry.t >= 0.0 && entry.isSolid && voxels < 1.0 ? entry.cut : -1;
-}
+/// What is left of the extinction of a segment's material where it begins. @param depth  of all of it
+float shownOf(Segment segment, float depth) { return segment.share0 > 0.5 ? depth / max(segment.depth, 1e-12) : 0.0; }
 
 /// Shades and composites one segment.
 /// @param slot  of groupSlot(), of its group
 void addSegment(inout Hit hit, Ray ray, Walk walk, Segment segment, int slot, inout Entry entry, bool sparedOnly) {
-  float faceT = entry.t;
   vec3 faceNormal = entry.normal;
   float tm = 0.5 * (segment.t0 + segment.t1);
   vec2 classes = vec2(1.0, 0.0);
@@ -88,9 +66,7 @@ void addSegment(inout Hit hit, Ray ray, Walk walk, Segment segment, int slot, in
   vec3 p = ray.origin + tm * ray.direction;
   vec3 tex = texAt(walk, tm);
   uint structure = 0u;
-  float depth = segment.depth;
-  float surface = 0.0;  // of that, of what is shown as one
-  float alpha = 1.0 - exp(-depth);
+  float depth = segment.depth, surface = 0.0, alpha = 1.0 - exp(-depth);
   bool asksGradient = hasFlag(kFlagShaded) || hasFlag(kFlagGradientOpacity);
   // Whose material it is.
 #if LABELS != 0
@@ -157,7 +133,7 @@ void addSegment(inout Hit hit, Ray ray, Walk walk, Segment segment, int slot, in
     depth += surface;
   } else if (hasFlag(kFlagStructureLooks)) {
     depth *= structure == 0u ? frame.unlabelledOpacity : structureRow(structure).a;
-    bool isByFace = faceT >= 0.0 && (tm - faceT) * frame.voxelsPerLength < 1.5;
+    bool isByFace = entry.t >= 0.0 && (tm - entry.t) * frame.voxelsPerLength < 1.5;
     // What is spared alone borders on what is not there.
     albedo = tinted(albedo, p, isByFace || sparedOnly || !asksGradient ? vec3(0.0) : outwards * steepness, structure);
   }
@@ -167,7 +143,7 @@ void addSegment(inout Hit hit, Ray ray, Walk walk, Segment segment, int slot, in
   if (hasFlag(kFlagInlays)) depth = fadedDepth(depth, segment.t1 - segment.t0, inlayShare(p, structure));
 #endif
   // Where an extrusion ends there is a face, too.
-  float faceDepth = faceT >= 0.0 ? (tm - faceT) * -dot(faceNormal, ray.direction) : kFar;
+  float faceDepth = entry.t >= 0.0 ? (tm - entry.t) * -dot(faceNormal, ray.direction) : kFar;
   if (hasFlag(kFlagSpareDepths) && sparedOnly) {
     EndFace end = endFaceAt(p, structure);
     vec3 endNormal = end.cut < 0 ? faceNormal : endNormalAt(end.cut, p);
@@ -199,10 +175,9 @@ void addSegment(inout Hit hit, Ray ray, Walk walk, Segment segment, int slot, in
     color = shadeSurface(albedo, normal, -ray.direction, lightTexAt(p, normal, steepness));
   }
   if (hasFlag(kFlagGradientOpacity) || hasFlag(kFlagInlays) || LABELS != 0) alpha = 1.0 - exp(-depth);
-  float voxels = max((segment.t1 - segment.t0) * frame.voxelsPerLength, 1e-6);
-  float solid = hasFlag(kFlagFinish) ? 1.0 - exp(-depth / voxels) : 1.0;
-  int face = hasFlag(kFlagCuts) ? faceSeen(entry, segment, tm, depth - surface, isSolid, ray) : -1;
-  if (alpha > 0.0) addSample(hit, vec4(color * alpha, alpha), tm, normal, structure, solid, face, faceT);
+  float voxels = max((segment.t1 - segment.t0) * frame.voxelsPerLength, 1e-6), solid = hasFlag(kFlagFinish) ? 1.0 - exp(-depth / voxels) : 1.0;
+  int face = faceSeen(entry, ray, segment.t0, tm, shownOf(segment, depth - surface), isSolid && segment.solids0.x > 0.5);
+  if (alpha > 0.0) addSample(hit, vec4(color * alpha, alpha), tm, normal, structure, solid, face, entry.t);
 }
 
 /// Segments between neighbouring samples of the lattice, cut off at a stretch's ends.
@@ -411,14 +386,7 @@ Segment segmentAt(Group group, Walk walk, Depths depths, int n, bool sparedOnly)
 /// 22 takes what it computes last as the value after the loop: so nothing that is used after a loop may change when its last
 /// turn is repeated.
 void march(inout Hit hit, Ray ray, Walk walk, float a, float b, Face face, bool sparedOnly) {
-  Entry entry = Entry(face.cut, -1.0, vec3(0.0), 0.0, false);
-  if (isOnFace(face)) {
-    entry.t = a;
-    entry.normal = faceNormalAt(face, ray.origin + a * ray.direction, ray.direction);
-#if LABELS != 2
-    entry.extinction = extinctionAt(tableAt(texAt(walk, a)));
-#endif
-  }
+  Entry entry = entryBy(face, ray, walk, a);
   float cutoff = hasFlag(kFlagStopOpaque) ? frame.opaqueAlpha : 2.0;
   float t = a;
   do {

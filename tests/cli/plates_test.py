@@ -39,8 +39,8 @@ class Plates(CliTest):
         fonts = self.folder / "fonts.conf"
         fonts.write_text(f'<?xml version="1.0"?><!DOCTYPE fontconfig SYSTEM "fonts.dtd"><fontconfig><dir>{ROOT / "resources" / "fonts"}</dir>'
                          f'<cachedir>{self.folder / "cache"}</cachedir></fontconfig>')
-        width = xml.parse(svg).getroot().get("viewBox").split()[2]
-        subprocess.run(["rsvg-convert", "-w", width, "-b", "white", "-o", png, svg], check=True,
+        width, height = xml.parse(svg).getroot().get("viewBox").split()[2:]
+        subprocess.run(["rsvg-convert", "-w", width, "-h", height, "-b", "white", "-o", png, svg], check=True,
                        env={**os.environ, "FONTCONFIG_FILE": str(fonts), "HOME": str(self.folder)})
 
     def check(self, name):

@@ -31,7 +31,7 @@ const float kHalfOpaque = 0.693147;  // optical depth
 /// @param shown  share of the data's extinction that looks, gradients and inlays leave of it
 /// @param isSolid  it begins within what is shown as a surface
 int faceSeen(inout Entry entry, Ray ray, float from, float middle, float shown, bool isSolid) {
-  if (!hasFlag(kFlagCuts)) return -1;
+  if (!hasFlag(kFlagSaysFaces)) return -1;
   if ((from - entry.t) * frame.voxelsPerLength < 0.01)
     entry.isSolid = isSolid || entry.extinction * shown > kHalfOpaque * frame.voxelsPerLength;
   float voxels = (middle - entry.t) * -dot(entry.normal, ray.direction) * frame.voxelsPerLength;

@@ -146,7 +146,8 @@ void main() {
   if (hasFlag(kFlagFinish)) imageStore(sampleImage, pixel, packSample(ray, hit, group, size));
   if (frame.sampleIndex == 0) {
     // What is on a face is where the face is: a hair behind it, in the material.
-    if (hit.face >= 0) hit.distance = min(hit.distance, hit.faceT + kFaceVoxels / frame.voxelsPerLength);
+    int face = hasFlag(kFlagSaysFaces) ? hit.face : -1;
+    if (face >= 0) hit.distance = min(hit.distance, hit.faceT + kFaceVoxels / frame.voxelsPerLength);
     bool found = hit.distance < kFar && hit.color.a > 0.0;
     if (surfacePixel != ownPixel) {
       // Counts and clicks ask who is there, not who is drawn there.
@@ -159,7 +160,7 @@ void main() {
       instance = ownIds.y;
     }
     imageStore(surfaceImage, pixel, found ? vec4(hit.normal, hit.distance) : vec4(0.0));
-    imageStore(idImage, pixel, found ? uvec4(hit.structure | uint(hit.face + 1) << kFaceShift, instance + 1u, 0u, 0u) : uvec4(0u));
+    imageStore(idImage, pixel, found ? uvec4(hit.structure | uint(face + 1) << kFaceShift, instance + 1u, 0u, 0u) : uvec4(0u));
   }
   vec4 before = frame.sampleIndex == 0 ? vec4(0.0) : imageLoad(colorImage, pixel);
   imageStore(colorImage, pixel, before + hit.color);

@@ -60,7 +60,8 @@ SHARED_CONST uint kFlagSpareClasses = 134217728u;  // there are two kinds of spa
 SHARED_CONST uint kFlagSolids = 268435456u;  // some structure is shown as an opaque surface
 SHARED_CONST uint kFlagVeils = 536870912u;   // some structure is shown as a surface that one can look through
 SHARED_CONST uint kFlagOneSpared = 1073741824u;  // cuts spare one structure only: spareClasses.z
-SHARED_CONST uint kFlagLast = kFlagOneSpared;
+SHARED_CONST uint kFlagSaysFaces = 2147483648u;  // whoever draws asks on which cut's face each pixel lies
+SHARED_CONST uint kFlagLast = kFlagSaysFaces;
 // Those of them that programs ask for as they run: next to nothing hangs on them, and one program does for both.
 SHARED_CONST uint kSwitches = kFlagOrthographic | kFlagSkipEmpty | kFlagStopOpaque | kFlagJitter | kFlagHideFront | kFlagHideInlay | kFlagHideBehind | kFlagOverlaps | kFlagFinish | kFlagValueColors;
 

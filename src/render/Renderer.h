@@ -88,7 +88,8 @@ class Renderer {
   /// nothing is), "id" (structure), "instance" (as Pick; -1 where nothing is), "type" (of the model; -1 where no
   /// instance of it is seen), "ghosts.R/G/B/A" (the instances that cuts have removed, as they are blended over the
   /// picture; straight alpha), "face" (place in Scene::cuts of the cut whose face is seen, plus 1; 0: none. Exactly,
-  /// of membranes, too: where the ray has come into material through the cut's surface, and that of inlays' images).
+  /// of membranes, too: where the ray has come into material through the cut's surface, and that of inlays' images. 0 of
+  /// a frame without Frame::saysFaces).
   Image read(const Layers& layers = {});
 
   /// What the last frame shows at a pixel of its window. From the drawn layers, so it agrees with the picture.

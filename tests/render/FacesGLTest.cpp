@@ -36,6 +36,17 @@ std::vector<scene::Cut> facedCuts() {
 
 scene::Cut farAway() { return facedCut(scene::CutShape::Sphere, {500, 500, 500}, {1, 1, 1}); }
 
+/// A picture that says faces.
+Image drawFaces(render::Renderer& renderer, const scene::Scene& scene, glm::ivec2 size, const render::Layers& layers) {
+  Progress progress;
+  render::Frame frame;
+  frame.scene = scene;
+  frame.pictureSize = size;
+  frame.saysFaces = true;
+  renderer.render(frame, progress);
+  return renderer.read(layers);
+}
+
 class FacesGL : public CutPictures {};
 
 TEST_F(FacesGL, FacesAreThoseThatRaysMeetFirst) {
@@ -50,7 +61,7 @@ TEST_F(FacesGL, FacesAreThoseThatRaysMeetFirst) {
     scene.cuts = {farAway(), shape};
     scene.cuts[1].invert = invert;
     scene.lighting.shaded = isShaded;
-    Image image = draw(scene, kFacesSize, layers);
+    Image image = drawFaces(renderer(), scene, kFacesSize, layers);
     int faces = 0, decided = 0, wrong = 0;
     for (int y = 0; y < kFacesSize.y; ++y)
       for (int x = 0; x < kFacesSize.x; ++x) {
@@ -103,7 +114,7 @@ TEST_P(ExactFacesGL, FacesLieOnTheirCutsAndEndWithTheMaterial) {
     scene::Scene scene = ballScene(isIso, GetParam() == 1);
     lookAlong(scene, {0.35, -1, 0.3}, 100);
     scene.cuts = cuts;
-    Image image = draw(scene, kPicture, layers);
+    Image image = drawFaces(renderer(), scene, kPicture, layers);
     std::vector<CutFormula> formulas;
     for (const scene::Cut& cut : cuts)
       formulas.push_back(cut.enabled ? formulaOf(cut) : [](glm::dvec3) { return 1e9; });

@@ -32,8 +32,8 @@ vec4 dataColor(vec3 p, uint structure) {
   return color;
 }
 
-/// An image in a place on the ray, over everything behind it: each mode has its own.
-void addImage(inout Hit hit, float t, vec3 color, float alpha, vec3 normal, uint structure);
+/// An image in a place on the ray, on the face of a cut, over everything behind it: each mode has its own.
+void addImage(inout Hit hit, float t, vec3 color, float alpha, vec3 normal, uint structure, int face);
 
 /// The data on a cut's face that shows it: all of the face that lies within the data.
 void addFaceData(inout Hit hit, Ray ray, float t, Face face) {
@@ -41,5 +41,5 @@ void addFaceData(inout Hit hit, Ray ray, float t, Face face) {
   vec3 p = ray.origin + t * ray.direction;
   uint structure = structureAt(p, kAnybody);
   vec4 color = dataColor(p, structure);
-  addImage(hit, t, color.rgb, color.a * cuts[face.cut].face.x, faceNormalAt(face, p, ray.direction), structure);
+  addImage(hit, t, color.rgb, color.a * cuts[face.cut].face.x, faceNormalAt(face, p, ray.direction), structure, face.cut);
 }

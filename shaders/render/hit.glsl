@@ -7,6 +7,8 @@ struct Hit {
   vec3 normal;
   uint structure;
   float solid;     // opacity of a voxel of it: what is hit in a haze is no surface
+  int face;        // the cut on whose face that is; -1: none
+  float faceT;     // where the ray has met that face
 };
 
 /// A face that a stretch begins on.

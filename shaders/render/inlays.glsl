@@ -11,7 +11,7 @@ void addInlayAt(inout Hit hit, Ray ray, Mark mark) {
   uint structure = structureAt(p, kAnybody);
   if (!inlayShows(p, structure)) return;
   vec3 normal = sheetNormalAt(mark.cut, -1, p, ray.direction);
-  addImage(hit, mark.t, dataColor(p, structure).rgb, cuts[mark.cut].inlay.x, normal, structure);
+  addImage(hit, mark.t, dataColor(p, structure).rgb, cuts[mark.cut].inlay.x, normal, structure, mark.cut);
 }
 
 /// How a place on a sheet runs through the picture.

@@ -79,7 +79,7 @@ void addSurface(inout Hit hit, Ray ray, Walk walk, float t, Face face, bool spar
 #ifdef MEMBRANES
   if (hasFlag(kFlagInlays)) share = inlayShare(p, structure);
 #endif
-  if (share > 0.0) addSample(hit, vec4(color, 1.0) * share, t, normal, structure);
+  if (share > 0.0) addSample(hit, vec4(color, 1.0) * share, t, normal, structure, face.cut);
 }
 
 /// True when nothing further along the ray can show.

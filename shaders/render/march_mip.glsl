@@ -11,6 +11,7 @@ layout(std430, binding = kCellBinding) readonly buffer CellBlock { vec2 cellRang
 float gBest = -1.0;  // the largest value, table positions 0..1; where there are images how it shows, see gBehind
 vec2 gBehind = vec2(1.0, 0.0);         // how a grey value behind the images so far shows: x times it, and y
 vec4 gImages = vec4(vec3(0.0), kFar);  // all of them; a: where the first is
+int gImageFace = -1;                   // of the first
 vec4 gSheets = vec4(0.0);
 
 bool hasImages() { return hasFlag(kFlagInlays) || hasFlag(kFlagFaces); }
@@ -60,10 +61,13 @@ void addValue(inout Hit hit, Ray ray, Walk walk, float t, Span span) {
   gBest = better ? value : gBest;
   hit.distance = better ? t : hit.distance;
   hit.structure = better ? structure : hit.structure;
+  hit.face = better ? (t == span.a ? span.face.cut : -1) : hit.face;
+  hit.faceT = better ? t : hit.faceT;
 }
 
 /// An image that the ray passes.
-void addImage(inout Hit hit, float t, vec3 color, float alpha, vec3 normal, uint structure) {
+void addImage(inout Hit hit, float t, vec3 color, float alpha, vec3 normal, uint structure, int face) {
+  gImageFace = t < gImages.a ? face : gImageFace;
   gImages = vec4(gImages.rgb + gBehind.x * alpha * color, min(gImages.a, t));
   gBehind = vec2(gBehind.x * (1.0 - alpha), max(gImages.r, max(gImages.g, gImages.b)));
 }
@@ -112,6 +116,8 @@ void finishRay(inout Hit hit, Ray ray, Walk walk) {
     hit.color = vec4(gImages.rgb, 1.0 - gBehind.x);
     hit.distance = gImages.a;
     hit.structure = structureAt(ray.origin + hit.distance * ray.direction, kAnybody);
+    hit.face = gImageFace;
+    hit.faceT = gImages.a;
   }
   hit.color = gSheets + (1.0 - gSheets.a) * hit.color;
 }

@@ -4,6 +4,7 @@
 #include "common/volume.glsl"
 #include "render/composite.glsl"
 #include "render/data_color.glsl"
+#include "render/entry.glsl"
 #include "render/hit.glsl"
 #include "render/walk.glsl"
 
@@ -30,12 +31,16 @@ bool asksStructures() {
 bool mayBeSolid(vec2 a, vec2 b) { return max(a.y, b.y) > 0.5; }
 #endif
 
+/// What is left of the extinction of a segment's material where it begins. @param depth  of all of it
+float shownOf(Segment segment, float depth) { return segment.share0 > 0.5 ? depth / max(segment.depth, 1e-12) : 0.0; }
+
 /// Shades and composites one segment.
 /// @param slot  of groupSlot(), of its group
-/// @param faceT  where the face lies that the ray has come through last; < 0: none
-void addSegment(inout Hit hit, Ray ray, Walk walk, Segment segment, int slot, float faceT, vec3 faceNormal, bool sparedOnly) {
+void addSegment(inout Hit hit, Ray ray, Walk walk, Segment segment, int slot, inout Entry entry, bool sparedOnly) {
+  vec3 faceNormal = entry.normal;
   float tm = 0.5 * (segment.t0 + segment.t1);
   vec2 classes = vec2(1.0, 0.0);
+  bool isSolid = false;
 #if LABELS != 0
   if (hasFlag(kFlagSpareClasses) && sparedOnly) {
     // What was asked for is what some cut spares: here it is known which of it all of them leave.
@@ -47,7 +52,6 @@ void addSegment(inout Hit hit, Ray ray, Walk walk, Segment segment, int slot, fl
     segment.solids0 = min(segment.solids0, segment.share0);
     segment.solids1 = min(segment.solids1, segment.share1);
   }
-  bool isSolid = false;
   if (hasSolids()) isSolid = mayBeSolid(segment.solids0, segment.solids1);
   if (usesShares(sparedOnly)) {
     // The middle of the part that shows; of what is opaque where it begins.
@@ -62,8 +66,7 @@ void addSegment(inout Hit hit, Ray ray, Walk walk, Segment segment, int slot, fl
   vec3 p = ray.origin + tm * ray.direction;
   vec3 tex = texAt(walk, tm);
   uint structure = 0u;
-  float depth = segment.depth;
-  float alpha = 1.0 - exp(-depth);
+  float depth = segment.depth, surface = 0.0, alpha = 1.0 - exp(-depth);
   bool asksGradient = hasFlag(kFlagShaded) || hasFlag(kFlagGradientOpacity);
   // Whose material it is.
 #if LABELS != 0
@@ -124,13 +127,13 @@ void addSegment(inout Hit hit, Ray ray, Walk walk, Segment segment, int slot, fl
   if (isSolid) {
     // What is before the surface, or behind it, belongs to nobody here.
     vec4 row = structureRow(structure);
-    float surface = solidDepth(segment.solids0, segment.solids1, segment.t1 - segment.t0, row.a);
+    surface = solidDepth(segment.solids0, segment.solids1, segment.t1 - segment.t0, row.a);
     depth *= frame.unlabelledOpacity;
     albedo = mix(albedo, row.rgb, surface / max(depth + surface, 1e-9));
     depth += surface;
   } else if (hasFlag(kFlagStructureLooks)) {
     depth *= structure == 0u ? frame.unlabelledOpacity : structureRow(structure).a;
-    bool isByFace = faceT >= 0.0 && (tm - faceT) * frame.voxelsPerLength < 1.5;
+    bool isByFace = entry.t >= 0.0 && (tm - entry.t) * frame.voxelsPerLength < 1.5;
     // What is spared alone borders on what is not there.
     albedo = tinted(albedo, p, isByFace || sparedOnly || !asksGradient ? vec3(0.0) : outwards * steepness, structure);
   }
@@ -140,7 +143,7 @@ void addSegment(inout Hit hit, Ray ray, Walk walk, Segment segment, int slot, fl
   if (hasFlag(kFlagInlays)) depth = fadedDepth(depth, segment.t1 - segment.t0, inlayShare(p, structure));
 #endif
   // Where an extrusion ends there is a face, too.
-  float faceDepth = faceT >= 0.0 ? (tm - faceT) * -dot(faceNormal, ray.direction) : kFar;
+  float faceDepth = entry.t >= 0.0 ? (tm - entry.t) * -dot(faceNormal, ray.direction) : kFar;
   if (hasFlag(kFlagSpareDepths) && sparedOnly) {
     EndFace end = endFaceAt(p, structure);
     vec3 endNormal = end.cut < 0 ? faceNormal : endNormalAt(end.cut, p);
@@ -172,9 +175,9 @@ void addSegment(inout Hit hit, Ray ray, Walk walk, Segment segment, int slot, fl
     color = shadeSurface(albedo, normal, -ray.direction, lightTexAt(p, normal, steepness));
   }
   if (hasFlag(kFlagGradientOpacity) || hasFlag(kFlagInlays) || LABELS != 0) alpha = 1.0 - exp(-depth);
-  float voxels = max((segment.t1 - segment.t0) * frame.voxelsPerLength, 1e-6);
-  float solid = hasFlag(kFlagFinish) ? 1.0 - exp(-depth / voxels) : 1.0;
-  if (alpha > 0.0) addSample(hit, vec4(color * alpha, alpha), tm, normal, structure, solid);
+  float voxels = max((segment.t1 - segment.t0) * frame.voxelsPerLength, 1e-6), solid = hasFlag(kFlagFinish) ? 1.0 - exp(-depth / voxels) : 1.0;
+  int face = faceSeen(entry, ray, segment.t0, tm, shownOf(segment, depth - surface), isSolid && segment.solids0.x > 0.5);
+  if (alpha > 0.0) addSample(hit, vec4(color * alpha, alpha), tm, normal, structure, solid, face, entry.t);
 }
 
 /// Segments between neighbouring samples of the lattice, cut off at a stretch's ends.
@@ -383,12 +386,7 @@ Segment segmentAt(Group group, Walk walk, Depths depths, int n, bool sparedOnly)
 /// 22 takes what it computes last as the value after the loop: so nothing that is used after a loop may change when its last
 /// turn is repeated.
 void march(inout Hit hit, Ray ray, Walk walk, float a, float b, Face face, bool sparedOnly) {
-  vec3 faceNormal = vec3(0.0);
-  float faceT = -1.0;
-  if (isOnFace(face)) {
-    faceT = a;
-    faceNormal = faceNormalAt(face, ray.origin + faceT * ray.direction, ray.direction);
-  }
+  Entry entry = entryBy(face, ray, walk, a);
   float cutoff = hasFlag(kFlagStopOpaque) ? frame.opaqueAlpha : 2.0;
   float t = a;
   do {
@@ -412,7 +410,7 @@ void march(inout Hit hit, Ray ray, Walk walk, float a, float b, Face face, bool 
     int slot = groupSlot(texBetween(walk, timeIn(group, walk, 0), timeIn(group, walk, kGroup)));
     do {
       Segment segment = segmentAt(group, walk, depths, max(findLSB(marks), 0), sparedOnly);
-      if (marks != 0u) addSegment(hit, ray, walk, segment, slot, faceT, faceNormal, sparedOnly);
+      if (marks != 0u) addSegment(hit, ray, walk, segment, slot, entry, sparedOnly);
       marks &= marks - 1u;
     } while (marks != 0u && hit.color.a < cutoff);
   } while (t < b && hit.color.a < cutoff);

@@ -79,7 +79,7 @@ void castStretches(inout Hit hit, Ray ray, Walk walk, float from, float tEnd) {
 
 /// Everything along one ray, up to an opaque surface at `stop`.
 Hit castRay(Ray ray, float jitter, float stop) {
-  Hit hit = Hit(vec4(0.0), kFar, -ray.direction, 0u, 1.0);
+  Hit hit = Hit(vec4(0.0), kFar, -ray.direction, 0u, 1.0, -1, 0.0);
   if (hasFlag(kFlagNoData)) return hit;
   vec2 box = boxInterval(ray);
   float tEnd = min(box.y, stop);
@@ -139,11 +139,15 @@ void main() {
       hit.normal = surfaceAux.xyz;
       hit.structure = ids.x;
       hit.solid = 1.0;
+      hit.face = -1;
     }
     hit.color += (1.0 - hit.color.a) * vec4(surface.rgb, 1.0) * surface.a;
   }
   if (hasFlag(kFlagFinish)) imageStore(sampleImage, pixel, packSample(ray, hit, group, size));
   if (frame.sampleIndex == 0) {
+    // What is on a face is where the face is: a hair behind it, in the material.
+    int face = hasFlag(kFlagSaysFaces) ? hit.face : -1;
+    if (face >= 0) hit.distance = min(hit.distance, hit.faceT + kFaceVoxels / frame.voxelsPerLength);
     bool found = hit.distance < kFar && hit.color.a > 0.0;
     if (surfacePixel != ownPixel) {
       // Counts and clicks ask who is there, not who is drawn there.
@@ -156,7 +160,7 @@ void main() {
       instance = ownIds.y;
     }
     imageStore(surfaceImage, pixel, found ? vec4(hit.normal, hit.distance) : vec4(0.0));
-    imageStore(idImage, pixel, found ? uvec4(hit.structure, instance + 1u, 0u, 0u) : uvec4(0u));
+    imageStore(idImage, pixel, found ? uvec4(hit.structure | uint(face + 1) << kFaceShift, instance + 1u, 0u, 0u) : uvec4(0u));
   }
   vec4 before = frame.sampleIndex == 0 ? vec4(0.0) : imageLoad(colorImage, pixel);
   imageStore(colorImage, pixel, before + hit.color);

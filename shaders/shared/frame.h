@@ -21,8 +21,11 @@ SHARED_CONST float kFar = 1e30f;
 SHARED_CONST int kMostPlanes = 3;       // so many cuts that are all planes have programs of their own: PLANES
 
 // What the Gbuffer holds of what is seen in a pixel, besides its colour: vec4 of its normal (scene frame, unit) and its
-// distance along the ray; uvec2 of ids: the structure (a label; 0: none) and the instance + 1 (0: nothing is seen).
+// distance along the ray; uvec2 of ids: the structure (a label; 0: none) and the instance + 1 (0: nothing is seen). Of data
+// the structure has 16 bits; above them stands the cut on whose face that is, of those that are enabled, + 1.
 SHARED_CONST uint kDataInstance = 0u;          // the volume, its labels and what cuts show of them
+SHARED_CONST int kFaceShift = 16;
+SHARED_CONST float kFaceVoxels = 0.02f;        // so far behind a face lies what is seen on it
 SHARED_CONST uint kFirstSurfaceInstance = 1u;  // scene.surfaces in their order; then whatever else is drawn
 
 // Bits of FrameParams.flags.
@@ -57,7 +60,8 @@ SHARED_CONST uint kFlagSpareClasses = 134217728u;  // there are two kinds of spa
 SHARED_CONST uint kFlagSolids = 268435456u;  // some structure is shown as an opaque surface
 SHARED_CONST uint kFlagVeils = 536870912u;   // some structure is shown as a surface that one can look through
 SHARED_CONST uint kFlagOneSpared = 1073741824u;  // cuts spare one structure only: spareClasses.z
-SHARED_CONST uint kFlagLast = kFlagOneSpared;
+SHARED_CONST uint kFlagSaysFaces = 2147483648u;  // whoever draws asks on which cut's face each pixel lies
+SHARED_CONST uint kFlagLast = kFlagSaysFaces;
 // Those of them that programs ask for as they run: next to nothing hangs on them, and one program does for both.
 SHARED_CONST uint kSwitches = kFlagOrthographic | kFlagSkipEmpty | kFlagStopOpaque | kFlagJitter | kFlagHideFront | kFlagHideInlay | kFlagHideBehind | kFlagOverlaps | kFlagFinish | kFlagValueColors;
 

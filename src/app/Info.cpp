@@ -203,7 +203,9 @@ int run(const InfoOptions& options) {
       throw InputError(fmt::format("{}: there is no such file or folder", source.path));
     if (auto scene = session::readSceneText(path)) {
       progress.report(1.0, "");
-      json = {{"kind", "scene"}, {"scene", Json::parse(*scene)}};
+      Json text = Json::parse(*scene, nullptr, false);
+      if (text.is_discarded()) throw InputError(fmt::format("{}: the scene in it is no JSON", path.string()));
+      json = {{"kind", "scene"}, {"scene", std::move(text)}};
       fmt::print("{}\n", json.dump(2));
       return 0;
     }

@@ -44,6 +44,7 @@ struct Frame {
   bool marksOverlaps = false;  ///< colours where spares of joined cuts overlap ([ACS] fig. 6), for editing them
   double brickBytes =
       0;  ///< most of the GPU's memory for bricks of a streamed volume; 0: a quarter of it, 2 GiB at most
+  bool saysFaces = false;        ///< rays note on which cut's face they end, for Layers::face; takes a tenth longer
   bool countsInstances = false;  ///< the model's instances are counted, for Renderer::bits()
   bool operator==(const Frame&) const = default;
 };

@@ -142,6 +142,7 @@ void completeFrameData(FrameData& data) {
   data.params.structureCount = int(data.structures.size());
   data.params.flags |= membraneFlags(data.frame);
   if (!data.cuts.empty()) data.params.flags |= shared::kFlagCuts;
+  if (!data.cuts.empty() && data.frame.saysFaces) data.params.flags |= shared::kFlagSaysFaces;
   for (const auto& cut : data.cuts) {
     if (cut.kind.y == 1) data.params.flags |= shared::kFlagFaces;
     if (cut.kind.z & shared::kCutWalks) data.params.flags |= shared::kFlagWalks;

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "core/Assert.h"
-#include "shared/cut.h"
 
 namespace velum::render {
 
@@ -15,9 +14,17 @@ namespace {
 
 /// One texel of it.
 struct Texel {
-  glm::vec4 surface{0.0f};
-  glm::uvec2 ids{0};
+  Texel(glm::vec4 seen, glm::uvec2 packed) : surface(seen), ids(packed) {
+    if (ids.y == shared::kDataInstance + 1) {
+      face = ids.x >> shared::kFaceShift;
+      ids.x &= (1u << shared::kFaceShift) - 1;
+    }
+  }
   bool isEmpty() const { return ids.y == 0; }
+
+  glm::vec4 surface;
+  glm::uvec2 ids;
+  std::uint32_t face = 0;  ///< the cut, of those that are enabled, plus 1
 };
 
 /// What an instance of the model is of; -1: it is none of the model's.
@@ -26,38 +33,12 @@ int typeOf(const FrameData& data, const Texel& texel) {
   return isOfModel ? int(texel.ids.x) - int(data.structures.size()) : -1;
 }
 
-/// The unit normal of the face of a cut that is no membrane, out of the material.
-glm::vec3 faceNormal(const shared::CutData& cut, glm::vec3 point, float step) {
-  glm::vec3 gradient(0.0f);
-  for (int axis = 0; axis < 3; ++axis) {
-    glm::vec3 way(0.0f);
-    way[axis] = step;
-    gradient[axis] = shared::shapeDistance(cut, point + way) - shared::shapeDistance(cut, point - way);
-  }
-  float length = glm::length(gradient);
-  return length > 0.0f ? -gradient / length : glm::vec3(0.0f);
-}
-
-/// The cut on whose face a place of the data lies: its place in Scene::cuts, plus 1; 0: none. Within a voxel, as
-/// material may begin to show some steps behind a face, and looking as the face does.
-int faceAt(const FrameData& data, const Texel& texel, glm::vec3 point) {
-  if (texel.isEmpty() || texel.ids.y - 1 != shared::kDataInstance) return 0;
-  constexpr float kAlike = 0.9f;
-  bool hasNormals = (data.params.flags & shared::kFlagShaded) != 0;
-  float voxel = 1.0f / data.params.voxelsPerLength;
-  int number = 0;
-  std::size_t enabled = 0;
-  for (const scene::Cut& cut : data.frame.scene.cuts) {
-    ++number;
-    if (!cut.enabled) continue;
-    VELUM_ASSERT(enabled < data.cuts.size(), "the frame has all cuts that are enabled");
-    const shared::CutData& face = data.cuts[enabled++];
-    float reach = hasNormals ? voxel : 0.5f * voxel;
-    if (face.kind.x == shared::kCutMembrane || std::abs(shared::shapeDistance(face, point)) > reach) continue;
-    bool isAlike = glm::dot(faceNormal(face, point, 0.05f * voxel), glm::vec3(texel.surface)) > kAlike;
-    if (isAlike || !hasNormals) return number;
-  }
-  return 0;
+/// Places in Scene::cuts, plus 1, of those that are enabled, behind a 0.
+std::vector<int> enabledCuts(const scene::Scene& scene) {
+  std::vector<int> numbers{0};
+  for (std::size_t i = 0; i < scene.cuts.size(); ++i)
+    if (scene.cuts[i].enabled) numbers.push_back(int(i) + 1);
+  return numbers;
 }
 
 /// The layers of lines, of a sample as shaders/render/sample.glsl packs it.
@@ -132,6 +113,7 @@ void Gbuffer::appendLayers(const FrameData& data, const Layers& layers, Image& i
   VELUM_ASSERT(!layers.lines || mSample, "the finish looks at samples");
   if (layers.lines) mSample.read(samples.data(), count * sizeof(samples[0]));
   glm::dvec3 origin = sceneOrigin(data.grid);
+  const std::vector<int> cuts = enabledCuts(data.frame.scene);
   std::vector<float> pixels;
   pixels.reserve(count * image.channels.size());
   for (std::size_t i = 0; i < count; ++i) {
@@ -144,7 +126,7 @@ void Gbuffer::appendLayers(const FrameData& data, const Layers& layers, Image& i
     float distance = texel.isEmpty() ? std::numeric_limits<float>::infinity() : texel.surface.w;
     glm::ivec2 pixel(int(i) % image.width, int(i) / image.width);
     glm::vec3 point(0.0f);
-    if (!texel.isEmpty() && (layers.position || layers.face))
+    if (!texel.isEmpty() && layers.position)
       point = glm::vec3(pointOnRay(data.params, pixel + data.frame.windowOrigin, distance));
     if (layers.position) append(texel.isEmpty() ? glm::dvec3(0.0) : data.unit * (origin + glm::dvec3(point)));
     if (layers.normal) append(glm::dvec3(glm::vec3(texel.surface)));
@@ -153,7 +135,7 @@ void Gbuffer::appendLayers(const FrameData& data, const Layers& layers, Image& i
     if (layers.structure) pixels.push_back(type < 0 ? float(texel.ids.x) : 0.0f);
     if (layers.instance) pixels.push_back(texel.isEmpty() ? -1.0f : float(texel.ids.y - 1));
     if (layers.type) pixels.push_back(float(type));
-    if (layers.face) pixels.push_back(float(faceAt(data, texel, point)));
+    if (layers.face) pixels.push_back(texel.face < cuts.size() ? float(cuts[texel.face]) : 0.0f);
     if (layers.lines) appendLines(data, samples[i], pixels);
   }
   image.pixels = std::move(pixels);
@@ -162,9 +144,11 @@ void Gbuffer::appendLayers(const FrameData& data, const Layers& layers, Image& i
 Pick Gbuffer::pick(const FrameData& data, glm::ivec2 pixel) const {
   Pick pick;
   if (pixel.x < 0 || pixel.y < 0 || pixel.x >= size().x || pixel.y >= size().y) return pick;
-  Texel texel;
-  mSurface.read({pixel, 0}, {1, 1, 1}, &texel.surface, sizeof(texel.surface));
-  mIds.read({pixel, 0}, {1, 1, 1}, &texel.ids, sizeof(texel.ids));
+  glm::vec4 surface(0.0f);
+  glm::uvec2 ids(0);
+  mSurface.read({pixel, 0}, {1, 1, 1}, &surface, sizeof(surface));
+  mIds.read({pixel, 0}, {1, 1, 1}, &ids, sizeof(ids));
+  Texel texel(surface, ids);
   if (texel.isEmpty()) return pick;
   pick.hit = true;
   glm::dvec3 onRay(pointOnRay(data.params, pixel + data.frame.windowOrigin, texel.surface.w));
@@ -192,7 +176,7 @@ PixelIds Gbuffer::idsOfPixels(const FrameData& data) const {
   for (const glm::uvec2& id : ids) {
     Texel texel{glm::vec4(0.0f), id};
     int type = typeOf(data, texel);
-    out.structures.push_back(texel.isEmpty() ? -1 : type < 0 ? std::int32_t(id.x) : 0);
+    out.structures.push_back(texel.isEmpty() ? -1 : type < 0 ? std::int32_t(texel.ids.x) : 0);
     if (data.frame.scene.model.data) out.types.push_back(type);
   }
   return out;

@@ -44,7 +44,7 @@ class Gbuffer {
   gpu::Texture mColor;    ///< Premultiplied, the sum of the samples so far.
   gpu::Texture mKept;     ///< The sums as they were; no texture before somebody keeps them.
   gpu::Texture mSurface;  ///< Normal, scene frame; distance along the ray.
-  gpu::Texture mIds;      ///< Structure; instance + 1, 0: nothing is seen.
+  gpu::Texture mIds;      ///< Structure, with the face of a cut; instance + 1, 0: nothing is seen: see shared/frame.h.
   gpu::Texture mSample;   ///< What the last sample shows; no texture where the frame has no finish.
 };
 

@@ -33,7 +33,7 @@ std::vector<std::uint32_t> flagSets() {
                                   plain | kFlagCuts | kFlagMembranes | kFlagSheets,
                                   inlays,
                                   inlays | kFlagSheets | kFlagLightGrid};
-  for (std::uint32_t flag = 1; flag <= kFlagLast; flag *= 2)
+  for (std::uint32_t flag = 1; flag != 0; flag *= 2)
     if (!(flag & kSwitches)) sets.push_back(flag);
   return sets;
 }

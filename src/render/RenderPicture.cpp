@@ -29,6 +29,7 @@ Image renderPicture(Renderer& renderer, const Frame& frame, const Layers& layers
   for (int row = 0; row < rows; ++row)
     for (int column = 0; column < columns; ++column) {
       Frame part = frame;
+      part.saysFaces = frame.saysFaces || layers.face;
       glm::ivec2 corner = glm::ivec2(column, row) * inner, wanted = glm::min(size - corner, glm::ivec2(inner));
       part.windowOrigin = glm::max(corner - margin, glm::ivec2(0));
       part.windowSize = glm::min(size, corner + wanted + margin) - part.windowOrigin;

@@ -88,8 +88,9 @@ class Renderer {
   /// "position.X/Y/Z" (world), "normal.X/Y/Z" (world), "Z" (distance from the eye, along the ray; infinity where
   /// nothing is), "id" (structure), "instance" (as Pick; -1 where nothing is), "type" (of the model; -1 where no
   /// instance of it is seen), "ghosts.R/G/B/A" (the instances that cuts have removed, as they are blended over the
-  /// picture; straight alpha), "face" (place in Scene::cuts of the cut whose face is seen, plus 1; 0: none. Of planes,
-  /// boxes and the like, to a voxel; membranes have none here),
+  /// picture; straight alpha), "face" (place in Scene::cuts of the cut whose face is seen, plus 1; 0: none. Exactly,
+  /// of membranes, too: where the ray has come into material through the cut's surface, and that of inlays' images. 0 of
+  /// a frame without Frame::saysFaces),
   /// and what the finish sees of the last sample, where it looks: "lines.type" (of the model; below 0: something else),
   /// "lines.part" (a number of what a line goes around, alike within it, other in its neighbours), "lines.size" (across
   /// it, pixels of a picture of 1000 rows or of a smaller one; 0: nothing is seen), "lines.depth" (from the picture

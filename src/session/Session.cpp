@@ -11,6 +11,7 @@
 #include "core/Clock.h"
 #include "core/Error.h"
 #include "core/Memory.h"
+#include "io/kinds/FileKind.h"
 #include "session/Rest.h"
 #include "session/document/Folders.h"
 #include "session/film/FilmDrawer.h"
@@ -191,9 +192,9 @@ vector::Drawing Session::plate(const PictureOptions& options, std::optional<scen
 std::vector<std::string> Session::savePicture(const PictureOptions& options, std::optional<scene::SectionKind> section,
                                               const std::filesystem::path& path, Progress& progress) {
   if (path != "-") expectPictureFile(path);
-  if (isDrawing(path)) {
+  if (io::isDrawing(path)) {
     vector::Drawing drawing = plate(options, section, progress);
-    savePlate(drawing, path);
+    savePlate(drawing, shown(), options, path);
     return shown().lettering.pageWidth > 0.0 || options.dpi > 0.0 ? journalNotes(drawing) : std::vector<std::string>();
   }
   Image image =

@@ -4,6 +4,9 @@
 #define POINTERHOLDER_TRANSITION 4  // qpdf then has std::shared_ptr alone
 
 #include <qpdf/QPDF.hh>
+#include <qpdf/QPDFEFStreamObjectHelper.hh>
+#include <qpdf/QPDFEmbeddedFileDocumentHelper.hh>
+#include <qpdf/QPDFFileSpecObjectHelper.hh>
 #include <qpdf/QPDFPageDocumentHelper.hh>
 #include <qpdf/QPDFWriter.hh>
 
@@ -12,6 +15,7 @@
 #include "core/ReplaceFile.h"
 #include "vector/Bounds.h"
 #include "vector/CairoPages.h"
+#include "vector/Description.h"
 #include "vector/Png.h"
 #include "vector/Unicode.h"
 
@@ -32,6 +36,7 @@ struct Part {
 class PdfWriter {
  public:
   explicit PdfWriter(const Drawing& drawing);
+  void attach(std::string_view description);
   std::string takeText();
 
  private:
@@ -170,6 +175,17 @@ void PdfWriter::addLayers() {
   if (mAll.getArrayNItems() > 0) mPdf.getRoot().replaceKey("/OCProperties", properties);
 }
 
+void PdfWriter::attach(std::string_view description) {
+  expectDescription(description);
+  if (description.empty()) return;
+  auto stream = QPDFEFStreamObjectHelper::createEFStream(mPdf, std::string(description));
+  stream.setSubtype("application/json");
+  stream.getObjectHandle().getDict().replaceKey(kPdfDescription, Object::newBool(true));
+  auto file = QPDFFileSpecObjectHelper::createFileSpec(mPdf, "scene.json", stream);
+  file.setDescription("The scene, for Velum");
+  QPDFEmbeddedFileDocumentHelper(mPdf).replaceEmbeddedFile("scene.json", file);
+}
+
 std::string PdfWriter::takeText() {
   // The page, on which what is transparent is mixed in the colours that it is given in.
   Object page = Object::parse("<< /Type /Page /Group << /Type /Group /S /Transparency /CS /DeviceRGB /I true >> >>");
@@ -199,9 +215,11 @@ std::string PdfWriter::takeText() {
 
 }  // namespace
 
-std::string pdfOf(const Drawing& drawing) {
+std::string pdfOf(const Drawing& drawing, std::string_view description) {
   try {
-    return PdfWriter(drawing).takeText();
+    PdfWriter writer(drawing);
+    writer.attach(description);
+    return writer.takeText();
   } catch (const Error&) {
     throw;
   } catch (const std::exception& error) {
@@ -209,6 +227,8 @@ std::string pdfOf(const Drawing& drawing) {
   }
 }
 
-void writePdf(const Drawing& drawing, const std::filesystem::path& path) { replaceFile(path, pdfOf(drawing)); }
+void writePdf(const Drawing& drawing, const std::filesystem::path& path, std::string_view description) {
+  replaceFile(path, pdfOf(drawing, description));
+}
 
 }  // namespace velum::vector

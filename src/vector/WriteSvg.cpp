@@ -10,6 +10,7 @@
 #include "core/ImageChannels.h"
 #include "core/ReplaceFile.h"
 #include "vector/Bounds.h"
+#include "vector/Description.h"
 #include "vector/Png.h"
 #include "vector/Unicode.h"
 
@@ -23,7 +24,7 @@ constexpr const char* kHead =
   xmlns:dc="http://purl.org/dc/elements/1.1/" xmlns:rdf="http://www.w3.org/1999/02/22-rdf-syntax-ns#"
   version="1.1" width="{0}mm" height="{1}mm" viewBox="0 0 {2} {3}">
 {5}<metadata><rdf:RDF><cc:Work rdf:about=""><dc:format>image/svg+xml</dc:format><dc:title>{4}</dc:title>)"
-    R"(<dc:creator><cc:Agent><dc:title>Velum</dc:title></cc:Agent></dc:creator></cc:Work></rdf:RDF></metadata>
+    R"(<dc:creator><cc:Agent><dc:title>Velum</dc:title></cc:Agent></dc:creator></cc:Work></rdf:RDF>{6}</metadata>
 )";
 
 /// A number with as many digits as it needs, and no more behind the point than that.
@@ -110,7 +111,7 @@ std::string pathText(const std::vector<Outline>& outlines) {
 /// A drawing on its way into a text.
 class SvgWriter {
  public:
-  explicit SvgWriter(const Drawing& drawing);
+  SvgWriter(const Drawing& drawing, std::string_view description);
   std::string takeText() { return std::move(mText); }
 
  private:
@@ -196,19 +197,25 @@ void SvgWriter::write(const Layer& layer) {
   put("</g>\n");
 }
 
-SvgWriter::SvgWriter(const Drawing& drawing) {
+SvgWriter::SvgWriter(const Drawing& drawing, std::string_view description) {
+  expectDescription(description);
   const std::string title = xmlText(drawing.title);
   auto millimetres = [&](double pixels) { return numberText(pixels * 25.4 / drawing.dpi, 4); };
   put(fmt::runtime(kHead), millimetres(drawing.size.x), millimetres(drawing.size.y), numberText(drawing.size.x),
-      numberText(drawing.size.y), title, title.empty() ? "" : "<title>" + title + "</title>\n");
+      numberText(drawing.size.y), title, title.empty() ? "" : "<title>" + title + "</title>\n",
+      description.empty() ? "" : "\n" + svgDescription(description));
   for (const Layer& layer : drawing.layers) write(layer);
   put("</svg>\n");
 }
 
 }  // namespace
 
-std::string svgOf(const Drawing& drawing) { return SvgWriter(drawing).takeText(); }
+std::string svgOf(const Drawing& drawing, std::string_view description) {
+  return SvgWriter(drawing, description).takeText();
+}
 
-void writeSvg(const Drawing& drawing, const std::filesystem::path& path) { replaceFile(path, svgOf(drawing)); }
+void writeSvg(const Drawing& drawing, const std::filesystem::path& path, std::string_view description) {
+  replaceFile(path, svgOf(drawing, description));
+}
 
 }  // namespace velum::vector

@@ -73,6 +73,33 @@ class Plate(CliTest):
                 both.append((self.folder / f"{name}.{ending}").read_bytes())
             self.assertEqual(*both)
 
+    def test_a_plate_opens_as_its_scene_and_gives_the_same_plate(self):
+        words = ["--finish", "ink", "--names", "--caption", "]]> </velum:scene> endstream", "--set", "cuts.+.axis=0,-1,0", "--set", "finish.contours=1"]
+        for ending in ("svg", "pdf"):
+            first, again = f"a.{ending}", f"b.{ending}"
+            self.run_batch("render", *self.heart(), "-o", first, "--size", "160x120", *FAST, *words)
+            self.run_batch("render", first, "-o", again, "--size", "160x120")
+            self.assertEqual((self.folder / first).read_bytes(), (self.folder / again).read_bytes(), ending)
+            self.run_batch("render", *self.heart(), "-o", "a.png", "--size", "160x120", *FAST, *words)
+            self.assertEqual(self.report("info", first)["scene"], self.report("info", "a.png")["scene"])
+            self.assertEqual(self.report("info", first)["kind"], "scene")
+
+    def test_files_that_hold_no_scene_or_a_damaged_one_are_refused_in_a_line(self):
+        self.run_batch("render", *self.heart(), "-o", "a.svg", "--size", "40x30", *FAST)
+        self.run_batch("render", *self.heart(), "-o", "a.pdf", "--size", "40x30", *FAST)
+        svg, pdf = (self.folder / "a.svg").read_bytes(), (self.folder / "a.pdf").read_bytes()
+        scene = svg.index(b"<velum:scene")
+        bomb = b'<!DOCTYPE svg [<!ENTITY a "ha">' + b"".join(
+            b'<!ENTITY %c "%s">' % (c, b"&%c;" % (c - 1) * 10) for c in range(ord("b"), ord("z"))) + b"]><svg>&y;</svg>"
+        files = {"none.svg": svg[:scene], "other.svg": b"<svg/>", "empty.svg": b"", "cut.svg": svg[:scene + 400], "bomb.svg": bomb,
+                 "no-json.svg": svg[:scene] + b'<velum:scene encoding="base64">bm8ganNvbg==</velum:scene>', "no-base64.svg": svg[:scene] + b"<velum:scene>&y;</velum:scene>",
+                 "other.pdf": b"%PDF-1.4\n%%EOF", "cut.pdf": pdf[:pdf.index(b"/VelumScene") + 60], "empty.pdf": b"", "text.pdf": b"not one at all",
+                 "no-stream.pdf": b"%PDF-1.4\n1 0 obj << /VelumScene true >> endobj"}
+        for name, data in files.items():
+            (self.folder / name).write_bytes(data)
+            self.refuse("render", name, "-o", "x.png", code=2, words=[name])
+            self.refuse("info", name, code=2, words=[name])
+
     def test_what_cannot_be_written_is_refused_before_anything_is_drawn(self):
         self.refuse("render", *self.heart(), "-o", "no/such/plate.svg", code=2)
         self.refuse("render", *self.heart(), "-o", "plate.eps", code=2, words=[".svg"])

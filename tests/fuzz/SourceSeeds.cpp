@@ -4,6 +4,10 @@
 #include <string>
 
 #include "../support/TiffFiles.h"
+#include "scene/Scene.h"
+#include "scene/json/Json.h"
+#include "vector/WritePdf.h"
+#include "vector/WriteSvg.h"
 
 namespace velum::io {
 
@@ -48,6 +52,10 @@ void writeRaw(const std::filesystem::path& folder) {
 }  // namespace
 
 void writeSourceSeeds(const std::filesystem::path& root) {
+  for (const char* target : {"svg", "pdf"}) std::filesystem::create_directories(root / target);
+  const vector::Drawing drawing{{3, 2}, 300.0, "a", {}};
+  vector::writeSvg(drawing, root / "svg" / "scene.svg", scene::toJson(scene::Scene()));
+  vector::writePdf(drawing, root / "pdf" / "scene.pdf", scene::toJson(scene::Scene()));
   for (const char* target : {"tiff-source", "raw-source"}) std::filesystem::create_directories(root / target);
   writePyramids(root / "tiff-source");
   writeRaw(root / "raw-source");

@@ -3,7 +3,7 @@
 
 namespace velum::io {
 
-/// Writes sound files for the targets of sources into folders of their names.
+/// Writes sound files for the targets of sources, and of drawings, into folders of their names.
 void writeSourceSeeds(const std::filesystem::path& root);
 
 }  // namespace velum::io

@@ -41,6 +41,8 @@ TEST_F(FileKinds, AreToldByContentsAndByNamesOfAnyCase) {
   EXPECT_EQ(kindOf(picture("a.png", "{}")), FileKind::Picture);
   EXPECT_EQ(kindOf(picture("a.PNG", "{}")), FileKind::Picture);
   EXPECT_EQ(kindOf(picture("a.EXR", "{}")), FileKind::Picture);
+  EXPECT_EQ(kindOf(text("a.svg", "<svg/>")), FileKind::Picture);
+  EXPECT_EQ(kindOf(text("a.PDF", "")), FileKind::Picture);
   EXPECT_EQ(kindOf(picture("a.tif", "{}")), FileKind::Picture);
   EXPECT_EQ(kindOf(picture("plain.tif", "")), FileKind::Volume) << "a TIFF without a scene is one of microscopy";
 }

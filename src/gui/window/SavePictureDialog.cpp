@@ -264,7 +264,7 @@ void SavePictureDialog::updateText() {
                       .arg(mPixels.x * 2.54 / mDpi->value(), 0, 'f', 1)
                       .arg(mPixels.y * 2.54 / mDpi->value(), 0, 'f', 1)
                       .arg(mDpi->value());
-  mFacts->setText(tr("%1 x %2 pixels (%3 megapixels), %4.\nPNG, EXR and TIFF carry the scene: drop the picture on the "
+  mFacts->setText(tr("%1 x %2 pixels (%3 megapixels), %4.\nThe picture carries the scene: drop it on the "
                      "window to go on with it.")
                       .arg(mPixels.x)
                       .arg(mPixels.y)

@@ -47,6 +47,11 @@ WrittenFormat formatOf(std::string_view name, std::string_view endings) {
 
 }  // namespace
 
+bool isDrawing(const fs::path& path) {
+  std::string ending = lowerExtension(path);
+  return ending == ".svg" || ending == ".pdf";
+}
+
 FileKind kindOf(const fs::path& path) {
   std::error_code error;
   if (fs::is_directory(path, error)) return looksLikeLabels(path) ? FileKind::Labels : FileKind::Volume;
@@ -55,7 +60,7 @@ FileKind kindOf(const fs::path& path) {
   if (isSurface(ending)) return FileKind::Surface;
   if (looksLikeModel(path)) return FileKind::Model;
   if (ending == ".json") return FileKind::Scene;
-  if (ending == ".png" || ending == ".exr") return FileKind::Picture;
+  if (ending == ".png" || ending == ".exr" || isDrawing(path)) return FileKind::Picture;
   if ((ending == ".tif" || ending == ".tiff") && carriesScene(path)) return FileKind::Picture;
   return looksLikeLabels(path) ? FileKind::Labels : FileKind::Volume;
 }

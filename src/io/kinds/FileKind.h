@@ -25,6 +25,9 @@ FileKind kindOf(const std::filesystem::path& path);
 /// The kind of a source; a file whose layout of samples the source gives (Source::raw) is a volume.
 FileKind kindOf(const scene::Source& source);
 
+/// True for the endings of drawings, of lines and letters: .svg, .pdf. They are pictures.
+bool isDrawing(const std::filesystem::path& path);
+
 /// True when files of this kind carry a scene, which replaces the open one when the file is opened.
 inline bool holdsScene(FileKind kind) { return kind == FileKind::Scene || kind == FileKind::Picture; }
 

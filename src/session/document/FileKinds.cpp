@@ -34,7 +34,7 @@ std::vector<FilePatterns> readablePatterns() {
   }
   FilePatterns& surface = kinds.emplace_back("Surface");
   for (std::string_view extension : io::meshExtensions()) surface.patterns.push_back(fmt::format("*{}", extension));
-  kinds.push_back({"Picture with a scene", {"*.png", "*.exr", "*.tif", "*.tiff"}});
+  kinds.push_back({"Picture with a scene", {"*.png", "*.exr", "*.tif", "*.tiff", "*.svg", "*.pdf"}});
   return kinds;
 }
 

@@ -31,6 +31,7 @@
 #include "session/growth/Growths.h"
 #include "session/model/LegendLacks.h"
 #include "session/model/LevelCache.h"
+#include "vector/Description.h"
 
 namespace velum::session {
 
@@ -192,10 +193,9 @@ scene::Scene withRelativePaths(scene::Scene scene, const fs::path& folder) {
 }  // namespace
 
 std::optional<std::string> readSceneText(const fs::path& path) {
-  io::FileKind kind = io::kindOf(path);
-  if (kind == io::FileKind::Scene) return readText(path);
-  if (kind != io::FileKind::Picture) return std::nullopt;
-  std::string text = io::readImageDescription(path);
+  if (io::FileKind kind = io::kindOf(path); kind != io::FileKind::Picture)
+    return kind == io::FileKind::Scene ? std::optional(readText(path)) : std::nullopt;
+  std::string text = io::isDrawing(path) ? vector::readDescription(path) : io::readImageDescription(path);
   if (text.empty()) throw InputError(fmt::format("{}: the picture holds no scene of ours", path.string()));
   return text;
 }

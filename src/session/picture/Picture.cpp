@@ -13,6 +13,7 @@
 #include "core/ReplaceFile.h"
 #include "core/Text.h"
 #include "io/images/ImageFile.h"
+#include "io/kinds/FileKind.h"
 #include "render/RenderPicture.h"
 #include "render/section/SectionImage.h"
 #include "scene/Shown.h"
@@ -151,13 +152,8 @@ Image drawSectionPicture(const scene::Scene& scene, scene::SectionKind kind, con
   return image;
 }
 
-bool isDrawing(const std::filesystem::path& path) {
-  std::string ending = lowerExtension(path);
-  return ending == ".svg" || ending == ".pdf";
-}
-
 void expectPictureFormat(const std::filesystem::path& path) {
-  if (isDrawing(path)) return;
+  if (io::isDrawing(path)) return;
   try {
     io::expectImageFormat(path);
   } catch (const InputError& error) {

@@ -53,8 +53,6 @@ Image drawPicture(render::Renderer& renderer, const scene::Scene& scene, const P
 Image drawSectionPicture(const scene::Scene& scene, scene::SectionKind kind, const PictureOptions& options,
                          Progress& progress);
 
-/// True where a file is written as a drawing, see session/plate/Plate.h: .svg, .pdf.
-bool isDrawing(const std::filesystem::path& path);
 /// @throw InputError where pictures are written in no such format
 void expectPictureFormat(const std::filesystem::path& path);
 /// Checks before a picture is drawn whether it could be written to a path. @throw InputError for an unknown format, no

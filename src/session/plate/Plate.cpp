@@ -113,9 +113,11 @@ vector::Drawing drawSectionPlate(const scene::Scene& scene, scene::SectionKind k
   return drawing;
 }
 
-void savePlate(const vector::Drawing& drawing, const std::filesystem::path& path) {
-  if (lowerExtension(path) == ".svg") return vector::writeSvg(drawing, path);
-  vector::writePdf(drawing, path);
+void savePlate(const vector::Drawing& drawing, const scene::Scene& scene, const PictureOptions& options,
+               const std::filesystem::path& path) {
+  std::string text = sceneTextFor(sceneForPicture(scene, options), path);
+  if (lowerExtension(path) == ".svg") return vector::writeSvg(drawing, path, text);
+  vector::writePdf(drawing, path, text);
 }
 
 }  // namespace velum::session

@@ -29,8 +29,10 @@ vector::Drawing drawPlate(render::Renderer& renderer, const scene::Scene& scene,
 vector::Drawing drawSectionPlate(const scene::Scene& scene, scene::SectionKind kind, const PictureOptions& options,
                                  Progress& progress);
 
-/// @param path  see isDrawing()  @throw InputError when the disk refuses
-void savePlate(const vector::Drawing& drawing, const std::filesystem::path& path);
+/// Writes a plate with the scene inside, as savePicture() does with pictures of pixels.
+/// @param path  see io::isDrawing()  @throw InputError when the disk refuses
+void savePlate(const vector::Drawing& drawing, const scene::Scene& scene, const PictureOptions& options,
+               const std::filesystem::path& path);
 
 /// What journals refuse of a drawing, one line each, for people: pictures of less than 300 pixels an inch, lines of
 /// less than half a point, letters of less than 6 points or more than 8. Empty: nothing.

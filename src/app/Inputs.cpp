@@ -236,11 +236,8 @@ void openFiles(session::Session& session, const InputOptions& input, const std::
 void placeCamera(session::Session& session, const InputOptions& input, double aspect) {
   bool isScene = !input.inputs.empty() && io::holdsScene(io::kindOf(session.file().path()));
   if (input.view.empty() && isScene) return;
-  auto side = enumValue<scene::StandardView>(input.view);
-  if (!side && !input.view.empty())
-    throw ArgumentError(
-        fmt::format("--view {}: not one of {}", input.view, fmt::join(EnumNames<scene::StandardView>::kNames, ", ")));
-  side ? app::run(session, session::LookFrom{*side, aspect}) : app::run(session, session::LookFirst{aspect});
+  if (input.view.empty()) return app::run(session, session::LookFirst{aspect});
+  app::run(session, session::LookFrom{named<scene::StandardView>("--view", input.view), aspect});
 }
 
 }  // namespace

@@ -176,6 +176,8 @@ std::map<int, StructureLeft> measureLeft(const scene::Scene& scene, int only, Pr
   for (auto& [id, part] : all) {
     if (!(part.sum.whole > 0.0)) continue;
     part.sum.left = part.placesLeft == part.places ? part.sum.whole : part.sum.whole * part.placesLeft / part.places;
+    // What is thin is shown thicker than its voxels are: faces across it, too.
+    for (auto& [cut, area] : part.sum.faces) area *= part.sum.whole / part.places;
     left[id] = part.sum;
   }
   return left;

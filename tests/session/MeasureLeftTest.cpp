@@ -117,6 +117,26 @@ TEST(MeasureLeft, ThinThingsHaveTheirSurfaceAndTheFacesAcrossThem) {
   }
 }
 
+/// What is thin is shown thicker than its voxels: that must not count where the rest is thick.
+TEST(MeasureLeft, WhatIsLeftIsOfVoxelsInThinPartsToo) {
+  for (const MeasureGrid& grid : measureGrids()) {
+    SCOPED_TRACE(grid.name);
+    scene::Scene scene = sceneOfBody(grid, [](glm::dvec3 p) {
+      return glm::length(p - glm::dvec3(-8, 0, 0)) < 9.0 || (p.x > -8 && p.x < 17 && std::abs(p.z) < 0.9);
+    });
+    scene::addCut(scene, cutAt(scene::CutShape::Plane, {2, 0, 0}, {-1, 0, 0}));
+    double voxels = 0.0;
+    const LabelVolume& labels = *scene.labels.data;
+    glm::ivec3 v;
+    for (v.z = 0; v.z < labels.dims().z; ++v.z)
+      for (v.y = 0; v.y < labels.dims().y; ++v.y)
+        for (v.x = 0; v.x < labels.dims().x; ++v.x)
+          voxels += labels.at(v) == 1 && (labels.worldFromVoxel() * glm::dvec4(v, 1.0)).x > kMeasureMiddle.x + 2.0;
+    double wanted = voxels * std::abs(glm::determinant(glm::dmat3(labels.worldFromVoxel())));
+    EXPECT_NEAR(leftOf(scene).left, wanted, 0.04 * wanted);  // half a layer of voxels, of 15 mm
+  }
+}
+
 TEST(MeasureLeft, APlaneLeavesACapWithAFace) {
   for (const MeasureGrid& grid : measureGrids())
     for (glm::dvec3 axis : {glm::dvec3(0, 0, 1), glm::dvec3(1, 0, 0), glm::dvec3(1, -2, 0.7)})

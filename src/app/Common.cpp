@@ -8,6 +8,7 @@
 #include <csignal>
 #include <cstdio>
 #include <sstream>
+#include <utility>
 
 #include "core/Error.h"
 #include "core/Log.h"
@@ -66,6 +67,9 @@ void finiteNumbersOnly(CLI::App& verb) {
     if (option->get_type_name().find("FLOAT") != std::string::npos) option->check(finite);
 }
 
+namespace {
+
+/// Cancels the progress, as a signal does; 0: never.
 void stopAfter(double seconds) {
   if (seconds <= 0) return;
   itimerval timer{};
@@ -73,6 +77,18 @@ void stopAfter(double seconds) {
   timer.it_value.tv_usec = suseconds_t((seconds - std::floor(seconds)) * 1e6);
   timer.it_interval.tv_sec = kPatienceSeconds;  // the second alarm ends the process
   ::setitimer(ITIMER_REAL, &timer, nullptr);
+}
+
+}  // namespace
+
+Run withTimeout(CLI::App& verb, Run work) {
+  auto seconds = std::make_shared<double>(0.0);
+  verb.add_option("--timeout", *seconds, "give up after so many seconds, with exit code 142; 0: never")
+      ->check(CLI::Range(0.0, 1e6));
+  return [seconds, work = std::move(work)] {
+    stopAfter(*seconds);
+    return work();
+  };
 }
 
 void stopOnSignals() {

@@ -2,6 +2,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -15,6 +16,8 @@
 namespace velum::app {
 
 using Json = nlohmann::ordered_json;
+/// Does a verb's work and returns the exit code.
+using Run = std::function<int()>;
 
 /// The options that every verb takes.
 struct Common {
@@ -30,13 +33,13 @@ void addCommon(CLI::App& verb, Common& common);
 void expectOutput(const std::string& path, void (*expectFormat)(const std::filesystem::path&) = nullptr);
 /// A progress that writes one line to a terminal's stderr, and is cancelled by stopOnSignals().
 Progress& consoleProgress();
-/// From now on SIGINT, SIGTERM, SIGHUP and the alarm of stopAfter() cancel consoleProgress(), so that half-done outputs
+/// From now on SIGINT, SIGTERM, SIGHUP and the alarm of --timeout cancel consoleProgress(), so that half-done outputs
 /// are put away; a second signal of the same kind ends the process at once.
 void stopOnSignals();
-/// The signal that cancelled the progress; SIGALRM means that stopAfter() did.
+/// The signal that cancelled the progress; SIGALRM means that --timeout did.
 int stopSignal();
-/// Cancels the progress after so many seconds, as a signal does; 0: never.
-void stopAfter(double seconds);
+/// Adds the option --timeout. @return the work, which is cancelled after so many seconds as a signal does it
+Run withTimeout(CLI::App& verb, Run work);
 /// Reads `count` numbers with commas between them from an option's text. @param form  how they are to be written, for
 /// the error: "x,y,z"  @throw ArgumentError
 std::vector<double> numbersOf(const char* option, const std::string& text, std::size_t count, const char* form);

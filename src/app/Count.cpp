@@ -28,7 +28,6 @@ struct CountOptions {
   TargetOptions targets;
   std::vector<std::string> areas;
   std::string size, csv, svg, instances, whatHides, clearTheWay, output;
-  double timeout = 0;
 };
 
 Json rowJson(const session::CountRow& row) {
@@ -157,12 +156,7 @@ Run registerCount(CLI::App& verb) {
   verb.add_option("--svg", options->svg, "write them as bars");
   verb.add_option("--instances", options->instances, "write a table of all instances: visible, hidden or clipped");
   verb.add_option("-o,--output", options->output, "write the scene as JSON, with the cuts as they were set");
-  verb.add_option("--timeout", options->timeout, "give up after so many seconds, with exit code 142; 0: never")
-      ->check(CLI::Range(0.0, 1e6));
-  return [options] {
-    stopAfter(options->timeout);
-    return run(*options);
-  };
+  return withTimeout(verb, [options] { return run(*options); });
 }
 
 }  // namespace velum::app

@@ -32,9 +32,10 @@ struct FilmVerb {
   LetteringOptions lettering;
   std::vector<std::string> animate, retarget, retargetLabels;
   std::string retargetBy;
-  std::string output, size = "1280x720", section, part = "1/1", saveScene;
+  DrawnOptions drawn;
+  std::string output, part = "1/1", saveScene;
   int frames = 0;
-  double seconds = 0.0, framesPerSecond = 0.0, timeout = 0.0;
+  double seconds = 0.0, framesPerSecond = 0.0;
   session::FilmOutput made;  ///< filled from the options; where texts are read by filmOutput()
 };
 
@@ -42,23 +43,16 @@ session::FilmOutput filmOutput(const FilmVerb& options) {
   session::FilmOutput output = options.made;
   output.path = options.output;
   output.part = session::parseFilmPart(options.part);
-  output.picture.size = session::parsePictureSize(options.size, output.picture.dpi);
+  output.picture = pictureOf(options.drawn);
+  output.section = sectionOf(options.drawn);
   if (options.framesPerSecond > 0.0) output.framesPerSecond = options.framesPerSecond;
-  if (options.section.empty()) return output;
-  output.section = enumValue<scene::SectionKind>(options.section);
-  if (!output.section)
-    throw ArgumentError(fmt::format("--section {}: not one of {}", options.section,
-                                    fmt::join(EnumNames<scene::SectionKind>::kNames, ", ")));
-  if (output.picture.layers) throw ArgumentError("--layers: a section has none; leave it out with --section");
   return output;
 }
 
 /// Runs a ready-made film: its name as in the commands film.turn, film.pull ..., and what they take.
 void addReadyMade(session::Session& session, const std::string& text, double seconds) {
   std::string name = text.substr(0, text.find(' '));
-  if (!enumValue<session::ReadyFilm>(name))
-    throw ArgumentError(
-        fmt::format("--animate {}: not one of {}", name, fmt::join(EnumNames<session::ReadyFilm>::kNames, ", ")));
+  named<session::ReadyFilm>("--animate", name);
   std::string line = "film." + text;
   if (seconds > 0.0 && text.find("seconds=") == text.npos) line += fmt::format(" seconds={:.17g}", seconds);
   run(session, session::parseCall(line), {{"film." + name, "--animate " + name}});
@@ -209,10 +203,7 @@ Run registerFilm(CLI::App& verb) {
                   "what to write: film.mp4 (H.264), .webm (VP9), .gif; a folder FRAMES/ of PNGs; or pictures turn.png, "
                   ".tif, .exr, as turn-0000.png ...")
       ->required();
-  verb.add_option("--size", options->size, "WIDTHxHEIGHT in pixels, or with a unit: 12x8cm, 120x80mm, 5x3in")
-      ->capture_default_str();
-  verb.add_option("--samples", made.picture.samples, "pictures that are averaged, 1 to 256; default: as the scene says")
-      ->check(CLI::Range(1, 256));
+  addDrawn(verb, options->drawn);
   verb.add_option("--fps", options->framesPerSecond,
                   "frames a second; else as the scene's film says, or what the frames were drawn for")
       ->check(CLI::Range(0.01, 1000.0));
@@ -230,7 +221,6 @@ Run registerFilm(CLI::App& verb) {
           "the command of "
           "that name takes: \"turn turns=2 gently=true\"; may be repeated")
       ->allow_extra_args(false);
-  verb.add_option("--section", options->section, "a section view instead of the 3D picture: axial, coronal, sagittal");
   addLettering(verb, options->lettering);
   addRetarget(verb, *options);
   verb.add_option("--save-scene", options->saveScene, "write the scene with its film as JSON, too");
@@ -243,18 +233,10 @@ Run registerFilm(CLI::App& verb) {
       ->check(CLI::Range(0.0, 1.0))
       ->capture_default_str();
   verb.add_option("--quality", made.quality, "of a video, 0 to 100")->check(CLI::Range(0, 100))->capture_default_str();
-  verb.add_option("--bits", made.picture.bits, "levels of colour: 8 bits, or 16, also in .exr")
-      ->check(CLI::IsMember({8, 16}));
-  verb.add_flag("--transparent", made.picture.transparent, "no background, with alpha: not in .mp4");
-  verb.add_flag("--layers", made.picture.layers, "also alpha, normal, depth and more of each frame, as in render");
-  verb.add_option("--dpi", made.picture.dpi, "pixels an inch in print: for sizes with a unit (else 300)")
-      ->check(CLI::Range(1.0, 10000.0));
-  verb.add_option("--timeout", options->timeout, "give up after so many seconds, with exit code 142; 0: never")
-      ->check(CLI::Range(0.0, 1e6));
-  return [options] {
-    stopAfter(options->timeout);
-    return runFilm(*options);
-  };
+  verb.add_flag("--transparent", options->drawn.picture.transparent, "no background, with alpha: not in .mp4");
+  verb.add_flag("--layers", options->drawn.picture.layers,
+                "also alpha, normal, depth and more of each frame, as in render");
+  return withTimeout(verb, [options] { return runFilm(*options); });
 }
 
 }  // namespace velum::app

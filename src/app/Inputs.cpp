@@ -235,11 +235,8 @@ void openFiles(session::Session& session, const InputOptions& input, const std::
 /// Of the scene's own, or as data is first seen, or from the side that is asked for.
 void placeCamera(session::Session& session, const InputOptions& input, double aspect, bool hasOwn) {
   if (input.view.empty() && hasOwn) return;
-  auto side = enumValue<scene::StandardView>(input.view);
-  if (!side && !input.view.empty())
-    throw ArgumentError(
-        fmt::format("--view {}: not one of {}", input.view, fmt::join(EnumNames<scene::StandardView>::kNames, ", ")));
-  side ? app::run(session, session::LookFrom{*side, aspect}) : app::run(session, session::LookFirst{aspect});
+  if (input.view.empty()) return app::run(session, session::LookFirst{aspect});
+  app::run(session, session::LookFrom{named<scene::StandardView>("--view", input.view), aspect});
 }
 
 }  // namespace

@@ -1,17 +1,29 @@
 #pragma once
+#include <fmt/format.h>
+
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "app/Common.h"
+#include "core/Error.h"
+#include "core/Fields.h"
 #include "scene/SceneFwd.h"
 #include "scene/Source.h"
 #include "session/Session.h"
 #include "session/command/Command.h"
+#include "session/picture/Picture.h"
 
 /// What verbs open, and the options for it: each option stands for a command that is run once the data has been read.
 namespace velum::app {
+
+/// The value that an option names. @throw ArgumentError that lists what there is
+template <class Enum>
+Enum named(const char* option, const std::string& name) {
+  if (auto value = enumValue<Enum>(name)) return *value;
+  throw ArgumentError(fmt::format("{} {}: not one of {}", option, name, fmt::join(EnumNames<Enum>::kNames, ", ")));
+}
 
 /// The options of verbs that open data.
 struct InputOptions {
@@ -37,6 +49,17 @@ struct LetteringOptions {
 void addLettering(CLI::App& verb, LetteringOptions& lettering);
 /// Runs the commands that the options stand for.
 void writeOver(session::Session& session, const LetteringOptions& lettering);
+
+/// The options of verbs that draw pictures.
+struct DrawnOptions {
+  std::string size = "1280x720", section;
+  session::PictureOptions picture;  ///< but for its size; layers and transparent are the verbs' own options
+};
+void addDrawn(CLI::App& verb, DrawnOptions& drawn);
+/// With the size. @throw ArgumentError
+session::PictureOptions pictureOf(const DrawnOptions& drawn);
+/// None: the 3D picture. @throw ArgumentError for what is no section, and for layers of one
+std::optional<scene::SectionKind> sectionOf(const DrawnOptions& drawn);
 
 /// The first input's source, with the reading options applied.
 scene::Source firstSource(const InputOptions& input);

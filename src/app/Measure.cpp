@@ -22,7 +22,6 @@ struct MeasureOptions {
   std::vector<std::string> marks;
   std::string output, profiles;
   bool structures = false, faces = false;
-  double timeout = 0;
 };
 
 bool isJsonFile(const std::filesystem::path& path) { return path.extension() == ".json"; }
@@ -107,12 +106,7 @@ Run registerMeasure(CLI::App& verb) {
   verb.add_flag("--faces", options->faces, "the area of the face of each cut in each structure");
   verb.add_option("--profiles", options->profiles, "write the samples of all profiles: .csv, or - for standard output");
   verb.add_option("-o,--output", options->output, "the table: .csv, .json, or - for CSV on standard output");
-  verb.add_option("--timeout", options->timeout, "give up after so many seconds, with exit code 142; 0: never")
-      ->check(CLI::Range(0.0, 1e6));
-  return [options] {
-    stopAfter(options->timeout);
-    return run(*options);
-  };
+  return withTimeout(verb, [options] { return run(*options); });
 }
 
 }  // namespace velum::app

@@ -27,11 +27,10 @@ struct RenderOptions {
   InputOptions input;
   TargetOptions targets;
   LetteringOptions lettering;
-  std::string output, size = "1280x720", saveScene, section;
-  int samples = 0, bits = 8;
+  DrawnOptions drawn;
+  std::string output, saveScene;
   double at = -1.0;
-  double dpi = 0, timeout = 0;
-  bool layers = false, transparent = false, bruteForce = false;
+  bool bruteForce = false;
 };
 
 /// Refuses outputs that cannot be written, before anything is read.
@@ -44,17 +43,11 @@ void expectOutputs(const RenderOptions& options) {
   expectOutput(options.saveScene);
 }
 
-scene::SectionKind sectionKind(const std::string& name) {
-  if (auto kind = enumValue<scene::SectionKind>(name)) return *kind;
-  throw ArgumentError(
-      fmt::format("--section {}: not one of {}", name, fmt::join(EnumNames<scene::SectionKind>::kNames, ", ")));
-}
-
 /// What there is to say of the pictures; they may have gone to stdout.
 Json reportOf(const RenderOptions& options, session::Session& session, glm::ivec2 size, double ms) {
-  if (!options.section.empty()) {
+  if (!options.drawn.section.empty()) {
     glm::dvec3 at = session.scene().sections.crosshair;
-    return {{"section", options.section},
+    return {{"section", options.drawn.section},
             {"crosshair", {at.x, at.y, at.z}},
             {"size", {size.x, size.y}},
             {"frameMs", ms},
@@ -83,10 +76,10 @@ Json reportOf(const RenderOptions& options, session::Session& session, glm::ivec
 
 int run(const RenderOptions& options) {
   expectOutputs(options);
-  bool isSection = !options.section.empty();
-  if (isSection) sectionKind(options.section);
-  if (isSection && options.layers) throw ArgumentError("--layers: a section has none; leave it out with --section");
-  glm::ivec2 size = session::parsePictureSize(options.size, options.dpi);
+  std::optional<scene::SectionKind> section = sectionOf(options.drawn);
+  bool isSection = section.has_value();
+  session::PictureOptions picture = pictureOf(options.drawn);
+  glm::ivec2 size = picture.size;
   double aspect = double(size.x) / size.y;
   session::Session session;
   session.setContextKind(options.common.context);
@@ -100,17 +93,13 @@ int run(const RenderOptions& options) {
     for (const char* field : {"rayCast.skipEmpty", "rayCast.stopOpaque"})
       app::run(session, session::SetField{field, "false"});
 
-  if (options.lettering.pageWidth > 0.0 && options.dpi > 0.0)
+  if (options.lettering.pageWidth > 0.0 && picture.dpi > 0.0)
     throw ArgumentError(
         "--page-width: with --dpi the picture's pixels say how wide the page is; leave out one of the two");
   writeOver(session, options.lettering);
   if (options.at >= 0.0) app::run(session, session::MovePlayhead{options.at});
 
   auto start = Clock::now();
-  session::PictureOptions picture{size,           options.samples, options.transparent,
-                                  options.layers, options.dpi,     options.bits};
-  std::optional<scene::SectionKind> section;
-  if (isSection) section = sectionKind(options.section);
   for (const std::string& note : session.savePicture(picture, section, options.output, progress)) log::warning(note);
   double ms = msSince(start);
   bool isEmpty = !isSection && session::cutsTakeAll(session.settled(progress), progress);
@@ -138,35 +127,21 @@ Run registerRender(CLI::App& verb) {
   verb.add_option("-o,--output", options->output,
                   "picture to write: .png, .tif, .exr; with lines and letters .svg, .pdf; - writes PNG to stdout")
       ->required();
-  verb.add_option("--size", options->size, "WIDTHxHEIGHT in pixels, or with a unit: 12x8cm, 120x80mm, 5x3in")
-      ->capture_default_str();
-  verb.add_option("--dpi", options->dpi,
-                  "pixels an inch in print: for sizes with a unit (else 300), and told in the file")
-      ->check(CLI::Range(1.0, 10000.0));
-  verb.add_option("--bits", options->bits, "levels of colour: 8 bits, or 16, also in .exr")
-      ->check(CLI::IsMember({8, 16}));
+  addDrawn(verb, options->drawn);
   addTargets(verb, options->targets);
-  verb.add_option("--section", options->section, "a section view instead of the 3D picture: axial, coronal, sagittal");
-  verb.add_option("--samples", options->samples, "pictures that are averaged, 1 to 256; default: as the scene says")
-      ->check(CLI::Range(1, 256));
   verb.add_option("--at", options->at, "a moment of the scene's film, in seconds")
       ->check(CLI::Range(0.0, scene::kLongestFilm));
   verb.add_flag(
-      "--layers", options->layers,
+      "--layers", options->drawn.picture.layers,
       "also alpha, normal, depth, structure id, position, of models type and (EXR) Cryptomatte, and of illustrative "
       "sections front, inlay and behind: "
       "in the EXR, or as PNGs beside");
-  verb.add_flag("--transparent", options->transparent, "no background, with alpha");
+  verb.add_flag("--transparent", options->drawn.picture.transparent, "no background, with alpha");
   addLettering(verb, options->lettering);
   verb.add_flag("--brute-force", options->bruteForce,
                 "without skipping and early ends: the reference for every acceleration");
   verb.add_option("--save-scene", options->saveScene, "write the scene as JSON, too");
-  verb.add_option("--timeout", options->timeout, "give up after so many seconds, with exit code 142; 0: never")
-      ->check(CLI::Range(0.0, 1e6));
-  return [options] {
-    stopAfter(options->timeout);
-    return run(*options);
-  };
+  return withTimeout(verb, [options] { return run(*options); });
 }
 
 }  // namespace velum::app

@@ -1,14 +1,10 @@
 #pragma once
-#include <functional>
-
 #include "app/Common.h"
 
 /// The verbs of velum-batch, one file each. Each function adds its verb's options to `verb` and returns the function
 /// that does the verb's work.
 namespace velum::app {
 
-/// Does a verb's work and returns the exit code.
-using Run = std::function<int()>;
 Run registerInfo(CLI::App& verb);
 Run registerRender(CLI::App& verb);
 Run registerFilm(CLI::App& verb);

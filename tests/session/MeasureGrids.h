@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
@@ -68,6 +69,26 @@ inline scene::Mark markOf(scene::MarkKind kind, std::vector<glm::dvec3> points) 
   mark.kind = kind;
   mark.points = std::move(points);
   return mark;
+}
+
+/// Values as a plain loop sums them.
+struct PlainSum {
+  double count = 0, sum = 0, squares = 0, least = 1e9, most = -1e9;
+  void add(double value) {
+    ++count, sum += value, squares += value * value;
+    least = std::min(least, value), most = std::max(most, value);
+  }
+};
+/// Of the voxels whose middles are where isIn(world) says.
+template <class IsIn>
+PlainSum sumWhere(const Volume& volume, IsIn isIn) {
+  PlainSum sum;
+  glm::ivec3 v;
+  for (v.z = 0; v.z < volume.dims.z; ++v.z)
+    for (v.y = 0; v.y < volume.dims.y; ++v.y)
+      for (v.x = 0; v.x < volume.dims.x; ++v.x)
+        if (isIn(glm::dvec3(volume.worldFromVoxel * glm::dvec4(v, 1.0)))) sum.add(valueAt(volume, v));
+  return sum;
 }
 
 }  // namespace velum::session

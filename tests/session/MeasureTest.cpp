@@ -35,6 +35,14 @@ Volume rampVolume(const MeasureGrid& grid) {
   volume.unit = "HU";
   return volume;
 }
+void expectValues(const Measured& found, const PlainSum& plain) {
+  double mean = plain.sum / plain.count;
+  EXPECT_EQ(valueOf(found, "voxels"), plain.count);
+  EXPECT_NEAR(valueOf(found, "mean"), mean, 1e-9);
+  EXPECT_NEAR(valueOf(found, "deviation"), std::sqrt(plain.squares / plain.count - mean * mean), 1e-6);
+  EXPECT_EQ(valueOf(found, "least"), plain.least);
+  EXPECT_EQ(valueOf(found, "most"), plain.most);
+}
 scene::Scene rampScene(const MeasureGrid& grid) {
   scene::Scene scene;
   scene.volume.data = Shared<Volume>(rampVolume(grid));
@@ -109,27 +117,35 @@ TEST(Measure, ValuesInABallAreThoseOfAPlainLoop) {
     scene::Scene scene = rampScene(grid);
     const Volume& volume = *scene.volume.data;
     glm::dvec3 middle(1.3, -2.1, 0.7), rim = middle + glm::dvec3(0, 0, 9.5);
-    double count = 0, sum = 0, squares = 0, least = 1e9, most = -1e9;
-    glm::ivec3 v;
-    for (v.z = 0; v.z < volume.dims.z; ++v.z)
-      for (v.y = 0; v.y < volume.dims.y; ++v.y)
-        for (v.x = 0; v.x < volume.dims.x; ++v.x) {
-          if (glm::distance(glm::dvec3(volume.worldFromVoxel * glm::dvec4(v, 1.0)), middle) > 9.5) continue;
-          double value = valueAt(volume, v);
-          ++count, sum += value, squares += value * value;
-          least = std::min(least, value), most = std::max(most, value);
-        }
+    PlainSum plain = sumWhere(volume, [&](glm::dvec3 at) { return glm::distance(at, middle) <= 9.5; });
     Measured found = measured(scene, markOf(scene::MarkKind::Circle, {middle, rim}));
-    EXPECT_EQ(valueOf(found, "voxels"), count);
-    EXPECT_NEAR(valueOf(found, "mean"), sum / count, 1e-9);
-    EXPECT_NEAR(valueOf(found, "deviation"), std::sqrt(squares / count - sum / count * sum / count), 1e-6);
-    EXPECT_EQ(valueOf(found, "least"), least);
-    EXPECT_EQ(valueOf(found, "most"), most);
+    expectValues(found, plain);
     EXPECT_EQ(findQuantity(found, "mean")->unit, "HU");
     // And the truth: a ramp's mean is the value in the middle, its deviation the slope by the ball's.
     EXPECT_NEAR(valueOf(found, "mean"), rampAt(middle), 0.01 * rampAt(middle));
     double slope = glm::length(glm::dvec3(3, -2, 5));
     EXPECT_NEAR(valueOf(found, "deviation"), slope * 9.5 / std::sqrt(5.0), 0.01 * slope * 9.5 / std::sqrt(5.0));
+  }
+}
+
+/// Of labels on another grid, cut by a plane.
+TEST(Measure, ValuesOfARegionAreThoseOfItsVoxelsThatAreLeft) {
+  MeasureGrid labelled{"labels", {1.3, 0.9, 1.1}, 1.1, 0.2};
+  for (const MeasureGrid& grid : measureGrids()) {
+    SCOPED_TRACE(grid.name);
+    scene::Scene scene = sceneOfBall(labelled, 12.0);
+    scene.volume.data = Shared<Volume>(rampVolume(grid));
+    glm::dvec3 normal = glm::normalize(glm::dvec3(1, -2, 0.7));
+    scene::addCut(scene, cutAt(scene::CutShape::Plane, 3.3 * normal, normal));
+    const Volume& volume = *scene.volume.data;
+    const LabelVolume& labels = *scene.labels.data;
+    PlainSum plain = sumWhere(volume, [&](glm::dvec3 at) {
+      glm::ivec3 label(glm::round(glm::dvec3(glm::inverse(labels.worldFromVoxel()) * glm::dvec4(at, 1.0))));
+      return labels.at(label) == 1 && glm::dot(at - kMeasureMiddle, normal) <= 3.3;
+    });
+    scene::Mark region = markOf(scene::MarkKind::Region, {});
+    region.structure = 1;
+    expectValues(measured(scene, region), plain);
   }
 }
 

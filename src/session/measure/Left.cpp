@@ -21,29 +21,35 @@ constexpr std::size_t kBorderPlaces = 32, kFacePlaces = 192;
 /// A place counts for a face up to this distance, mean edges of a voxel, the less the further away: thin enough for
 /// what is round, thick enough that each face is met by many places.
 constexpr double kFaceReach = 0.5;
+/// Up to so many half diagonals of a voxel from a face, structures' voxels are compared with what is shown of them:
+/// past a whole voxel, so that steps between voxels even out.
+constexpr double kAboutReach = 2.0;
 /// The distance to a sheet is measured along its frame's axis, which is further than to a steep sheet beside the place.
 constexpr double kSheetFactor = 3.0;
 
-/// Of one structure: what is counted between voxels beside what is told.
+/// What lies about a face of a structure, squared units, by places: by their voxels and as pictures show it.
+struct AboutFace {
+  double voxels = 0.0, shown = 0.0;
+};
+
+/// Of one structure.
 struct Part {
   StructureLeft sum;
-  double places = 0.0;  ///< volume of it by places, all and left
-  double placesLeft = 0.0;
+  std::map<int, AboutFace> about;  ///< by the id of the cut
 
-  void addVoxels(glm::ivec3 low, glm::ivec3 high, double volume) {
+  void addVoxels(glm::ivec3 low, glm::ivec3 high, double volume, double left) {
     sum.whole += volume;
+    sum.left += left;
     sum.low = glm::min(sum.low, low);
     sum.high = glm::max(sum.high, high);
   }
-  void addPlaces(double volume, bool isKept) {
-    places += volume;
-    if (isKept) placesLeft += volume;
-  }
   void join(const Part& other) {
-    addVoxels(other.sum.low, other.sum.high, other.sum.whole);
-    places += other.places;
-    placesLeft += other.placesLeft;
+    addVoxels(other.sum.low, other.sum.high, other.sum.whole, other.sum.left);
     for (const auto& [cut, area] : other.sum.faces) sum.faces[cut] += area;
+    for (const auto& [cut, part] : other.about) {
+      about[cut].voxels += part.voxels;
+      about[cut].shown += part.shown;
+    }
   }
 };
 using Parts = std::unordered_map<std::uint16_t, Part>;
@@ -78,6 +84,7 @@ class BrickMeasure {
     mFaceReach = kFaceReach * std::cbrt(mVoxel);
     for (double x : {-0.5, 0.5})
       for (double y : {-0.5, 0.5}) mRadius = std::max(mRadius, glm::length(axes * glm::dvec3(x, y, 0.5)));
+    mAboutReach = kAboutReach * mRadius;
     mFactor = mKept.hasSheets() ? kSheetFactor : 1.0;
   }
 
@@ -89,10 +96,7 @@ class BrickMeasure {
       glm::dvec3 middle = worldOf(glm::dvec3(first) + 0.5 * glm::dvec3(size - 1));
       if (auto kept = keptAround(middle, ids[0], kBrickEdge)) {
         double volume = mVoxel * double(size.x) * double(size.y) * double(size.z);
-        Part& part = parts[ids[0]];
-        part.addVoxels(first, first + size - 1, volume);
-        part.addPlaces(volume, *kept);
-        return;
+        return parts[ids[0]].addVoxels(first, first + size - 1, volume, *kept ? volume : 0.0);
       }
     }
     glm::ivec3 v;
@@ -112,34 +116,41 @@ class BrickMeasure {
   std::optional<bool> keptAround(glm::dvec3 middle, std::uint16_t id, double voxels) const {
     if (mKept.isEmpty()) return true;
     double distance = mKept.distance(middle, id).distance;
-    if (std::abs(distance) <= mFactor * (voxels * mRadius + mFaceReach)) return std::nullopt;
+    if (std::abs(distance) <= mFactor * (voxels * mRadius + mAboutReach)) return std::nullopt;
     return distance > 0.0;
   }
 
   void addVoxel(Parts& parts, glm::ivec3 voxel, std::uint16_t id) const {
     bool hasBorder = mField->hasBorder(voxel);
-    if (isAsked(id)) parts[id].addVoxels(voxel, voxel, mVoxel);
     if (!hasBorder && !isAsked(id)) return;
     auto kept = keptAround(worldOf(voxel), id, 1.0);
-    if (!hasBorder && kept) return parts[id].addPlaces(mVoxel, *kept);
+    if (kept && isAsked(id)) parts[id].addVoxels(voxel, voxel, mVoxel, *kept ? mVoxel : 0.0);
+    if (kept && !hasBorder) return;
     glm::dvec3 shift = shiftOf(voxel), corner = glm::dvec3(voxel) - 0.5;
-    std::size_t count = kept ? kBorderPlaces : kFacePlaces;
-    double share = 1.0 / double(count);
+    std::size_t count = kept ? kBorderPlaces : kFacePlaces, left = 0;
+    double volume = mVoxel / double(count);
     for (std::size_t i = 0; i < count; ++i) {
       glm::dvec3 at = corner + glm::fract(mPlaces[i] + shift);
-      std::uint16_t here = hasBorder ? mField->at(at).id : id;
-      if (!isAsked(here)) continue;
-      Part& part = parts[here];
-      if (kept && here == id) {
-        part.addPlaces(share * mVoxel, *kept);
-        continue;
+      render::KeptDistance own;
+      if (!kept && isAsked(id)) {
+        own = mKept.distance(worldOf(at), id);
+        if (own.distance >= 0.0) ++left;
+        parts[id].about[own.cut].voxels += volume * weightOf(own.distance, mAboutReach);
       }
-      render::KeptDistance distance = mKept.distance(worldOf(at), here);
-      part.addPlaces(share * mVoxel, distance.distance >= 0.0);
-      // All that lies about a face, weighted by a bump whose integral is 1.
-      double off = std::abs(distance.distance) / mFaceReach;
-      if (off < 1.0) part.sum.faces[distance.cut] += share * mVoxel * (1.0 + std::cos(M_PI * off)) / (2.0 * mFaceReach);
+      std::uint16_t here = hasBorder ? mField->at(at).id : id;
+      if (!isAsked(here) || (kept && here == id)) continue;
+      render::KeptDistance distance = here == id ? own : mKept.distance(worldOf(at), here);
+      parts[here].about[distance.cut].shown += volume * weightOf(distance.distance, mAboutReach);
+      double area = volume * weightOf(distance.distance, mFaceReach);
+      if (area > 0.0) parts[here].sum.faces[distance.cut] += area;
     }
+    if (!kept && isAsked(id)) parts[id].addVoxels(voxel, voxel, mVoxel, mVoxel * (double(left) / double(count)));
+  }
+
+  /// A bump about a face, whose integral across the face is 1.
+  static double weightOf(double distance, double reach) {
+    double off = std::abs(distance) / reach;
+    return off < 1.0 ? (1.0 + std::cos(M_PI * off)) / (2.0 * reach) : 0.0;
   }
 
   const LabelVolume& mLabels;
@@ -148,7 +159,7 @@ class BrickMeasure {
   render::KeptPlaces mKept;
   int mOnly;
   std::array<glm::dvec3, kFacePlaces> mPlaces;
-  double mVoxel = 0.0, mRadius = 0.0, mFaceReach = 0.0, mFactor = 1.0;
+  double mVoxel = 0.0, mRadius = 0.0, mFaceReach = 0.0, mAboutReach = 0.0, mFactor = 1.0;
 };
 
 }  // namespace
@@ -175,7 +186,9 @@ std::map<int, StructureLeft> measureLeft(const scene::Scene& scene, int only, Pr
   progress.throwIfCancelled();
   for (auto& [id, part] : all) {
     if (!(part.sum.whole > 0.0)) continue;
-    part.sum.left = part.placesLeft == part.places ? part.sum.whole : part.sum.whole * part.placesLeft / part.places;
+    // What is thin is shown thicker than its voxels are: the faces across it, too.
+    for (auto& [cut, area] : part.sum.faces)
+      if (const AboutFace& about = part.about[cut]; about.shown > 0.0) area *= about.voxels / about.shown;
     left[id] = part.sum;
   }
   return left;

@@ -15,11 +15,13 @@ struct StructureLeft {
   glm::ivec3 low{std::numeric_limits<int>::max()}, high{-1};  ///< the box of its voxels, both ends included
 };
 
-/// What the cuts leave of the structures of a scene, by id; hidden ones, too. The whole is the volume of a structure's
-/// voxels, as everywhere; which share of it is left, and the faces, are counted where pictures show it, between voxels:
-/// at 32 places of each voxel that a border or a face passes. The places differ from voxel to voxel, so that planes
-/// along the voxels count right, too. Sheets of membranes hang as their shapes in the scene say. O(voxels of bricks
-/// that are not uniform), all cores. Empty where there are no labels.
+/// What the cuts leave of the structures of a scene, by id; hidden ones, too. Volumes are of voxels, as everywhere; of
+/// a voxel that a cut passes counts the share of 192 places in it that is left. Faces lie where pictures show the
+/// structure, between voxels, and are counted in the same places; where it is thin, and is shown thicker than its
+/// voxels are, they are as much smaller. The places differ from voxel to voxel, so that planes along the voxels count
+/// right, too. Volumes are 0.5 % off the truth at most, and faces 1 %, where a structure is 20 voxels (by the longest
+/// edge) thick, 1 % and 3 % at 12. Sheets of membranes hang as their shapes in the scene say. O(voxels of bricks that
+/// are not uniform), all cores. Empty where there are no labels.
 /// @param only  the structure that is asked for; 0: all
 /// @throw Cancelled. Any thread.
 std::map<int, StructureLeft> measureLeft(const scene::Scene& scene, int only, Progress& progress);

@@ -1,112 +1,67 @@
 #include "session/measure/SurfaceLeft.h"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
-#include <vector>
 
 #include "core/Parallel.h"
-#include "io/meshes/ExtractSurface.h"
 #include "render/kept/KeptPlaces.h"
 #include "scene/Scene.h"
-#include "scene/StructureAt.h"
-#include "session/measure/MeshNeighbours.h"
+#include "session/measure/VoxelFaces.h"
 
 namespace velum::session {
 
 namespace {
 
-/// Triangles that a face passes are looked at in so many parts along each edge.
-constexpr int kPartsAlongEdge = 8;
-/// How often the directions of neighbouring triangles are averaged, where voxels are cubes. Tuned on balls and
-/// ellipsoids of 6 to 16 voxels, oblique, sheared and up to four times as long as wide, which come out within 1.3 %.
-constexpr double kAveragings = 20.0;
+/// Faces that a cut passes are looked at in so many places along each edge.
+constexpr int kPlacesAlongEdge = 8;
 
-struct Corners {
-  glm::dvec3 a, b, c;
+class KeptFaces {
+ public:
+  KeptFaces(const scene::Scene& scene, int structure)
+      : mWorldFromVoxel(scene.labels.data->worldFromVoxel()),
+        mKept(scene, worldOf(0.5 * glm::dvec3(scene.labels.data->dims() - 1))),
+        mStructure(std::uint16_t(structure)) {
+    glm::dmat3 axes(mWorldFromVoxel);
+    mReach = 0.5 * (glm::length(axes[0]) + glm::length(axes[1]) + glm::length(axes[2]));
+    // The distance to a sheet is measured along its frame's axis, which is further than to a steep sheet beside it.
+    if (mKept.hasSheets()) mReach *= 3.0;
+  }
+
+  double shareOf(const VoxelFace& face) const {
+    if (mKept.isEmpty()) return 1.0;
+    glm::dvec3 middle = glm::dvec3(face.voxel) + 0.5 * glm::dvec3(face.way);
+    double distance = mKept.distance(worldOf(middle), mStructure).distance;
+    if (std::abs(distance) > mReach) return distance > 0.0 ? 1.0 : 0.0;
+    glm::dvec3 along(face.way.x == 0, face.way.x != 0, 0.0), across = glm::cross(glm::dvec3(face.way), along);
+    int left = 0;
+    for (int i = 0; i < kPlacesAlongEdge; ++i)
+      for (int j = 0; j < kPlacesAlongEdge; ++j) {
+        glm::dvec2 at = (glm::dvec2(i, j) + 0.5) / double(kPlacesAlongEdge) - 0.5;
+        left += mKept.keeps(worldOf(middle + at.x * along + at.y * across), mStructure) ? 1 : 0;
+      }
+    return double(left) / (kPlacesAlongEdge * kPlacesAlongEdge);
+  }
+
+ private:
+  glm::dvec3 worldOf(glm::dvec3 voxel) const { return glm::dvec3(mWorldFromVoxel * glm::dvec4(voxel, 1.0)); }
+  glm::dmat4 mWorldFromVoxel;
+  render::KeptPlaces mKept;
+  std::uint16_t mStructure;
+  double mReach = 0.0;
 };
-
-/// Share of the middles of a triangle's parts that is kept.
-double shareOfParts(const render::KeptPlaces& kept, const Corners& t, std::uint16_t structure) {
-  constexpr int n = kPartsAlongEdge;
-  int left = 0;
-  auto look = [&](double u, double v) {
-    left += kept.keeps(t.a + u * (t.b - t.a) + v * (t.c - t.a), structure) ? 1 : 0;
-  };
-  for (int i = 0; i < n; ++i)
-    for (int j = 0; i + j < n; ++j) {
-      look((i + 1.0 / 3.0) / n, (j + 1.0 / 3.0) / n);
-      if (i + j + 1 < n) look((i + 2.0 / 3.0) / n, (j + 2.0 / 3.0) / n);
-    }
-  return double(left) / (n * n);
-}
-
-double keptShare(const render::KeptPlaces& kept, const Corners& t, std::uint16_t structure) {
-  if (kept.isEmpty()) return 1.0;
-  glm::dvec3 middle = (t.a + t.b + t.c) / 3.0;
-  double reach = std::max({glm::distance(middle, t.a), glm::distance(middle, t.b), glm::distance(middle, t.c)});
-  double distance = kept.distance(middle, structure).distance;
-  if (std::abs(distance) > (kept.hasSheets() ? 3.0 : 1.0) * reach) return distance > 0.0 ? 1.0 : 0.0;
-  return shareOfParts(kept, t, structure);
-}
-
-Corners cornersOf(const Mesh& mesh, std::size_t triangle) {
-  const std::uint32_t* corner = &mesh.indices[3 * triangle];
-  return {mesh.positions[corner[0]], mesh.positions[corner[1]], mesh.positions[corner[2]]};
-}
-
-/// The area of each triangle as it is seen along the mean direction of those about it: what is left of steps between
-/// voxels adds nothing then.
-std::vector<double> areasWithoutRipples(const Mesh& mesh, int rounds, Progress& progress) {
-  std::size_t count = mesh.indices.size() / 3;
-  std::vector<glm::dvec3> own(count), means(count), next(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    Corners t = cornersOf(mesh, i);
-    own[i] = 0.5 * glm::cross(t.b - t.a, t.c - t.a);
-    double area = glm::length(own[i]);
-    means[i] = area > 0.0 ? own[i] / area : glm::dvec3(0.0);
-  }
-  auto neighbours = neighboursOf(mesh.indices);
-  for (int round = 0; round < rounds; ++round) {
-    progress.throwIfCancelled();
-    parallelFor(std::size_t(0), count, [&](std::size_t i) {
-      glm::dvec3 sum = glm::length(own[i]) * means[i];
-      for (std::uint32_t n : neighbours[i]) sum += glm::length(own[n]) * means[n];
-      double length = glm::length(sum);
-      next[i] = length > 0.0 ? sum / length : means[i];
-    });
-    means.swap(next);
-  }
-  std::vector<double> areas(count);
-  for (std::size_t i = 0; i < count; ++i) areas[i] = std::max(0.0, glm::dot(own[i], means[i]));
-  return areas;
-}
-
-/// Where voxels are long, steps between them are long, too.
-int roundsFor(const glm::dmat4& worldFromVoxel) {
-  glm::dmat3 axes(worldFromVoxel);
-  auto [least, most] = std::minmax({glm::length(axes[0]), glm::length(axes[1]), glm::length(axes[2])});
-  return int(std::lround(kAveragings * std::min(most / least, 10.0)));
-}
 
 }  // namespace
 
 double surfaceLeft(const scene::Scene& scene, int structure, glm::ivec3 low, glm::ivec3 high, Progress& progress) {
-  const LabelVolume& labels = *scene.labels.data;
-  auto field = scene::structureFieldOf(scene);
-  auto id = std::uint16_t(structure);
-  Mesh mesh = io::extractSurface(*field, id, low, high, 0.0, progress);
-  std::vector<double> areas = areasWithoutRipples(mesh, roundsFor(labels.worldFromVoxel()), progress);
-  glm::dvec3 middle(labels.worldFromVoxel() * glm::dvec4(0.5 * glm::dvec3(labels.dims() - 1), 1.0));
-  render::KeptPlaces kept(scene, middle);
+  auto faces = voxelFaces(*scene.labels.data, std::uint16_t(structure), low, high, progress);
+  KeptFaces kept(scene, structure);
   auto body = [&](std::size_t first, std::size_t end) {
     progress.throwIfCancelled();
     double area = 0.0;
-    for (std::size_t i = first; i < end; ++i) area += areas[i] * keptShare(kept, cornersOf(mesh, i), id);
+    for (std::size_t i = first; i < end; ++i) area += faces[i].area * kept.shareOf(faces[i]);
     return area;
   };
-  return parallelReduce(std::size_t(0), areas.size(), std::size_t(4096), 0.0, body, std::plus<>());
+  return parallelReduce(std::size_t(0), faces.size(), std::size_t(4096), 0.0, body, std::plus<>());
 }
 
 }  // namespace velum::session

@@ -12,7 +12,6 @@
 #include <QVBoxLayout>
 
 #include "core/ReplaceFile.h"
-#include "session/command/PythonLines.h"
 
 namespace velum::gui {
 
@@ -70,17 +69,11 @@ CommandsWindow::CommandsWindow(session::Session& session, JobRunner& jobs, QWidg
   };
   row->addStretch(1);
   auto* copy = add(tr("&Copy"), "commandsCopy", tr("Copy what is selected, or all lines"));
-  auto* python =
-      add(tr("Copy as &Python"), "commandsPython", tr("Copy all lines as a program for Python's module velum"));
   auto* file = add(tr("&Save..."), "commandsSave", tr("Write all lines as a script"));
   layout->addLayout(row);
   connect(copy, &QPushButton::clicked, this, [this] {
     QString selected = mLines->textCursor().selectedText().replace(QChar::ParagraphSeparator, '\n');
     QGuiApplication::clipboard()->setText(selected.isEmpty() ? lines() : selected);
-  });
-  connect(python, &QPushButton::clicked, this, [this] {
-    std::string program = session::pythonProgram(mSession.document().commandLines());
-    QGuiApplication::clipboard()->setText(QString::fromStdString(program));
   });
   connect(file, &QPushButton::clicked, this, &CommandsWindow::save);
   connect(mTyped, &QLineEdit::returnPressed, this, &CommandsWindow::runTyped);

@@ -39,19 +39,19 @@ std::string literal(const Json& value) {
   return value.is_object() ? "{" + inside + "}" : isPlace ? "(" + inside + ")" : "[" + inside + "]";
 }
 
-/// What `s[FIELD] = value` gives to the command set: a text that is no JSON goes as it is, as in scripts.
+/// What `s[FIELD] = text` gives to the command set: a text that is no JSON goes as it is, as in scripts.
 std::string sentByPython(const Json& value) {
-  if (!value.is_string()) return textOf(value);
   std::string word = value.get<std::string>();
   bool isWord = !word.empty() && trimmed(word) == word && word.find_first_of("\r\n") == std::string::npos;
   return isWord && !Json::accept(word) ? word : textOf(value);
 }
 
+/// A text field may hold what looks like numbers: the text that arrives is the one of the line.
 std::string setLine(const SetField& set) {
   Json value = scene::detail::parseValue(set.value);
   std::string path = literal(Json(set.path));
   bool isSame = value.is_string() ? scene::detail::parseValue(sentByPython(value)) == value
-                                  : scene::detail::valueText(value) == set.value || textOf(value) == set.value;
+                                  : scene::detail::valueText(value) == set.value;
   return isSame ? fmt::format("s[{}] = {}", path, literal(value))
                 : fmt::format("s.set({}, {})", path, literal(Json(set.value)));
 }

@@ -73,17 +73,35 @@ void placeLabels(scene::Scene& scene, Progress& progress) {
   putLabels(scene, readLabelsOf(scene, progress), progress);
 }
 
-void takeVolume(scene::Scene& scene, const scene::Source& source, Volume volume, Progress& progress) {
-  scene.volume.source = source;
-  adoptUnit(scene, volume.lengthUnit);
-  putVolume(scene, std::move(volume));
-  const Volume& put = *scene.volume.data;
-  if (!(put.range.x < put.range.y))
-    warnAll(nameOf(source, put.name), {"every voxel has the same value; there is nothing to see"});
+namespace {
+
+/// What follows where a volume has come in.
+void firstSeen(scene::Scene& scene, Progress& progress) {
+  const Volume& volume = *scene.volume.data;
+  if (!(volume.range.x < volume.range.y))
+    warnAll(nameOf(scene.volume.source, volume.name), {"every voxel has the same value; there is nothing to see"});
   scene::applyFirstLook(scene);
   scene::completeChannels(scene.volume);
   placeLabels(scene, progress);
   recede(scene);
+}
+
+}  // namespace
+
+void takeVolume(scene::Scene& scene, const scene::Source& source, Volume volume, Progress& progress) {
+  scene.volume.source = source;
+  adoptUnit(scene, volume.lengthUnit);
+  putVolume(scene, std::move(volume));
+  firstSeen(scene, progress);
+}
+
+scene::Scene sceneOf(const Shared<Volume>& volume, Progress& progress) {
+  scene::Scene scene;
+  scene.unit = volume->lengthUnit;
+  scene.volume.data = volume;
+  firstSeen(scene, progress);
+  seeAll(scene);
+  return scene;
 }
 
 void takeLabels(scene::Scene& scene, const scene::Source& source, LabelVolume labels, Progress& progress) {

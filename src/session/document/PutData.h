@@ -21,12 +21,14 @@ void putLabels(scene::Scene& scene, LabelVolume labels, Progress& progress);
 /// Labels that were open before the scan that they are of, and have no place of their own, go where it is.
 void placeLabels(scene::Scene& scene, Progress& progress);
 
-/// Data that nobody has looked at yet. They get the look that fits them; labels take the place of those that are there.
-/// Any thread. @param source  where the data is from; without a path it is in no file, and the scene is saved without
+/// Data that nobody has looked at yet, and that get the look that fits them; labels take the place of those that are
+/// there. Any thread. @param source  where the data is from; without a path it is in no file, and no scene file names
 /// it
 /// @throw Cancelled
 void takeVolume(scene::Scene& scene, const scene::Source& source, Volume volume, Progress& progress);
 void takeLabels(scene::Scene& scene, const scene::Source& source, LabelVolume labels, Progress& progress);
+/// A scene of a volume that is in no file. Any thread. @throw Cancelled
+scene::Scene sceneOf(const Shared<Volume>& volume, Progress& progress);
 /// Places camera and sections where they show all of the data.
 void seeAll(scene::Scene& scene);
 

@@ -6,7 +6,7 @@ import re
 import sys
 
 DOCUMENTS = ["README.md", "docs/ARCHITECTURE.md", "docs/MEMBRANES.md", "docs/MODELS.md", "docs/RAY-MARCH.md", "docs/ADDING.md", "docs/CONVENTIONS.md", "docs/STYLE.md", "docs/TESTING.md"]
-SOURCES = ["src/**/*", "shaders/**/*", "tests/**/*.cpp", "tests/**/*.h", "tests/**/*.py", "tests/**/*.txt", "cmake/*", ".ci/**/*", "dev",
+SOURCES = ["src/**/*", "python/**/*", "shaders/**/*", "tests/**/*.cpp", "tests/**/*.h", "tests/**/*.py", "tests/**/*.txt", "cmake/*", ".ci/**/*", "dev",
            "CMakeLists.txt", "CMakePresets.json", "docs/*.py"]
 HOMES = ["", "src", "src/session", "shaders", "tests", "docs"]  # from where paths are told
 OTHERS = {  # names of other people's: libraries, drivers, formats

@@ -18,6 +18,7 @@ MAY_USE = {  # module: modules it may include (its own is implied)
     "session": "core scene gpu io membrane model growth render vector",
     "app": "core scene gpu io growth render session vector",
     "gui": "core scene gpu growth render session vector",
+    "python": "core scene gpu io render session",  # the folder python/ beside src/
 }
 ROOMS = {  # module: {room: rooms of the module it may include (its own is implied); "." is the module's own folder}
     # A module's own folder may include each room unless it is listed.
@@ -44,6 +45,10 @@ ROOMS = {  # module: {room: rooms of the module it may include (its own is impli
             "extrusion": "kit rows service tool view", "mark": "kit rows service tool view",
             "window": "kit rows service tool view look structure model cut membrane extrusion mark timeline"},
 }
+ONLY_ROOMS = {  # module: {other module: rooms of it that it may include}
+    # Commands, and what shows.
+    "python": {"session": ". command document measure membrane model picture structure", "io": "labels volumes", "render": "kept"},
+}
 ONLY_IN = {  # library header: modules that may name it
     r"<Q[A-Z]": "gui",
     r"<(itk|gdcm|vtk|openvdb|OpenImageIO|gemmi|hdf5|tiff)": "io",
@@ -53,11 +58,14 @@ ONLY_IN = {  # library header: modules that may name it
     r"<CLI/": "app",
     r"<(ft2build|freetype)": "vector",
     r"<(cairo|qpdf|png)": "vector",
+    r"<(pybind11|Python)": "python",
 }
 
 
 def home(root, path):
-    """Module and room of a file under src; the room is "." in the module's own folder."""
+    """Module and room of a file under src, or under python; the room is "." in the module's own folder."""
+    if path.is_relative_to(root / "python"):
+        return "python", "."
     parts = path.relative_to(root / "src").parts
     return parts[0], parts[1] if len(parts) > 2 else "."
 
@@ -72,7 +80,7 @@ def public_headers(root):
 def violations(root):
     public = set(public_headers(root))
     yield from (f"{path}: listed as a header, but not there" for path in sorted(public) if not path.is_file())
-    for path in sorted(root.glob("src/*/**/*.[ch]*")):
+    for path in sorted([*root.glob("src/*/**/*.[ch]*"), *root.glob("python/*.[ch]*")]):
         module, room = home(root, path)
         rooms = ROOMS.get(module, {})
         if rooms and room not in rooms and room != ".":
@@ -85,6 +93,9 @@ def violations(root):
                 yield f"{path}:{number}: {quoted[1]} is not among the headers that {there[0]} lists for others"
             if there and there[0] != module and there[0] not in MAY_USE[module].split():
                 yield f"{path}:{number}: {module} may not include {there[0]}"
+            seen = ONLY_ROOMS.get(module, {}).get(there[0]) if there else None
+            if seen is not None and there[1] not in seen.split():
+                yield f"{path}:{number}: {module} may not include {there[0]}/{there[1]}"
             if there and there[0] == module and there[1] != room and room in rooms:
                 if there[1] not in rooms[room].split():
                     yield f"{path}:{number}: {module}/{room} may not include {module}/{there[1]}"

@@ -6,7 +6,7 @@ import re
 import sys
 
 MOST_LINES, MOST_OF_FUNCTION = 300, 60
-FOLDERS = ["src", "shaders", "tests"]
+FOLDERS = ["src", "python", "shaders", "tests"]
 
 
 def functions(lines):

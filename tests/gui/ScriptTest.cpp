@@ -2,16 +2,16 @@
 
 #include <gtest/gtest.h>
 
+#include <QClipboard>
 #include <QFile>
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QTest>
 
-#include "TempFolder.h"
-#include "gui/window/MainWindow.h"
+#include "RunBatch.h"
+#include "WindowFixture.h"
 #include "io/phantoms/Sample.h"
 #include "io/volumes/WriteVolume.h"
-#include "patience.h"
 #include "scene/json/Json.h"
 
 namespace velum::gui {
@@ -131,6 +131,26 @@ TEST_F(ScriptTest, TheCommandsSoFarAreShownTypedAndRunAgain) {
   EXPECT_EQ(run(text), "");
   EXPECT_EQ(scene::toJson(scene()), before);
   window->close();
+}
+
+TEST_F(ScriptTest, WhatWasDoneIsCopiedAsPythonAndDrawsTheSameBytes) {
+  if (std::string_view(VELUM_PYTHON_PACKAGE).empty()) GTEST_SKIP() << "the Python module is not built";
+  ASSERT_EQ(run(QString("open %1\ndo cut.addPlane\nset cuts.0.face section\nset cuts.0.name [1,2]\nlook.background "
+                        "1,1,1 0.2,0.4,0.6\n"
+                        "set lighting.shadow 0\nset lighting.occlusion 0\nview.from left\ndo edit.copyPython\n")
+                    .arg(path("phantom.nrrd"))),
+            "");
+  QString program = QGuiApplication::clipboard()->text();
+  EXPECT_TRUE(program.contains("\ns.cut.add(")) << program.toStdString();
+  ASSERT_EQ(run("picture samples=1 96x72 " + path("window.png")), "");
+  QFile file(path("again.py"));
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write((program + QString("s.picture(\"96x72\", \"%1\", samples=1)\n").arg(path("python.png"))).toUtf8());
+  file.close();
+  runProgram({VELUM_PYTHON, path("again.py")}, "PYTHONPATH=" VELUM_PYTHON_PACKAGE);
+  QByteArray byWindow = bytesOf(path("window.png"));
+  EXPECT_FALSE(byWindow.isEmpty());
+  EXPECT_TRUE(bytesOf(path("python.png")) == byWindow) << program.toStdString();
 }
 
 TEST_F(ScriptTest, MissingDataIsAnErrorAndAsksNothing) {

@@ -43,6 +43,20 @@ class Example(CliTest):
         self.run_batch("render", middle, "-o", "moment.png", "--size", "160x120")
         self.run_batch("compare", middle, "moment.png")
 
+    def test_the_python_package_finds_its_libraries(self):
+        python = os.environ.get("VELUM_PYTHON")
+        if not python:
+            self.skipTest("the Python module is not built")
+        there = self.install()
+        self.run_all(CMAKE, "--install", os.environ["VELUM_BUILD"], "--component", "python", "--prefix", there)
+        (package,) = there.glob("lib/python3/dist-packages")
+        (self.folder / "a.py").write_text("import sys, numpy\nsys.path.insert(0, sys.argv[1])\nimport velum\nprint(velum.__file__)\n"
+                                          "velum.open(numpy.arange(512.0).reshape(8, 8, 8)).picture('96x72', 'a.png')\n"
+                                          "print([line.split()[-1] for line in open('/proc/self/maps') if 'libvelum' in line][0])\n")
+        said = self.run_all(python, "a.py", package)
+        self.assertTrue(all(line.startswith(str(there)) for line in said.splitlines()), said)
+        self.assertTrue((self.folder / "a.png").exists())
+
     def test_all_headers_are_installed_with_what_they_include(self):
         there = self.install()
         headers = sorted(path.name for path in (there / "include/velum").glob("*.h"))

@@ -14,6 +14,7 @@
 #include "session/command/ExtrusionCommands.h"
 #include "session/command/GrowthCommands.h"
 #include "session/command/LookCommands.h"
+#include "session/command/PythonLines.h"
 #include "session/command/StructureCommands.h"
 #include "session/growth/Growths.h"
 
@@ -135,6 +136,32 @@ TEST_F(CommandLines, WhatIsRefusedChangesNothingAndIsNotAmongThem) {
   for (const Call& call : kCalls) EXPECT_THROW(run(mSession, call, mProgress), Error) << call.line();
   EXPECT_TRUE(mSession.scene() == before);
   EXPECT_EQ(mSession.document().commandLines(), lines);
+}
+
+/// That they do the same is a law of python/tests/again_test.py.
+TEST(PythonLines, CommandsAreMethodsAndFieldsAreItems) {
+  const std::pair<const char*, const char*> kRows[] = {
+      {"# Drag", "# Drag"},
+      {"open my head.nrrd", R"(s.open("my head.nrrd"))"},
+      {"open spacing=1,1,2 a.raw", R"(s.open("a.raw", spacing=(1.0, 1.0, 2.0)))"},
+      {"cut.add plane", "s.cut.add()"},
+      {"cut.add box", R"(s.cut.add("box"))"},
+      {"cut.add box \"a \\\"b\\\"\"", R"(s.cut.add("box", name="a \"b\""))"},
+      {"view.from left", R"(s.view.from_("left"))"},
+      {"look.import a.vp", R"(s.look.import_("a.vp"))"},
+      {"structure.show \"aorta,left kidney\" false", R"(s.structure.show(["aorta", "left kidney"], visible=False))"},
+      {"growth.grow [[12.0,-40.0,80.0]] 200,3000", "s.growth.grow([(12.0, -40.0, 80.0)], range=(200.0, 3000.0))"},
+      {"set rayCast.mode mip", R"(s["rayCast.mode"] = "mip")"},
+      {"set camera.eye 1,2.5,-3", R"(s["camera.eye"] = (1, 2.5, -3))"},
+      {"set volume.bodyOnly true", R"(s["volume.bodyOnly"] = True)"},
+      {"set cuts.0.membrane null", R"(s["cuts.0.membrane"] = None)"},
+      {"set cuts.0.name \"42\"", R"(s["cuts.0.name"] = "42")"},
+      {"set cuts.0.name 1e3", R"(s.set("cuts.0.name", "1e3"))"},
+      {"set cuts [{\"id\":1}]", R"(s["cuts"] = [{"id": 1}])"},
+      {"settle", "s.settle()"}};
+  for (auto [line, python] : kRows)
+    EXPECT_EQ(pythonProgram({line}), std::string("import velum\n\ns = velum.Session()\n") + python + "\n") << line;
+  EXPECT_THROW(pythonProgram({"cut.ad"}), ArgumentError);
 }
 
 TEST_F(CommandLines, AnErrorNamesTheLine) {

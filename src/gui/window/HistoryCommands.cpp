@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "gui/window/PreferencesDialog.h"
+#include "session/command/PythonLines.h"
 
 namespace velum::gui {
 
@@ -27,6 +28,8 @@ HistoryCommands::HistoryCommands(const WindowParts& parts) : Room(parts) {
   mCopy =
       parts.actions.add(menu, "edit.copyCommand", tr("&Copy as command"),
                         tr("Copy the last change as the line of a script that does it again"), [this] { copyLast(); });
+  parts.actions.add(menu, "edit.copyPython", tr("Copy as Pyth&on"),
+                    tr("Copy all that was done to what is open as a program in Python"), [this] { copyPython(); });
   parts.actions.add(menu, "edit.commands", tr("Co&mmands so far..."),
                     tr("What has been done to what is open, as a script; and a line to type commands"),
                     [this] { showCommands(); });
@@ -49,6 +52,12 @@ void HistoryCommands::copyLast() {
   QGuiApplication::clipboard()->setText(text);
   QString first = text.section('\n', 0, 0).startsWith('#') ? text.section('\n', 1, 1) : text.section('\n', 0, 0);
   mParts.messages.showNote(tr("Copied: %1").arg(first.size() > kNoteLength ? first.left(kNoteLength) + "..." : first));
+}
+
+void HistoryCommands::copyPython() {
+  std::string program = session::pythonProgram(mParts.document().commandLines());
+  QGuiApplication::clipboard()->setText(QString::fromStdString(program));
+  mParts.messages.showNote(tr("Copied all that was done as a program in Python"));
 }
 
 void HistoryCommands::showCommands() {

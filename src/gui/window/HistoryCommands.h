@@ -19,6 +19,7 @@ class HistoryCommands : public Room {
   void askPreferences();
   void fillHistory(QMenu& menu);
   void copyLast();
+  void copyPython();
   void showCommands();
 
   QAction *mUndo, *mRedo, *mCopy;

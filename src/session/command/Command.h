@@ -8,6 +8,7 @@
 
 #include "core/Task.h"
 #include "scene/Scene.h"
+#include "scene/json/Paths.h"
 #include "scene/json/Schema.h"
 
 namespace velum::session {
@@ -30,6 +31,8 @@ struct Command {
   std::any (*parse)(std::string_view text) = nullptr;
   /// The counterpart of parse(); arguments that have their default are left out.
   std::string (*write)(const std::any& arguments) = nullptr;
+  /// The arguments that have not their default, each by its name and as JSON.
+  std::vector<scene::FieldValue> (*values)(const std::any& arguments) = nullptr;
 
   /// For commands that change the scene: the name of the undo step, "Hide aorta"; and the change. Any thread.
   /// @return of the change: notes for the user, one line each  @throw ArgumentError, InputError, Cancelled

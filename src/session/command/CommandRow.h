@@ -102,19 +102,28 @@ std::string wordOf(const Value& value) {
   }
 }
 
-template <class Arguments>
-std::string writeArguments(const std::any& arguments) {
+/// Calls visit(name, member, isAsByDefault) for each argument, in their order.
+template <class Arguments, class Visit>
+void visitArguments(const Arguments& arguments, Visit visit) {
   static const Arguments kFresh{};
   std::vector<const void*> fresh;
   auto note = [&](std::string_view, const auto& member, const FieldInfo&) { fresh.push_back(&member); };
   Arguments::fields(kFresh, note);
+  std::size_t place = 0;
+  auto compare = [&](std::string_view name, const auto& member, const FieldInfo&) {
+    visit(name, member, member == *static_cast<decltype(&member)>(fresh[place++]));
+  };
+  Arguments::fields(arguments, compare);
+}
+
+template <class Arguments>
+std::string writeArguments(const std::any& arguments) {
   std::string named, placed;  // the argument that takes the rest of a line comes last
   std::size_t place = 0;
   bool isInOrder = true;  // until an argument was left out
-  auto visit = [&](std::string_view name, const auto& member, const FieldInfo&) {
+  auto visit = [&](std::string_view name, const auto& member, bool isAsByDefault) {
     using Member = std::remove_cvref_t<decltype(member)>;
-    bool isAsByDefault = member == *static_cast<const Member*>(fresh[place++]);
-    bool isRest = place == restOf<Arguments>();
+    bool isRest = ++place == restOf<Arguments>();
     bool hasPlace = isInOrder && (restOf<Arguments>() == 0 || place <= restOf<Arguments>());
     // The argument that takes the rest of a line is found by its place.
     if (isAsByDefault && place >= restOf<Arguments>()) return void(isInOrder = false);
@@ -128,10 +137,22 @@ std::string writeArguments(const std::any& arguments) {
     else
       line += scene::detail::valueText(scene::detail::write(member));
   };
-  Arguments::fields(std::any_cast<const Arguments&>(arguments), visit);
+  visitArguments(std::any_cast<const Arguments&>(arguments), visit);
   bool isNamedFirst = restOf<Arguments>() > 0;
   std::string blank = named.empty() || placed.empty() ? "" : " ";
   return isNamedFirst ? named + blank + placed : placed + blank + named;
+}
+
+template <class Arguments>
+std::vector<scene::FieldValue> valuesOf(const std::any& arguments) {
+  std::vector<scene::FieldValue> values;
+  auto visit = [&](std::string_view name, const auto& member, bool isAsByDefault) {
+    if (!isAsByDefault)
+      values.push_back({std::string(name), scene::detail::write(member).dump(
+                                               -1, ' ', false, scene::detail::Json::error_handler_t::replace)});
+  };
+  visitArguments(std::any_cast<const Arguments&>(arguments), visit);
+  return values;
 }
 
 template <class Arguments>
@@ -143,8 +164,9 @@ std::vector<scene::FieldRow> argumentRows() {
 
 template <class Arguments>
 Command rowOf(std::string_view doc, std::string_view example) {
-  return {Arguments::kName,         doc, example, argumentRows<Arguments>, parseArguments<Arguments>,
-          writeArguments<Arguments>};
+  return {
+      Arguments::kName,   doc, example, argumentRows<Arguments>, parseArguments<Arguments>, writeArguments<Arguments>,
+      valuesOf<Arguments>};
 }
 
 /// A command that changes the scene.

@@ -27,6 +27,7 @@
 #include "session/document/Folders.h"
 #include "session/document/LabelPlace.h"
 #include "session/document/PaperFile.h"
+#include "session/document/PutData.h"
 #include "session/document/StructureShapes.h"
 #include "session/growth/Growths.h"
 #include "session/model/LegendLacks.h"
@@ -49,10 +50,6 @@ std::string readText(const fs::path& path) {
     throw InputError(fmt::format("{}: {} MiB is too much for a scene file", path.string(), size >> 20));
   std::ifstream in(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};
-}
-
-void warnAll(const std::string& path, const std::vector<std::string>& warnings) {
-  for (const auto& warning : warnings) log::warning(fmt::format("{}: {}", path, warning));
 }
 
 /// The notes of one opening.
@@ -78,66 +75,6 @@ bool placeSource(scene::Source& source, const MissingData& missing, const fs::pa
     notes.add(fmt::format("{} has changed since the scene was saved", path.filename().string()));
   }
   return true;
-}
-
-/// What the first data of a scene are in the scene is in, too.
-void adoptUnit(scene::Scene& scene, LengthUnit unit) {
-  if (!scene::hasData(scene) && scene.cuts.empty()) scene.unit = unit;
-}
-
-void putVolume(scene::Scene& scene, Volume volume) {
-  scene.volume.source.fingerprint = fingerprintOf(scene.volume.source.path);
-  warnAll(scene.volume.source.path, volume.warnings);
-  setLengthUnit(volume, scene.unit);
-  scene.volume.data = Shared<Volume>(std::move(volume));
-}
-
-/// A scan that would hide solid structures is hardly there.
-void recede(scene::Scene& scene) {
-  auto& labels = scene.labels;
-  bool hasSolids = std::any_of(labels.structures.begin(), labels.structures.end(),
-                               [](const auto& structure) { return structure.showAs == scene::ShowAs::Solid; });
-  if (scene.volume.data && hasSolids && labels.unlabelled == 1.0) labels.unlabelled = scene::kReceded;
-}
-
-void putLabels(scene::Scene& scene, LabelVolume labels, Progress& progress) {
-  scene.labels.source.fingerprint = fingerprintOf(scene.labels.source.path);
-  warnAll(scene.labels.source.path, labels.warnings);
-  labels.setLengthUnit(scene.unit);
-  scene.labels.data = scene.labels.given = Shared<LabelVolume>(std::move(labels));
-  scene.labels.grown.clear();
-  scene.labels.unsmoothed = {};
-  scene.labels.smoothed.clear();
-  scene::completeStructures(scene.labels);
-  settleShapes(scene, progress);
-  if (std::string line = misplacedLabels(scene); !line.empty()) warnAll(scene.labels.source.path, {line});
-}
-
-/// Labels that were open before the scan that they are of, and have no place of their own, go where it is.
-void placeLabels(scene::Scene& scene, Progress& progress) {
-  const auto& labels = scene.labels.data;
-  if (!labels || scene.labels.source.path.empty() || !scene.labels.growths.empty()) return;
-  io::LabelGrid scan = io::gridOf(*scene.volume.data);
-  if (labels->dims() != scan.dims || labels->worldFromVoxel() == scan.worldFromVoxel) return;
-  if (std::error_code error; !fs::exists(scene.labels.source.path, error)) return;
-  putLabels(scene, readLabelsOf(scene, progress), progress);
-}
-
-/// Puts labels in the place of the labels that the scene has.
-void takeLabels(scene::Scene& scene, const scene::Source& source, LabelVolume labels, Progress& progress) {
-  scene.labels = {};
-  scene.labels.source = source;
-  adoptUnit(scene, labels.lengthUnit());
-  putLabels(scene, std::move(labels), progress);
-  scene::applyFirstLook(scene.labels);
-  recede(scene);
-  settleShapes(scene, progress);
-  std::string line = sayBlocks(scene);
-  if (line.empty()) return;
-  log::warning(fmt::format("{}: {}", source.path, line));
-  LabelVolume said = *scene.labels.data;
-  said.warnings.push_back(line);  // for whoever tells what was opened
-  scene.labels.data = scene.labels.given = Shared<LabelVolume>(std::move(said));
 }
 
 void readSurfaceInto(scene::Surface& surface, Progress& progress) {
@@ -208,8 +145,7 @@ scene::Scene open(const scene::Source& source, Progress& progress, const DataPol
   scene::Scene scene;
   if (policy.beforeData) policy.beforeData(scene);
   add(scene, source, progress, notes, policy);
-  scene.camera = scene::firstCamera(scene, 4.0 / 3.0);
-  scene::placeSections(scene);
+  seeAll(scene);
   return scene;
 }
 
@@ -245,16 +181,7 @@ void add(scene::Scene& scene, const scene::Source& source, Progress& progress, s
   if (scene.volume.data) return addLabels(scene, source, progress);
   auto voxels = io::readVoxels(source, progress);
   if (auto* labels = std::get_if<LabelVolume>(&voxels)) return takeLabels(scene, source, std::move(*labels), progress);
-  auto& volume = std::get<Volume>(voxels);
-  scene.volume.source = source;
-  adoptUnit(scene, volume.lengthUnit);
-  putVolume(scene, std::move(volume));
-  if (!(scene.volume.data->range.x < scene.volume.data->range.y))
-    log::warning(fmt::format("{}: every voxel has the same value; there is nothing to see", source.path));
-  scene::applyFirstLook(scene);
-  scene::completeChannels(scene.volume);
-  placeLabels(scene, progress);
-  recede(scene);
+  takeVolume(scene, source, std::move(std::get<Volume>(voxels)), progress);
 }
 
 void loadData(scene::Scene& scene, const fs::path& folder, Progress& progress, const DataPolicy& policy,

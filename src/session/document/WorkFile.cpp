@@ -40,6 +40,7 @@ std::vector<std::string> openingOf(const scene::Scene& scene, bool isRecovered) 
   add(scene.labels.source, lines.empty() ? "" : " asLabels=true");
   add(scene.model.source, "");
   for (const auto& surface : scene.surfaces) add(surface.source, "");
+  if (scene.volume.data && scene.volume.source.path.empty()) lines.push_back("# the volume is in no file");
   scene::Scene fresh;
   if (!isRecovered) {
     // The rest is how data is first shown.

@@ -1,0 +1,165 @@
+#include "Arrays.h"
+
+#include <fmt/format.h>
+#include <pybind11/stl.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/Error.h"
+#include "core/ImageChannels.h"
+#include "io/labels/LabelTables.h"
+
+namespace velum::python {
+
+namespace py = pybind11;
+
+namespace {
+
+constexpr py::ssize_t kMostSide = 65535;
+constexpr int kMostId = 65535;
+
+/// An array over memory that `owner` keeps.
+py::array arrayOver(const std::string& type, std::vector<py::ssize_t> shape, const void* data, py::handle owner) {
+  return py::array(py::dtype(type), std::move(shape), data, owner);
+}
+
+/// Lets numpy copy: it knows all strides, types and byte orders.
+void copyInto(py::array target, const py::array& source) {
+  py::module_::import("numpy").attr("copyto")(target, source);
+}
+
+std::string shapeText(const py::array& array) { return py::str(array.attr("shape")); }
+
+/// Time steps, z, y, x, channels of an array of voxels.
+std::vector<py::ssize_t> voxelShape(const py::array& array) {
+  std::vector<py::ssize_t> shape(array.shape(), array.shape() + array.ndim());
+  if (shape.size() == 3) shape.push_back(1);
+  if (shape.size() == 4) shape.insert(shape.begin(), 1);
+  if (shape.size() != 5)
+    throw ArgumentError(
+        fmt::format("an array of shape {} is no volume; shapes are [z,y,x], [z,y,x,channel] and [time,z,y,x,channel]",
+                    shapeText(array)));
+  if (std::any_of(shape.begin(), shape.end(), [](py::ssize_t side) { return side < 1 || side > kMostSide; }))
+    throw ArgumentError(
+        fmt::format("an array of shape {} is no volume: a side is 1 to {}", shapeText(array), kMostSide));
+  return shape;
+}
+
+SampleType sampleTypeOf(const py::array& array) {
+  std::string type = py::str(array.dtype().attr("name"));
+  if (type == "bool") type = "uint8";
+  if (type == "float16") type = "float32";
+  if (auto known = enumValue<SampleType>(type)) return *known;
+  throw ArgumentError(fmt::format("voxels of type {} are not known; convert them: array.astype(\"float32\")", type));
+}
+
+}  // namespace
+
+Volume volumeOf(const py::array& array, const VolumeFacts& facts) {
+  auto shape = voxelShape(array);
+  Volume volume;
+  volume.timeSteps = int(shape[0]);
+  volume.dims = {int(shape[3]), int(shape[2]), int(shape[1])};
+  volume.channels = int(shape[4]);
+  volume.type = sampleTypeOf(array);
+  volume.isColor = facts.isColor;
+  bool isColorful = volume.type == SampleType::UInt8 && (volume.channels == 3 || volume.channels == 4);
+  if (facts.isColor && !isColorful)
+    throw ArgumentError(
+        fmt::format("an array of shape {} has no colours: these are 3 or 4 channels of uint8", shapeText(array)));
+  volume.worldFromVoxel = facts.worldFromVoxel;
+  volume.lengthUnit = facts.lengthUnit;
+  volume.unit = facts.unit;
+  volume.modality = facts.modality;
+  volume.name = facts.name;
+  volume.timeStepSeconds = facts.timeStepSeconds;
+  volume.voxels.resize(timeStepBytes(volume) * std::size_t(volume.timeSteps));
+  py::capsule owner(volume.voxels.data(), [](void*) {});  // the array is gone before the volume
+  copyInto(arrayOver(std::string(enumName(volume.type)), shape, volume.voxels.data(), owner),
+           array.attr("reshape")(py::cast(shape)));
+  py::gil_scoped_release free;
+  computeRange(volume);
+  return volume;
+}
+
+py::array arrayOf(const Shared<Volume>& volume) {
+  const Volume& v = *volume;
+  std::vector<py::ssize_t> shape{v.dims.z, v.dims.y, v.dims.x};
+  if (v.channels > 1 || v.timeSteps > 1) shape.push_back(v.channels);
+  if (v.timeSteps > 1) shape.insert(shape.begin(), v.timeSteps);
+  py::capsule owner(new Shared<Volume>(volume), [](void* held) { delete static_cast<Shared<Volume>*>(held); });
+  py::array array = arrayOver(std::string(enumName(v.type)), shape, v.voxels.data(), owner);
+  array.attr("flags").attr("writeable") = false;
+  return array;
+}
+
+LabelVolume labelsOf(const py::array& array, const LabelFacts& facts) {
+  std::string kind = py::str(array.dtype().attr("kind"));
+  if (array.ndim() != 3 || array.size() == 0)
+    throw ArgumentError(fmt::format("an array of shape {} has no labels; their shape is [z,y,x]", shapeText(array)));
+  if (kind != "b" && kind != "u" && kind != "i")
+    throw ArgumentError(fmt::format("labels are whole numbers, not {}", std::string(py::str(array.dtype()))));
+  voxelShape(array);
+  py::object least = array.attr("min")(), most = array.attr("max")();
+  if (least < py::int_(0) || most > py::int_(kMostId))
+    throw ArgumentError(fmt::format("labels from {} to {}: ids are 0 to {}", std::string(py::str(least)),
+                                    std::string(py::str(most)), kMostId));
+  py::array_t<std::uint16_t> ids(std::vector<py::ssize_t>(array.shape(), array.shape() + 3));
+  py::module_::import("numpy").attr("copyto")(ids, array, py::arg("casting") = "unsafe");
+  glm::ivec3 dims(int(array.shape(2)), int(array.shape(1)), int(array.shape(0)));
+  LabelVolume labels(dims, facts.worldFromVoxel, facts.lengthUnit);
+  labels.write({0, 0, 0}, dims, {ids.data(), std::size_t(ids.size())});
+  labels.name = facts.name;
+  labels.table = io::completeTable({}, labels.idsInUse());
+  auto rowOf = [&](int id, const char* what) -> LabelInfo& {
+    for (LabelInfo& row : labels.table)
+      if (row.id == id) return row;
+    throw ArgumentError(fmt::format("{}: no voxel has the label {}", what, id));
+  };
+  for (const auto& [id, name] : facts.names) rowOf(id, "names").name = name;
+  for (const auto& [id, color] : facts.colors) rowOf(id, "colors").color = glm::vec3(color[0], color[1], color[2]);
+  return labels;
+}
+
+py::array arrayOf(const LabelVolume& labels) {
+  glm::ivec3 dims = labels.dims();
+  py::array_t<std::uint16_t> ids({py::ssize_t(dims.z), py::ssize_t(dims.y), py::ssize_t(dims.x)});
+  labels.read({0, 0, 0}, dims, {ids.mutable_data(), std::size_t(ids.size())});
+  return ids;
+}
+
+py::array arrayOf(Image image, bool asBytes) {
+  std::vector<py::ssize_t> shape{image.height, image.width, py::ssize_t(image.channels.size())};
+  if (asBytes) {
+    py::array_t<std::uint8_t> bytes(shape);
+    std::transform(image.pixels.begin(), image.pixels.end(), bytes.mutable_data(), wholeSample<std::uint8_t>);
+    return bytes;
+  }
+  auto* held = new std::vector<float>(std::move(image.pixels));
+  py::capsule owner(held, [](void* pixels) { delete static_cast<std::vector<float>*>(pixels); });
+  return arrayOver("float32", shape, held->data(), owner);
+}
+
+glm::dmat4 affineOf(const py::array_t<double>& array) {
+  if (array.ndim() != 2 || array.shape(0) != 4 || array.shape(1) != 4)
+    throw ArgumentError(fmt::format("an affine is a matrix of 4 x 4, not of shape {}", shapeText(array)));
+  glm::dmat4 affine;
+  for (int row = 0; row < 4; ++row)
+    for (int column = 0; column < 4; ++column) affine[column][row] = array.at(row, column);
+  double size = std::abs(glm::determinant(glm::dmat3(affine)));
+  bool isLast = glm::dvec4(affine[0][3], affine[1][3], affine[2][3], affine[3][3]) == glm::dvec4(0, 0, 0, 1);
+  if (!isLast || !std::isfinite(size) || size == 0.0 || !glm::all(glm::lessThan(glm::abs(affine[3]), glm::dvec4(1e15))))
+    throw ArgumentError("an affine takes voxels to places: finite numbers, not singular, its last row 0 0 0 1");
+  return affine;
+}
+
+py::array_t<double> arrayOf(const glm::dmat4& affine) {
+  py::array_t<double> array({4, 4});
+  for (int row = 0; row < 4; ++row)
+    for (int column = 0; column < 4; ++column) array.mutable_at(row, column) = affine[column][row];
+  return array;
+}
+
+}  // namespace velum::python

@@ -1,0 +1,158 @@
+// The module _velum: what the package velum (python/velum) is made of.
+#include <fmt/format.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include "BoundSession.h"
+#include "core/Error.h"
+#include "gpu/GpuError.h"
+#include "io/labels/WriteLabels.h"
+#include "io/volumes/WriteVolume.h"
+#include "session/command/Command.h"
+#include "session/command/PythonLines.h"
+
+namespace velum::python {
+
+namespace py = pybind11;
+
+namespace {
+
+/// The later ones are tried first: those that derive from others stand behind them.
+void bindErrors(py::module_& module) {
+  auto& base = py::register_exception<Error>(module, "Error", PyExc_RuntimeError);
+  py::tuple asValue = py::make_tuple(base, py::handle(PyExc_ValueError));
+  py::register_exception<ArgumentError>(module, "ArgumentError", asValue);
+  py::register_exception<InputError>(module, "InputError", base);
+  py::register_exception<gpu::GpuError>(module, "GpuError", base);
+  py::register_exception<Cancelled>(module, "Cancelled", base);
+}
+
+/// The table of commands: a dictionary each.
+py::list commandRows() {
+  py::list rows;
+  for (const session::Command& command : session::commands()) {
+    py::list arguments;
+    for (const scene::FieldRow& row : command.arguments())
+      arguments.append(py::dict(py::arg("path") = row.path, py::arg("type") = row.type, py::arg("unit") = row.unit,
+                                py::arg("range") = row.range, py::arg("doc") = row.doc,
+                                py::arg("default") = session::pythonValue(row.defaultValue)));
+    std::string example = session::pythonProgram({std::string(command.example)});
+    example = example.substr(example.find("s = "));
+    example = example.substr(example.find('\n') + 1);
+    rows.append(py::dict(py::arg("name") = command.name, py::arg("pythonName") = session::pythonName(command.name),
+                         py::arg("doc") = command.doc, py::arg("example") = example.substr(0, example.size() - 1),
+                         py::arg("answers") = command.answers, py::arg("arguments") = arguments));
+  }
+  return rows;
+}
+
+LengthUnit lengthUnitOf(const std::string& name) {
+  if (auto unit = enumValue<LengthUnit>(name)) return *unit;
+  throw ArgumentError(
+      fmt::format("lengthUnit '{}' is not one of {}", name, fmt::join(EnumNames<LengthUnit>::kNames, ", ")));
+}
+
+Modality modalityOf(const std::string& name) {
+  if (auto modality = enumValue<Modality>(name)) return *modality;
+  throw ArgumentError(
+      fmt::format("modality '{}' is not one of {}", name, fmt::join(EnumNames<Modality>::kNames, ", ")));
+}
+
+void bindVolume(py::module_& module) {
+  auto make = [](const py::array& array, const py::array_t<double>& affine, const std::string& lengthUnit,
+                 const std::string& unit, const std::string& modality, bool isColor, const std::string& name,
+                 double seconds) {
+    VolumeFacts facts{affineOf(affine), lengthUnitOf(lengthUnit), unit, name, modalityOf(modality), isColor, seconds};
+    return Shared<Volume>(volumeOf(array, facts));
+  };
+  using Held = Shared<Volume>;
+  py::class_<Held>(module, "Volume")
+      .def(py::init(make))
+      .def("array", [](const Held& held) { return arrayOf(held); })
+      .def("affine", [](const Held& held) { return arrayOf(held->worldFromVoxel); })
+      .def("facts",
+           [](const Held& held) {
+             const Volume& v = *held;
+             return py::dict(py::arg("lengthUnit") = enumName(v.lengthUnit), py::arg("unit") = v.unit,
+                             py::arg("modality") = enumName(v.modality), py::arg("color") = v.isColor,
+                             py::arg("name") = v.name, py::arg("scale") = v.scale, py::arg("offset") = v.offset,
+                             py::arg("range") = py::make_tuple(v.range.x, v.range.y),
+                             py::arg("timeStepSeconds") = v.timeStepSeconds);
+           })
+      .def("save", [](const Held& held, const std::string& path) {
+        py::gil_scoped_release free;
+        Progress progress;
+        return io::writeVolume(*held, path, progress);
+      });
+}
+
+void bindLabels(py::module_& module) {
+  auto make = [](const py::array& array, const py::array_t<double>& affine, const std::string& lengthUnit,
+                 const std::map<int, std::string>& names, const std::map<int, std::array<float, 3>>& colors,
+                 const std::string& name) {
+    return Shared<LabelVolume>(labelsOf(array, {affineOf(affine), lengthUnitOf(lengthUnit), names, colors, name}));
+  };
+  using Held = Shared<LabelVolume>;
+  py::class_<Held>(module, "Labels")
+      .def(py::init(make))
+      .def("array", [](const Held& held) { return arrayOf(*held); })
+      .def("affine", [](const Held& held) { return arrayOf(held->worldFromVoxel()); })
+      .def("facts",
+           [](const Held& held) {
+             py::dict names, colors;
+             for (const LabelInfo& row : held->table) {
+               names[py::int_(row.id)] = row.name;
+               colors[py::int_(row.id)] = py::make_tuple(row.color.r, row.color.g, row.color.b);
+             }
+             return py::dict(py::arg("lengthUnit") = enumName(held->lengthUnit()), py::arg("names") = names,
+                             py::arg("colors") = colors, py::arg("name") = held->name);
+           })
+      .def("save", [](const Held& held, const std::string& path) {
+        py::gil_scoped_release free;
+        Progress progress;
+        return io::writeLabels(*held, path, progress);
+      });
+}
+
+void bindSession(py::module_& module) {
+  using S = BoundSession;
+  auto picture = [](S& session, int width, int height, int samples, bool transparent, bool layers, bool isFine,
+                    const std::string& section, bool asBytes) {
+    Image image = session.picture({width, height, samples, transparent, layers, isFine, section});
+    std::vector<std::string> channels = image.channels;
+    return py::make_tuple(channels, arrayOf(std::move(image), asBytes));
+  };
+  auto run = [](S& session, const std::string& line) {
+    S::Told told = session.run(line);
+    return py::make_tuple(told.isAnswer, told.lines);
+  };
+  py::class_<S>(module, "Session")
+      .def(py::init<const std::string&>())
+      .def("_run", run)
+      .def("_field", &S::field)
+      .def("_program", &S::program)
+      .def("_openVolume", &S::openVolume)
+      .def("_putLabels", &S::putLabels)
+      .def("_volume", &S::volume)
+      .def("_labels", &S::labels)
+      .def("_picture", picture)
+      .def("_measure", &S::measure)
+      .def("_count", &S::count)
+      .def("_cancel", &S::cancel)
+      .def("_close", &S::close)
+      .def_readwrite("_listener", &S::listener);
+}
+
+}  // namespace
+
+PYBIND11_MODULE(_velum, module) {
+  module.attr("version") = VELUM_VERSION;
+  bindErrors(module);
+  module.def("commands", commandRows);
+  module.def("asLine", [](const std::string& line) { return session::parseCall(line).line(); });
+  bindVolume(module);
+  bindLabels(module);
+  bindSession(module);
+}
+
+}  // namespace velum::python

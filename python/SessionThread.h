@@ -1,0 +1,54 @@
+#pragma once
+#include <sys/types.h>
+
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <thread>
+
+#include "session/Session.h"
+
+namespace velum::python {
+
+/// A session in a thread of its own, where its GL context lives, too. Calls may come from any thread; they are done one
+/// after the other, in their order.
+class SessionThread {
+ public:
+  using Work = std::function<void(session::Session&, Progress&)>;
+  struct News {
+    double fraction = 0.0;  ///< of the work that is done
+    std::string what;
+  };
+  /// Called in the thread of the caller that waits, some twenty times a second, and at the end where there is news.
+  /// @param news  null: there is none
+  using Pulse = std::function<void(const News* news)>;
+
+  explicit SessionThread(gpu::ContextKind context);
+  ~SessionThread();
+
+  /// Does the work in the session's thread, and waits for its end. What a pulse throws stops the work, and is thrown
+  /// when the work has ended.
+  /// @throw what the work throws; Cancelled after cancel(); ArgumentError when the session is closed, or is another
+  /// process's
+  void run(const Work& work, const Pulse& pulse);
+  /// Stops the work that is being done. Any thread.
+  void cancel();
+  /// Stops all work and ends the session. Any thread.
+  void close();
+
+ private:
+  struct Task;
+  void live(gpu::ContextKind context);
+
+  pid_t mProcess;
+  std::mutex mMutex;  ///< of all that follows
+  std::condition_variable mCalled, mDone;
+  std::deque<Task*> mTasks;  ///< The first one is being done.
+  bool mIsClosed = false;
+  std::unique_ptr<std::thread> mThread;
+};
+
+}  // namespace velum::python

@@ -1,0 +1,233 @@
+"""Sessions: commands, fields, pictures, tables, errors."""
+import inspect
+import json
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import sys
+import unittest
+import warnings
+
+from support import PROGRAM, ROOT, Case, ball, numpy, read_png
+
+import velum
+from velum import _velum
+
+SMALL = (96, 72)
+
+
+class Table(Case):
+    def test_every_command_is_a_method_with_its_words(self):
+        rows = re.findall(r"^## (\S+)\n\n(.*?) For example: `(.*?)`", (ROOT / "docs/COMMANDS.md").read_text(), re.M)
+        self.assertGreater(len(rows), 100)
+        self.assertEqual([row["name"] for row in _velum.commands()], [name for name, _, _ in rows])
+        session = velum.Session()
+        for command in _velum.commands():
+            target = session
+            for part in command["pythonName"].split("."):
+                target = getattr(target, part)
+            self.assertIn(command["doc"], target.__doc__)
+            names = [name for name in inspect.signature(target).parameters]
+            heads = list(dict.fromkeys(row["path"].split(".")[0] for row in command["arguments"]))
+            self.assertEqual(names, heads, command["name"])
+
+    def test_examples_are_python_that_says_the_same(self):
+        """The example of each command, run in a session that takes down the line, is the line of the table."""
+        table = dict(re.findall(r"^## (\S+)\n\n.*? For example: `(.*?)`", (ROOT / "docs/COMMANDS.md").read_text(), re.M))
+        session = velum.Session()
+        lines = []
+        session._do = lines.append
+        for command in _velum.commands():
+            lines.clear()
+            exec(command["example"], {"s": session})
+            self.assertEqual(len(lines), 1, command["example"])
+            self.assertEqual(_velum.asLine(lines[0]), table[command["name"]])
+
+
+class Fields(Case):
+    def setUp(self):
+        super().setUp()
+        self.session = velum.open(ball(), unit="HU")
+
+    def test_values_come_back_as_they_were_set(self):
+        for field, value in (("rayCast.mode", "mip"), ("rayCast.stepVoxels", 0.75), ("lighting.shadow", 0.0), ("camera.eye", [1.5, -2.0, 300.0]),
+                             ("background.top", [0.1, 0.2, 0.3]), ("volume.bodyOnly", False)):
+            self.session[field] = value
+            self.assertEqual(numpy.round(self.session[field], 6).tolist() if isinstance(value, list) else self.session[field], value)
+        self.session["camera.eye"] = numpy.array([1, 2, 3])
+        self.assertEqual(self.session["camera.eye"], [1, 2, 3])
+        self.session["camera.eye"] = "4,5,6"
+        self.assertEqual(self.session["camera.eye"], [4, 5, 6])
+
+    def test_texts_are_texts_whatever_they_hold(self):
+        self.session.cut.add("plane")
+        for text in ("my cut", "42", "1,2", "true", "", ' "quoted" ', "a\nb", "[1]", "null", "Schläfenbein", "a=b", "#1", "'", "\\"):
+            self.session["cuts.0.name"] = text
+            self.assertEqual(self.session["cuts.0.name"], text)
+            self.session.cut.rename(str(self.session["cuts.0.id"]), text)
+            self.assertEqual(self.session["cuts.0.name"], text.strip())
+
+    def test_parts_are_dictionaries(self):
+        self.session.cut("box", name="window", face="section", axis=(0, 0, 1))
+        cut = self.session["cuts"][0]
+        self.assertEqual((cut["name"], cut["shape"], cut["face"], cut["axis"]), ("window", "box", "section", [0, 0, 1]))
+        self.assertIn("camera", self.session[""])
+
+    def test_a_cut_that_cannot_be_as_asked_is_not_there(self):
+        before = self.session.commands()
+        with self.assertRaisesRegex(velum.ArgumentError, "axle"):
+            self.session.cut("box", face="section", axle=(0, 0, 1))
+        self.assertEqual(self.session.commands(), before)
+
+
+class Errors(Case):
+    def test_they_are_the_lines_of_the_program(self):
+        """What velum-batch says of the same script."""
+        path = self.sample()
+        for line, call, kind in (
+                ("open nowhere.nrrd", lambda s: s.open("nowhere.nrrd"), velum.InputError), ("set rayCast.mode x", lambda s: s.set("rayCast.mode", "x"), velum.ArgumentError),
+                ("cut.add cube", lambda s: s.cut.add("cube"), velum.ArgumentError), ("set rayCast.mood mip", lambda s: s.__setitem__("rayCast.mood", "mip"), velum.ArgumentError),
+                ("structure.show nobody", lambda s: s.structure.show("nobody"), velum.ArgumentError), ("undo", lambda s: s.undo(), velum.InputError),
+                ("cut.remove", lambda s: s.cut.remove(), velum.ArgumentError), ("save /nowhere/a.json", lambda s: s.save("/nowhere/a.json"), velum.InputError)):
+            with self.subTest(line=line):
+                (self.folder / "script").write_text(line + "\n")
+                said = subprocess.run([PROGRAM, "run", "script", path], capture_output=True, text=True, cwd=self.folder)
+                expected = said.stderr.strip().splitlines()[-1].removeprefix("velum-batch: script:1: ")
+                with velum.open(path) as session, self.assertRaises(kind) as caught:
+                    call(session)
+                self.assertEqual(str(caught.exception).replace(str(pathlib.Path.cwd()), str(self.folder)), expected)
+
+    def test_python_refuses_names_that_are_none(self):
+        session = velum.Session()
+        with self.assertRaises(TypeError):
+            session.cut.add(form="box")
+        with self.assertRaises(AttributeError):
+            session.cut.ad("box")
+        with self.assertRaises(velum.ArgumentError):
+            session["rayCast.mode"] = object()
+        self.assertTrue(issubclass(velum.ArgumentError, ValueError) and issubclass(velum.InputError, velum.Error))
+
+    def test_an_array_is_no_file(self):
+        with velum.open(ball()) as session:
+            with self.assertRaisesRegex(velum.ArgumentError, "array"):
+                session.save(self.folder / "scene.json")
+            session.voxels.save(self.folder / "ball.nrrd")
+        with velum.open(self.folder / "ball.nrrd") as session:
+            session.save(self.folder / "scene.json")
+        self.assertEqual(json.loads((self.folder / "scene.json").read_text())["volume"]["source"]["path"], "ball.nrrd")
+
+    def test_notes_are_warnings(self):
+        path = self.sample()
+        with velum.open(path) as session:
+            session.cut.add("plane")
+            session.mark.add("distance", points=[(0, 0, 0), (1, 2, 3)])
+            with warnings.catch_warnings(record=True) as caught:
+                warnings.simplefilter("always")
+                session.scene.carry(self.sample("vessels"))
+            self.assertTrue(all(issubclass(note.category, velum.Note) for note in caught))
+
+    def test_a_closed_session_says_so(self):
+        session = velum.open(ball())
+        session.close()
+        session.close()
+        with self.assertRaisesRegex(velum.ArgumentError, "closed"):
+            session.undo()
+
+
+class Environments(Case):
+    def test_a_virtual_environment_with_system_packages(self):
+        self.run_program(sys.executable, "-m", "venv", "--system-site-packages", "--without-pip", "there")
+        said = self.run_program(self.folder / "there/bin/python", "-c", "import sys, velum; s = velum.Session(); s.cut.__doc__; print(sys.prefix)")
+        self.assertEqual(said.strip(), str(self.folder / "there"))
+
+
+class Pictures(Case):
+    def test_bytes_are_those_of_the_file(self):
+        with velum.open(self.sample()) as session:
+            session["rayCast.samplesPerPixel"] = 1
+            session.cut("plane", face="section")
+            session.picture("96x72", self.folder / "a.png")
+            image = session.render(*SMALL)
+            self.assertEqual((image.shape, image.dtype, type(image)), ((72, 96, 3), numpy.uint8, velum.Image))
+            numpy.testing.assert_array_equal(read_png((self.folder / "a.png").read_bytes()), image)
+            numpy.testing.assert_array_equal(read_png(image._repr_png_()), image)
+            self.assertGreater(image.std(), 5)
+            fine = session.render(*SMALL, dtype="float32")
+            self.assertEqual(fine.dtype, numpy.float32)
+            numpy.testing.assert_allclose(fine * 255, image, atol=1.01)  # bytes are dithered
+            numpy.testing.assert_allclose(read_png(fine._repr_png_()), fine * 255, atol=0.51)
+            clear = session.render(*SMALL, transparent=True)
+            self.assertEqual(clear.shape, (72, 96, 4))
+            self.assertEqual(clear[0, 0, 3], 0)
+            numpy.testing.assert_array_equal(read_png(clear._repr_png_()), clear)
+            self.assertEqual(session.render(*SMALL, section="axial").shape, (72, 96, 3))
+            for wrong in ({"section": "diagonal"}, {"samples": 300}):
+                with self.assertRaises(velum.ArgumentError):
+                    session.render(*SMALL, **wrong)
+            with self.assertRaises(velum.ArgumentError):
+                session.render(0, 72)
+
+    def test_layers_know_where_the_ball_is(self):
+        with velum.open(ball(side=48, inside=1000), spacing=(1, 1, 1), origin=(-23.5, -23.5, -23.5)) as session:
+            session["rayCast.mode"] = "iso"
+            session["rayCast.isoValue"] = 500
+            session.view.from_("anterior", aspect=SMALL[0] / SMALL[1])
+            layers = session.layers(*SMALL, samples=1)
+        self.assertLessEqual({"color", "Z", "normal", "position"}, set(layers))
+        self.assertEqual(layers["color"].shape, (72, 96, 4))
+        hit = numpy.isfinite(layers["Z"])
+        self.assertGreater(hit.mean(), 0.05)
+        self.assertLess(hit.mean(), 0.95)
+        numpy.testing.assert_allclose(numpy.linalg.norm(layers["position"][hit], axis=1), 12, atol=0.8)
+        numpy.testing.assert_allclose(numpy.linalg.norm(layers["normal"][hit], axis=1), 1, atol=0.02)
+
+    def test_nothing_of_a_window_or_a_driver_is_loaded_before_something_is_drawn(self):
+        said = self.run_python("""
+import numpy, velum
+s = velum.open(numpy.arange(8 ** 3, dtype="uint16").reshape(8, 8, 8))
+s.cut("plane"); s["rayCast.mode"] = "mip"; s.measure()
+names = {line.split("/")[-1].strip() for line in open("/proc/self/maps") if ".so" in line}
+print(*[name for name in names if any(part in name for part in ("Qt", "EGL", "libGL", "OSMesa", "_dri", "gallium"))])
+""", env={**os.environ, "DISPLAY": "", "WAYLAND_DISPLAY": ""})
+        self.assertEqual(said.strip(), "")
+
+
+class Tables(Case):
+    def test_measure_tells_what_the_program_tells(self):
+        path = self.sample("torso")
+        labels = path.with_name("torso_labels.seg.nrrd")
+        with velum.open(path) as session:
+            session.add(labels)
+            session.mark.add("distance", points=[(0, 0, 0), (30, 40, 0)])
+            table = session.measure(structures=True)
+            self.assertAlmostEqual(table["marks"][0]["length"]["value"], 50)
+            session.save(self.folder / "scene.json")
+        batch = json.loads(self.run_program(PROGRAM, "measure", "scene.json", "--structures", "--json"))
+        self.assertEqual(table, batch)
+
+    def test_count_tells_what_the_program_tells(self):
+        path = self.folder / "virion.cif"
+        self.run_program(PROGRAM, "sample", "virion", "-o", path)
+        with velum.open(path) as session:
+            session.cut.add("plane")
+            rows = session.count(*SMALL)
+            session.save(self.folder / "scene.json")
+        batch = json.loads(self.run_program(PROGRAM, "count", "scene.json", "--size", "96x72", "--json"))
+        kinds = ("name", "path", "visible", "hidden", "clipped", "total")
+        for key, is_compartment in (("perType", False), ("perCompartment", True)):
+            mine = [{kind: row[kind] for kind in kinds} for row in rows if row["isCompartment"] == is_compartment]
+            self.assertEqual(mine, [{kind: row[kind] for kind in kinds} for row in batch[key]])
+        with velum.open(self.sample()) as session, self.assertRaises(velum.InputError):
+            session.count(*SMALL)
+
+    def test_a_range_grows(self):
+        with velum.open(ball(side=32)) as session:
+            session.grow((15.5, 15.5, 15.5), range=(500, 1500), name="ball")
+            numpy.testing.assert_array_equal(session.labels.array > 0, ball() > 0)
+            self.assertIn("ball", session.labels.names.values())
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,192 @@
+"""Data as arrays of numpy: volumes, labels, pictures."""
+from __future__ import annotations
+
+import os
+import struct
+import zlib
+from typing import Any, Mapping, Optional, Sequence
+
+import numpy
+
+from . import _velum
+
+
+def _affine(affine: Any, spacing: Any, origin: Any) -> numpy.ndarray:
+    """The matrix from voxels (x, y, z) to the world, of what is said of it."""
+    if affine is not None:
+        if spacing is not None or origin is not None:
+            raise _velum.ArgumentError("an affine says spacing and origin, too: give one or the other")
+        return numpy.asarray(affine, dtype=float)
+    matrix = numpy.eye(4)
+    spacing = numpy.ones(3) if spacing is None else numpy.asarray(spacing, dtype=float)
+    origin = numpy.zeros(3) if origin is None else numpy.asarray(origin, dtype=float)
+    if spacing.shape != (3,) or not (spacing > 0).all():
+        raise _velum.ArgumentError("spacing is three numbers above 0, along x, y and z")
+    if origin.shape != (3,):
+        raise _velum.ArgumentError("origin is three numbers: where the first voxel is, x, y and z")
+    matrix[:3, :3] = numpy.diag(spacing)
+    matrix[:3, 3] = origin
+    return matrix
+
+
+class _Data:
+    """What volumes and labels have in common."""
+
+    _held: Any
+
+    @classmethod
+    def _of(cls, held: Any):
+        made = cls.__new__(cls)
+        made._held = held
+        return made
+
+    def __array__(self, dtype: Any = None) -> numpy.ndarray:
+        return numpy.asarray(self.array, dtype=dtype)
+
+    @property
+    def array(self) -> numpy.ndarray:
+        """The voxels, [z, y, x]."""
+        return self._held.array()
+
+    @property
+    def affine(self) -> numpy.ndarray:
+        """4 x 4, from voxels (x, y, z) to the world: DICOM's axes (x to the left, y to the back, z to the head), in `lengthUnit`."""
+        return self._held.affine()
+
+    @property
+    def spacing(self) -> tuple[float, float, float]:
+        """Of the voxels along x, y and z, in `lengthUnit`."""
+        return tuple(float(length) for length in numpy.linalg.norm(self.affine[:3, :3], axis=0))
+
+    @property
+    def origin(self) -> tuple[float, float, float]:
+        """Where the first voxel's middle is: x, y, z."""
+        return tuple(float(place) for place in self.affine[:3, 3])
+
+    @property
+    def lengthUnit(self) -> str:
+        """mm or angstrom."""
+        return self._held.facts()["lengthUnit"]
+
+    @property
+    def name(self) -> str:
+        """For people."""
+        return self._held.facts()["name"]
+
+    def save(self, path: str | os.PathLike[str]) -> list[str]:
+        """Writes the voxels and where they are, in the format that the path's extension says. Gives what the format cannot hold, a line
+        each."""
+        return self._held.save(os.path.abspath(path))
+
+
+class Volume(_Data):
+    """Voxels, and where they are in the world. It never changes.
+
+    array: [z, y, x], or [z, y, x, channel], or [time, z, y, x, channel]; any strides and byte order; bool, float16, and whole and
+    floating numbers of up to 32 and 64 bits. It is copied once.
+    spacing, origin: along x, y, z. affine: 4 x 4 in their place.
+    lengthUnit: of the world, mm or angstrom. unit: of the values, as HU. modality: CT, MR, PET, angiography, ultrasound, microscopy,
+    seismic, or unknown: the first look is chosen by it. color: the channels are red, green, blue (and alpha), of uint8.
+    """
+
+    def __init__(self, array: Any, *, spacing: Optional[Sequence[float]] = None, origin: Optional[Sequence[float]] = None,
+                 affine: Any = None, lengthUnit: str = "mm", unit: str = "", modality: str = "unknown", color: bool = False,
+                 name: str = "array", timeStepSeconds: float = 0.0) -> None:
+        self._held = _velum.Volume(numpy.asarray(array), _affine(affine, spacing, origin), lengthUnit, unit, modality, color, name,
+                                   timeStepSeconds)
+
+    @property
+    def array(self) -> numpy.ndarray:
+        """The samples as they are, [z, y, x] and more where there are channels or time steps: no copy, not to be written to. A value is
+        array * scale + offset. Of a volume that is streamed it is the coarse level that is in memory."""
+        return self._held.array()
+
+    @property
+    def unit(self) -> str:
+        """Of the values, as HU."""
+        return self._held.facts()["unit"]
+
+    @property
+    def modality(self) -> str:
+        """CT, MR, ..., or unknown."""
+        return self._held.facts()["modality"]
+
+    @property
+    def color(self) -> bool:
+        """The channels are red, green, blue (and alpha)."""
+        return self._held.facts()["color"]
+
+    @property
+    def scale(self) -> float:
+        """See array."""
+        return self._held.facts()["scale"]
+
+    @property
+    def offset(self) -> float:
+        """See array."""
+        return self._held.facts()["offset"]
+
+    @property
+    def range(self) -> tuple[float, float]:
+        """Least and most of the values."""
+        return self._held.facts()["range"]
+
+    @property
+    def timeStepSeconds(self) -> float:
+        """From a time step to the next; 0 where it is not known."""
+        return self._held.facts()["timeStepSeconds"]
+
+    def __repr__(self) -> str:
+        return f"<velum.Volume {self.name} {self.array.shape} {self.array.dtype}>"
+
+
+class Labels(_Data):
+    """Whole numbers that say to which structure each voxel belongs; 0: to none. It never changes.
+
+    array: [z, y, x], numbers from 0 to 65535 of any type of whole numbers. names, colors: by number; colours are sRGB, 0 to 1.
+    The rest as of Volume.
+    """
+
+    def __init__(self, array: Any, *, names: Optional[Mapping[int, str]] = None, colors: Optional[Mapping[int, Sequence[float]]] = None,
+                 spacing: Optional[Sequence[float]] = None, origin: Optional[Sequence[float]] = None, affine: Any = None,
+                 lengthUnit: str = "mm", name: str = "labels") -> None:
+        colors = {id: tuple(map(float, color)) for id, color in (colors or {}).items()}
+        self._held = _velum.Labels(numpy.asarray(array), _affine(affine, spacing, origin), lengthUnit, dict(names or {}), colors, name)
+
+    @property
+    def array(self) -> numpy.ndarray:
+        """A copy of the numbers, uint16, [z, y, x]."""
+        return self._held.array()
+
+    @property
+    def names(self) -> dict[int, str]:
+        """Of the structures, by number."""
+        return self._held.facts()["names"]
+
+    @property
+    def colors(self) -> dict[int, tuple[float, float, float]]:
+        """Of the structures, by number; sRGB, 0 to 1."""
+        return self._held.facts()["colors"]
+
+    def __repr__(self) -> str:
+        return f"<velum.Labels {self.name} {self.array.shape} {len(self.names)} structures>"
+
+
+class Image(numpy.ndarray):
+    """A picture: an array [row, column, channel] of red, green, blue (and alpha), uint8, or float32 from 0 to 1. Notebooks show it."""
+
+    def _repr_png_(self) -> Optional[bytes]:
+        if self.ndim != 3 or self.shape[2] not in (3, 4):
+            return None
+        pixels = numpy.asarray(self)
+        if pixels.dtype != numpy.uint8:
+            pixels = (numpy.clip(pixels, 0, 1) * 255 + 0.5).astype(numpy.uint8)
+        height, width, channels = pixels.shape
+        rows = numpy.zeros((height, 1 + width * channels), numpy.uint8)  # each row says first that it is not filtered
+        rows[:, 1:] = pixels.reshape(height, -1)
+
+        def chunk(name: bytes, data: bytes) -> bytes:
+            return struct.pack(">I", len(data)) + name + data + struct.pack(">I", zlib.crc32(name + data))
+
+        head = struct.pack(">IIBBBBB", width, height, 8, 2 if channels == 3 else 6, 0, 0, 0)
+        return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", head) + chunk(b"IDAT", zlib.compress(rows.tobytes(), 1)) + chunk(b"IEND", b"")

@@ -1,0 +1,203 @@
+"""Sessions: what is open, and all that can be done to it."""
+from __future__ import annotations
+
+import atexit
+import json
+import os
+import warnings
+import weakref
+from typing import Any, Callable, Literal, Optional
+
+import numpy
+
+from . import _table, _velum
+from ._data import Image, Labels, Volume
+
+_SHORT = {"protect": "membrane.hang", "grow": "growth.grow"}  # methods of a session by a name of their own
+_LISTS = {"cut": "cuts", "mark": "lettering.marks"}  # s.cut(...) adds an item to the list, and sets its fields
+_open_sessions: weakref.WeakSet[Session] = weakref.WeakSet()
+
+
+class Note(UserWarning):
+    """What somebody should know about a command that was done, in one line."""
+
+
+class Session(_velum.Session):
+    """What is open, and all that can be done to it: a method for each command of scripts, s[FIELD] for each field of the scene.
+
+    Sessions are independent of each other. Each has a thread, and a graphics context from the moment when something is drawn or a
+    membrane hangs. Calls may come from any thread; those of one session are done one after the other. While a session works, other
+    threads of Python run. Ctrl+C stops the work (KeyboardInterrupt), as does an exception of `progress`; then nothing has changed.
+
+    context: how to draw, auto, egl or osmesa.
+    progress: called with how far the work is (0 to 1) and what is being done, some twenty times a second, by the thread that waits.
+    """
+
+    def __init__(self, context: Literal["auto", "egl", "osmesa"] = "auto", *, progress: Optional[Callable[[float, str], Any]] = None) -> None:
+        super().__init__(context)
+        self._listener = progress
+        _open_sessions.add(self)
+
+    @property
+    def progress(self) -> Optional[Callable[[float, str], Any]]:
+        """What is called while the session works."""
+        return self._listener
+
+    @progress.setter
+    def progress(self, progress: Optional[Callable[[float, str], Any]]) -> None:
+        self._listener = progress
+
+    def _do(self, line: str) -> Optional[list[str]]:
+        answers, lines = self._run(line)
+        if answers:
+            return lines
+        for note in lines:
+            warnings.warn(note, Note, stacklevel=3)
+        return None
+
+    def run(self, script: str) -> list[str]:
+        """Does the lines of a script, and gives what they answer. Lines that are empty or begin with # are passed over."""
+        lines = [line for line in map(str.strip, script.splitlines()) if line and not line.startswith("#")]
+        return [answer for line in lines for answer in self._do(line) or []]
+
+    def __getitem__(self, path: str) -> Any:
+        """The value of a field, or of a part with all of its fields: s["camera.eye"], s["cuts.0"]."""
+        return json.loads(self._field(path))
+
+    def __setitem__(self, path: str, value: Any) -> None:
+        """Sets a field, with all that follows from it: s["rayCast.mode"] = "mip". A text that is no JSON may be what scripts have: "1,2,3"."""
+        self.set(path, _table.field_text(value))  # type: ignore[attr-defined]
+
+    @property
+    def voxels(self) -> Optional[Volume]:
+        """The volume that is open."""
+        held = self._volume()
+        return None if held is None else Volume._of(held)
+
+    @property
+    def labels(self) -> Optional[Labels]:
+        """The labels that are open, with what was grown. Set, they take the place of those that are there; an array lies on the volume's
+        voxels."""
+        held = self._labels()
+        return None if held is None else Labels._of(held)
+
+    @labels.setter
+    def labels(self, labels: Any) -> None:
+        if not isinstance(labels, Labels):
+            array, volume = numpy.asarray(labels), self.voxels
+            on_volume = {}
+            if volume is not None:
+                if volume.array.shape[:3] != array.shape and volume.array.shape[-4:-1] != array.shape:
+                    raise _velum.ArgumentError(f"labels of shape {array.shape} do not fit a volume of shape {volume.array.shape}; say where they "
+                                               "are: velum.Labels(array, affine=...)")
+                on_volume = {"affine": volume.affine, "lengthUnit": volume.lengthUnit}
+            labels = Labels(array, **on_volume)
+        self._putLabels(labels._held)
+
+    def render(self, width: int = 1280, height: int = 720, *, samples: int = 0, transparent: bool = False, section: str = "",
+               dtype: Literal["uint8", "float32"] = "uint8") -> Image:
+        """A picture with everything at rest, [row, column, channel]: as uint8 what files of 8 bits hold, to the byte.
+
+        samples: pictures that are averaged, 0 as the scene says. transparent: no background, with alpha. section: axial, coronal or
+        sagittal, in the place of the 3D picture.
+        """
+        as_bytes = numpy.dtype(dtype) == numpy.uint8
+        channels, pixels = self._picture(width, height, samples, transparent, False, not as_bytes, section, as_bytes)
+        wanted = [channels.index(name) for name in ("RGBA" if transparent else "RGB")]
+        return numpy.ascontiguousarray(pixels[:, :, wanted]).view(Image)
+
+    def layers(self, width: int = 1280, height: int = 720, *, samples: int = 0) -> dict[str, numpy.ndarray]:
+        """A picture and all that lies under it, by name, float32: color with alpha, Z (the distance from the eye, infinite where nothing
+        is), normal, position, id (of the structure), instance and type (of a model), and what else the layers of an .exr hold."""
+        channels, pixels = self._picture(width, height, samples, False, True, True, "", False)
+        groups: dict[str, list[int]] = {}
+        for place, channel in enumerate(channels):
+            name = "color" if channel in "RGBA" else channel.rpartition(".")[0] or channel
+            groups.setdefault(name, []).append(place)
+        return {name: pixels[:, :, places[0]] if len(places) == 1 else pixels[:, :, places] for name, places in groups.items()}
+
+    def measure(self, *, marks: bool = True, structures: bool = False, faces: bool = False) -> dict[str, Any]:
+        """What marks measure, what cuts leave of structures, and the faces of cuts: the lists marks, structures and faces, as
+        `velum-batch measure --json` writes them."""
+        return json.loads(self._measure(marks, structures, faces))
+
+    def count(self, width: int = 1280, height: int = 720) -> list[dict[str, Any]]:
+        """What became of the instances of each type of a model, or, without a model, of the pixels of each structure, in a picture of that
+        size: how many are visible, hidden, clipped, and how many there are in total."""
+        return json.loads(self._count(width, height))
+
+    def asPython(self) -> str:
+        """All that was done since something was opened, as a program: run again it leads to the same scene, and the same bytes of a
+        picture. What the window copies by Edit > Copy as Python."""
+        return self._program()
+
+    def cancel(self) -> None:
+        """Stops the work that another thread waits for: there it raises Cancelled."""
+        self._cancel()
+
+    def close(self) -> None:
+        """Stops all work and gives up what is open. Happens by itself when nobody has the session any more."""
+        self._close()
+
+    def __enter__(self) -> Session:
+        return self
+
+    def __exit__(self, *error: Any) -> None:
+        self.close()
+
+
+def _add_commands() -> None:
+    for group, commands in _table.namespaces().items():
+        setattr(Session, group, property(commands, doc=commands.__doc__))
+        if group in _LISTS:
+            commands.__call__ = _adder(commands.add, _LISTS[group])  # type: ignore[attr-defined]
+    names = {name: short for short, name in _SHORT.items()}
+    for command in _velum.commands():
+        name = names.get(command["name"], command["pythonName"])
+        if "." not in name:
+            call = _table.method(command, lambda session: session)
+            call.__name__, call.__qualname__ = name, f"Session.{name}"
+            setattr(Session, name, call)
+
+
+def _adder(add: Callable[..., Any], items: str) -> Callable[..., None]:
+    def call(self: Any, *arguments: Any, **fields: Any) -> None:
+        session = self._session
+        own = {name: fields.pop(name) for name in list(fields) if name in add.__signature__.parameters}  # type: ignore[attr-defined]
+        before = len(session.commands())
+        add(self, *arguments, **own)
+        try:
+            for field, value in fields.items():
+                session[f"{items}.{len(session[items]) - 1}.{field}"] = value
+        except BaseException:
+            while len(session.commands()) > before:
+                session.undo()
+            raise
+
+    call.__doc__ = f"{add.__doc__}\n\nMore arguments are fields of what is added: axis=(0, -1, 0) sets {items}.N.axis."
+    return call
+
+
+def open(what: Any, *, context: Literal["auto", "egl", "osmesa"] = "auto", progress: Optional[Callable[[float, str], Any]] = None,
+         **how: Any) -> Session:
+    """A session in which something is open.
+
+    what: a file or folder (a scene, a picture with a scene inside, a volume, labels, a model), with the arguments of the command open;
+    a Volume; or an array, with the arguments of Volume.
+    """
+    session = Session(context, progress=progress)
+    if isinstance(what, (str, os.PathLike)):
+        session.open(what, **how)  # type: ignore[attr-defined]
+    else:
+        volume = Volume(what, **how) if not isinstance(what, Volume) else what
+        session._openVolume(volume._held)
+    return session
+
+
+@atexit.register
+def _close_all() -> None:
+    for session in list(_open_sessions):
+        session.close()
+
+
+_add_commands()

@@ -17,7 +17,6 @@
 #include "core/Log.h"
 #include "core/Text.h"
 #include "io/stores/Crc32c.h"
-#include "scene/Sections.h"
 #include "session/each/PieceRecord.h"
 #include "session/film/FrameNames.h"
 
@@ -173,9 +172,7 @@ void list(const EachVerb& options, const session::FilmIdentity& common, const st
 }
 
 void expectEach(const EachVerb& options) {
-  if (!options.section.empty() && !enumValue<scene::SectionKind>(options.section))
-    throw ArgumentError(fmt::format("--section {}: not one of {}", options.section,
-                                    fmt::join(EnumNames<scene::SectionKind>::kNames, ", ")));
+  pictureOf(options.drawn), sectionOf(options.drawn);
   for (const std::string& output : options.names.outputs)
     if (!isTable(output)) session::expectPictureFormat(output);
   bool readsOwnWay = !options.input.series.empty() || !options.input.raw.empty() || !options.input.spacing.empty() ||
@@ -187,7 +184,6 @@ void expectEach(const EachVerb& options) {
 }
 
 int run(EachVerb options) {
-  options.picture.size = session::parsePictureSize(options.size, options.picture.dpi);
   expectEach(options);
   options.names.data = options.input.inputs;
   options.names.labels = options.input.labels;
@@ -254,25 +250,13 @@ Run registerEach(CLI::App& verb) {
                 "make nothing: say of each piece whether it is done, failed and why, or missing");
   verb.add_flag("--structures", options->structures, "tables hold what the cuts leave of each structure, too");
   verb.add_flag("--faces", options->faces, "tables hold the areas of the cuts' faces, too");
-  verb.add_option("--size", options->size, "WIDTHxHEIGHT in pixels, or with a unit: 12x8cm, 120x80mm, 5x3in")
-      ->capture_default_str();
-  verb.add_option("--samples", options->picture.samples,
-                  "pictures that are averaged, 1 to 256; default: as the scene says")
-      ->check(CLI::Range(1, 256));
-  verb.add_option("--section", options->section, "a section view instead of the 3D picture: axial, coronal, sagittal");
-  verb.add_option("--bits", options->picture.bits, "levels of colour: 8 bits, or 16, also in .exr")
-      ->check(CLI::IsMember({8, 16}));
-  verb.add_option("--dpi", options->picture.dpi, "pixels an inch in print: for sizes with a unit (else 300)")
-      ->check(CLI::Range(1.0, 10000.0));
-  verb.add_flag("--transparent", options->picture.transparent, "no background, with alpha");
+  addDrawn(verb, options->drawn);
+  verb.add_flag("--transparent", options->drawn.picture.transparent, "no background, with alpha");
   addLettering(verb, options->lettering);
-  verb.add_option("--timeout", options->timeout, "give up after so many seconds, with exit code 142; 0: never")
-      ->check(CLI::Range(0.0, 1e6));
-  return [options, &verb] {
-    stopAfter(options->timeout);
+  return withTimeout(verb, [options, &verb] {
     options->words = wordsOf(verb);
     return run(*options);
-  };
+  });
 }
 
 }  // namespace velum::app

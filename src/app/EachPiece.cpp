@@ -5,7 +5,6 @@
 #include "core/FileName.h"
 #include "core/Log.h"
 #include "core/ReplaceFile.h"
-#include "scene/Sections.h"
 #include "session/document/WorkFile.h"
 #include "session/film/Retarget.h"
 #include "session/measure/Table.h"
@@ -26,7 +25,8 @@ const scene::Scene& sceneToCarry(const std::string& path) {
 }
 
 void openPiece(session::Session& session, const EachVerb& options, const session::Piece& piece) {
-  double aspect = double(options.picture.size.x) / options.picture.size.y;
+  glm::ivec2 size = pictureOf(options.drawn).size;
+  double aspect = double(size.x) / size.y;
   InputOptions input = options.input;
   input.inputs = {piece.data};
   input.labels = piece.labels;
@@ -58,14 +58,14 @@ void makePiece(const EachVerb& options, const session::Piece& piece) {
   session.setContextKind(options.common.context);
   openPiece(session, options, piece);
   writeOver(session, options.lettering);
-  auto section = enumValue<scene::SectionKind>(options.section);
+  session::PictureOptions picture = pictureOf(options.drawn);
   for (const std::filesystem::path& path : piece.outputs) {
     if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path());
     if (isTable(path)) {
       writeTable(session, options, path);
       continue;
     }
-    for (const std::string& note : session.savePicture(options.picture, section, path, consoleProgress()))
+    for (const std::string& note : session.savePicture(picture, sectionOf(options.drawn), path, consoleProgress()))
       log::warning(fmt::format("{}: {}", path.string(), note));
   }
 }

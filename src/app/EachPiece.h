@@ -5,7 +5,6 @@
 
 #include "app/Inputs.h"
 #include "session/each/Pieces.h"
-#include "session/picture/Picture.h"
 
 namespace velum::app {
 
@@ -14,11 +13,10 @@ struct EachVerb {
   Common common;
   InputOptions input;  ///< its inputs are patterns
   LetteringOptions lettering;
-  session::PictureOptions picture;
+  DrawnOptions drawn;
   session::PiecePatterns names;
-  std::string scene, by, part, size = "1280x720", section;
+  std::string scene, by, part;
   bool again = false, list = false, structures = false, faces = false;
-  double timeout = 0.0;
   std::vector<std::string> words;  ///< of the command line, on which pieces depend
 };
 

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "render/Renderer.h"
+#include "render/section/SectionImage.h"
 #include "session/ViewSpace.h"
 
 namespace velum::gui {
@@ -19,6 +20,14 @@ class ToolView {
   virtual std::optional<render::Pick> pickAt(QPointF place) = 0;
   /// The handles of cuts, and of what belongs to cuts, are shown over this view and can be taken hold of.
   virtual bool showsHandles() const = 0;
+  /// A section as its view shows it in full.
+  struct ShownSection {
+    const render::SectionImage& image;
+    scene::SectionPlane plane;  ///< in pixels of the screen
+    int number = 0;             ///< another one for each image
+  };
+  /// Nothing in the 3D picture, and while a section is drawn or coarse.
+  virtual std::optional<ShownSection> shownSection() const { return std::nullopt; }
   /// The cursor where nothing can be taken hold of and no tool has the pointer.
   virtual Qt::CursorShape restCursor() const = 0;
 };

@@ -46,6 +46,7 @@ class SectionView : public QWidget, public ToolView {
   QWidget& widget() override { return *this; }
   session::ViewSpace space() const override { return session::ViewSpace(plane()); }
   std::optional<render::Pick> pickAt(QPointF place) override;
+  std::optional<ShownSection> shownSection() const override;
   bool showsHandles() const override { return mDocument.shown().sections.showCuts; }
   Qt::CursorShape restCursor() const override { return Qt::CrossCursor; }
 
@@ -113,6 +114,7 @@ class SectionView : public QWidget, public ToolView {
   Selection& mSelection;
   Toolbox& mToolbox;
   bool mStale = true;
+  int mDrawnCount = 0;   ///< How many images were drawn.
   int mDrawnCoarse = 1;  ///< How many device pixels one pixel of mImage is wide.
   double mFullMs = 0.0;  ///< How long the last full picture took to draw.
   QTimer mRestTimer;

@@ -20,6 +20,8 @@ class ToolView {
   virtual std::optional<render::Pick> pickAt(QPointF place) = 0;
   /// The handles of cuts, and of what belongs to cuts, are shown over this view and can be taken hold of.
   virtual bool showsHandles() const = 0;
+  /// The cursor where nothing can be taken hold of and no tool has the pointer.
+  virtual Qt::CursorShape restCursor() const = 0;
   /// A section as its view shows it in full.
   struct ShownSection {
     const render::SectionImage& image;
@@ -28,8 +30,6 @@ class ToolView {
   };
   /// Nothing in the 3D picture, and while a section is drawn or coarse.
   virtual std::optional<ShownSection> shownSection() const { return std::nullopt; }
-  /// The cursor where nothing can be taken hold of and no tool has the pointer.
-  virtual Qt::CursorShape restCursor() const = 0;
 };
 
 }  // namespace velum::gui

@@ -114,7 +114,6 @@ class SectionView : public QWidget, public ToolView {
   Selection& mSelection;
   Toolbox& mToolbox;
   bool mStale = true;
-  int mDrawnCount = 0;   ///< How many images were drawn.
   int mDrawnCoarse = 1;  ///< How many device pixels one pixel of mImage is wide.
   double mFullMs = 0.0;  ///< How long the last full picture took to draw.
   QTimer mRestTimer;
@@ -129,6 +128,7 @@ class SectionView : public QWidget, public ToolView {
   QElapsedTimer mSincePress;
   double mWheelRest = 0.0;  ///< The part of a notch that a fine wheel has turned so far.
   SectionHints mHints;
+  int mDrawnCount = 0;  ///< How many images were drawn.
 };
 
 }  // namespace velum::gui

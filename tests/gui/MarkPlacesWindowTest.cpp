@@ -80,7 +80,7 @@ TEST_F(MarkPlaces, ATimeStepIsChosenOnThePageAndUndone) {
   EXPECT_FALSE(shownAt->isVisible()) << "there is one time step";
   run("set lettering.marks[#1].timeStep 3");
   EXPECT_TRUE(shownAt->isVisible());
-  EXPECT_EQ(shownAt->currentText(), "Time step 3");
+  EXPECT_EQ(shownAt->currentText(), "Time step 4");
   shownAt->setCurrentIndex(1);
   emit shownAt->activated(1);
   EXPECT_EQ(marks()[0].timeStep, 0);
@@ -90,7 +90,7 @@ TEST_F(MarkPlaces, ATimeStepIsChosenOnThePageAndUndone) {
   EXPECT_EQ(marks()[0].timeStep, -1);
   document().undo();
   EXPECT_EQ(marks()[0].timeStep, 0);
-  EXPECT_EQ(shownAt->currentText(), "This time step (0)");
+  EXPECT_EQ(shownAt->currentText(), "This time step (1)");
 }
 
 TEST_F(MarkPlaces, ALabelWhosePlaceIsHiddenIsDimInTheList) {

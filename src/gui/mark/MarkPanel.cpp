@@ -165,8 +165,8 @@ void MarkPanel::refreshShownAt() {
   if (!hasChoice) return;
   mShownAt->clear();
   mShownAt->addItem(tr("All time steps"), -1);
-  mShownAt->addItem(tr("This time step (%1)").arg(volume.timeStep), volume.timeStep);
-  if (own >= 0 && own != volume.timeStep) mShownAt->addItem(tr("Time step %1").arg(own), own);
+  mShownAt->addItem(tr("This time step (%1)").arg(volume.timeStep + 1), volume.timeStep);
+  if (own >= 0 && own != volume.timeStep) mShownAt->addItem(tr("Time step %1").arg(own + 1), own);
   mShownAt->setCurrentIndex(mShownAt->findData(own));
 }
 

@@ -31,9 +31,9 @@ ROOMS = {  # module: {room: rooms of the module it may include (its own is impli
     # The module's own folder has both the frame, which all know, and the renderer, which knows all.
     "render": {"upload": ".", "kept": ". upload", "residency": ". upload", "passes": ". upload residency", "section": ". kept residency"},
     "session": {"bar": "", "lettering": ". mark measure model section structure", "mark": ". measure model structure",
-                "command": ". cut document extrusion growth look mark membrane model picture section structure film",
+                "command": ". cut document extrusion growth look mark measure membrane model picture section structure film",
                 "document": "growth model", "model": ". bar cut", "growth": ".", "section": "", "structure": "",
-                "measure": "structure", "cut": ".", "look": "document",
+                "measure": "model structure", "cut": ".", "look": "document",
                 "extrusion": ". bar cut growth look structure", "membrane": ". cut look model structure",
                 "plate": ". document lettering model picture structure", "each": "film",
                 "picture": ". document extrusion growth lettering membrane model",

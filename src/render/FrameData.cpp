@@ -6,6 +6,7 @@
 
 #include "render/FinishSetup.h"
 #include "render/FrameParams.h"
+#include "render/Renderer.h"
 #include "render/residency/PageGrid.h"
 #include "render/upload/BlueNoise.h"
 #include "render/upload/CutSheets.h"

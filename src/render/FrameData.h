@@ -45,8 +45,6 @@ enum class Opaque { None, InBox, Anywhere };
 Opaque opaqueOf(const scene::Scene& scene);
 bool isDrawn(const scene::Surface& surface);
 bool isModelDrawn(const scene::Scene& scene);
-/// The number (as in Pick::instance) of a model's first instance, which follows the data and the surfaces.
-std::uint32_t firstModelInstance(const scene::Scene& scene);
 
 /// Everything that the passes of one frame get. Made from the Frame before it is drawn, then only read; the copies on
 /// the GPU belong to the passes and to FrameInputs.

@@ -38,7 +38,7 @@ class Gbuffer {
   /// What a pixel shows. Waits for the GPU.
   Pick pick(const FrameData& data, glm::ivec2 pixel) const;
   /// What each pixel shows. Waits for the GPU.
-  PixelIds idsOfPixels(const FrameData& data) const;
+  PixelIds idsOfPixels(const FrameData& data, bool withDistances) const;
 
  private:
   gpu::Texture mColor;    ///< Premultiplied, the sum of the samples so far.

@@ -292,6 +292,8 @@ Pick Renderer::pick(glm::ivec2 pixel) const {
 
 std::optional<InstanceBits> Renderer::bits(bool waits) { return mImpl->counts.take(waits); }
 
-PixelIds Renderer::idsOfPixels() const { return mImpl->gbuffer ? mImpl->gbuffer.idsOfPixels(mImpl->data) : PixelIds(); }
+PixelIds Renderer::idsOfPixels(bool withDistances) const {
+  return mImpl->gbuffer ? mImpl->gbuffer.idsOfPixels(mImpl->data, withDistances) : PixelIds();
+}
 
 }  // namespace velum::render

@@ -48,7 +48,11 @@ struct Pick {
 struct PixelIds {
   std::vector<std::int32_t> structures;  ///< ids; 0: something without a structure; -1: nothing
   std::vector<std::int32_t> types;       ///< of the scene's model; -1: none; empty without a model
+  std::vector<std::int32_t> instances;   ///< of the scene's model, see Pick::modelInstance; -1: none; empty likewise
+  std::vector<float> distances;  ///< from the eye, along the ray, scene units; infinity: nothing; empty: not asked for
 };
+/// The number of the model's first instance among all that is hit, see Pick::instance.
+std::uint32_t firstModelInstance(const scene::Scene& scene);
 
 /// Which layers to read back, and how finely.
 struct Layers {
@@ -101,7 +105,7 @@ class Renderer {
   Pick pick(glm::ivec2 pixel) const;
 
   /// What each pixel of the last frame's window shows. Reads the whole window back.
-  PixelIds idsOfPixels() const;
+  PixelIds idsOfPixels(bool withDistances = false) const;
 
   /// What became of the instances in the newest frame, among those with Frame::countsInstances, for which the answer
   /// has arrived from the GPU. Each frame's answer is given once, at most two frames after the frame was complete,

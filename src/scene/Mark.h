@@ -51,9 +51,11 @@ struct Mark {
   std::vector<glm::dvec3> points;  ///< world, scene units; how many: markPoints()
   bool alongSurface = false;       ///< Distance, Path: along the surface that is seen, not through the air
   glm::dvec3 normal{0.0};          ///< Circle: of its plane, world, any length; 0: it is a ball
-  int structure = 0;               ///< Name, Region: id of the structure; 0: none
-  std::string type;                ///< Name: path of a type or compartment of the model; empty: none
-  int instance = -1;               ///< number of the model's instance whose middle the first point is; -1: none
+  int structure = 0;               ///< Name, Region: id of the structure; Label: of that it belongs to; 0: none
+  std::string type;                ///< Name, Label: the same, path of a type or compartment of the model; empty: none
+  // What each point follows, in their order; lists may be shorter. A point that follows something is its middle.
+  std::vector<int> pointInstances;   ///< numbers of the model's instances; -1: none
+  std::vector<int> pointStructures;  ///< ids of structures; 0: none
   std::string text;  ///< UTF-8: of a Label its words, of others what stands in place of the name, or before the value
   std::optional<glm::dvec2> wordsAt;  ///< middle of the words from the place that they belong to, shares of the
                                       ///< picture's height, x to the right, y down; none: they find their own place
@@ -72,10 +74,23 @@ struct Mark {
           FieldInfo{"", {}, "On: a way is measured along the surface that is seen, not through the air.", true});
     visit("normal", o.normal, directionInfo("Of the plane of a circle; 0,0,0: it is a ball.", true));
     visit("structure", o.structure,
-          FieldInfo{"", {0, 1e9}, "Id of the structure that it names or measures; 0: none.", true});
-    visit("type", o.type, FieldInfo{"", {}, "Path of the model's type or compartment that it names.", true});
-    visit("instance", o.instance,
-          FieldInfo{"", {-1, 2e9}, "Number of the model's instance with which its first point goes; -1: none.", true});
+          FieldInfo{"", {0, 1e9}, "Id of the structure that it names, measures or points at; 0: none.", true});
+    visit("type", o.type,
+          FieldInfo{"", {}, "Path of the model's type or compartment that it names or points at.", true});
+    visit("pointInstances", o.pointInstances,
+          FieldInfo{"",
+                    {-1, 2e9},
+                    "Numbers of the model's instances whose middles its points are, in their order; -1: none.",
+                    true,
+                    false,
+                    kMostMarkPoints});
+    visit("pointStructures", o.pointStructures,
+          FieldInfo{"",
+                    {0, 1e9},
+                    "Ids of the structures whose middles its points are, in their order; 0: none.",
+                    true,
+                    false,
+                    kMostMarkPoints});
     visit("text", o.text,
           FieldInfo{"", {}, "Words of a label; of others what stands for the name, or before the value.", true});
     visit("wordsAt", o.wordsAt,

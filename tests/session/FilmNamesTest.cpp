@@ -45,7 +45,7 @@ FilmNames namesOfRing() {
   scene::FilmFrames frames;
   frames.count = kFilmFrames;
   frames.framesPerSecond = 25.0;
-  return {frames, kFilmSize, kFilmStep, [](int frame, Progress&) { return lookAt(frame); }};
+  return {frames, kFilmSize, kFilmStep, {}, [](int frame, Progress&) { return lookAt(frame); }};
 }
 
 scene::Scene frontOf(int frame) {

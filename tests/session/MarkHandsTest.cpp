@@ -97,10 +97,14 @@ TEST(MarkHands, ADraggedPointMovesAloneButACircleGoesWithItsMiddle) {
   EXPECT_EQ(withPointAt(circle, 1, {9, 0, 10}, view).points[0], glm::dvec3(0, 0, 10));
   Mark box{.kind = MarkKind::Box, .points = {{0, 0, 9}, {5, 5, 14}}};
   EXPECT_EQ(withPointAt(box, 1, {8, 9, 10}, view).points[1], glm::dvec3(8, 9, 14)) << "its thickness stays";
-  Mark ofInstance = distance({0, 0, 10}, {50, 0, 10});
-  ofInstance.instance = 12;
-  EXPECT_EQ(withPointAt(ofInstance, 1, {0, 0, 0}, view).instance, 12);
-  EXPECT_EQ(withPointAt(ofInstance, 0, {0, 0, 0}, view).instance, -1) << "it is no more the molecule's middle";
+  Mark bound = distance({0, 0, 10}, {50, 0, 10});
+  bound.pointInstances = {12};
+  bound.pointStructures = {0, 3};
+  Mark moved = withPointAt(bound, 1, {0, 0, 0}, view);
+  EXPECT_EQ(moved.pointInstances, std::vector<int>{12});
+  EXPECT_EQ(moved.pointStructures, (std::vector<int>{0, 0})) << "it is no more the structure's middle";
+  EXPECT_EQ(withPointAt(bound, 0, {0, 0, 0}, view).pointInstances, std::vector<int>{-1});
+  EXPECT_EQ(withPointAt(bound, 1, {0, 0, 0}, view, 5).pointInstances, (std::vector<int>{12, 5}));
 }
 
 TEST(MarkHands, ABoxDrawnOnASectionIsAStepThick) {

@@ -65,7 +65,7 @@ QStatusBar QLabel { color: @soft; padding: 2px 6px; }
 #sidePanel, #sidePanel QScrollArea, #sideContents { background: @panel; }
 QTabWidget::pane { border: none; }
 QTabBar { background: @ground; qproperty-drawBase: 0; }
-QTabBar::tab { background: @ground; color: @muted; padding: 8px 6px; border: none; border-bottom: 2px solid transparent; }
+QTabBar::tab { background: @ground; color: @muted; padding: 8px 4px; border: none; border-bottom: 2px solid transparent; }
 QTabBar::tab:hover { color: @text; }
 QTabBar::tab:selected { background: @panel; color: @text; border-bottom: 2px solid @accent; }
 QLabel[role="title"] { color: @text; font-weight: 600; }

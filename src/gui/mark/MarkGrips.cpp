@@ -8,6 +8,7 @@
 #include "gui/tool/HandlePaint.h"
 #include "session/command/Command.h"
 #include "session/mark/MarkWords.h"
+#include "session/measure/Follow.h"
 
 namespace velum::gui {
 
@@ -113,7 +114,8 @@ bool MarkGrips::press(const PointerEvent& event) {
   if (grip.part == MarkPart::Line && isLeft && !event.at.isOnSection()) return false;  // the drag turns the camera
   choosePoint(grip.part == MarkPart::Point ? int(grip.point) : -1);
   mHeld = mHover = grip;
-  if (selected()) mStart = *selected();
+  if (selected())
+    mStart = grip.part == MarkPart::Words ? *selected() : session::followed(mDocument.shown(), *selected());
   mStartSpace = event.at.space();
   mFrom = event.at.pixel();
   mView = &event.at.view();
@@ -137,12 +139,17 @@ void MarkGrips::drag(const PointerEvent& event) {
   } else if (mHeld.part == MarkPart::Line && section) {
     for (glm::dvec3& p : now.points)
       p += scene::worldFromSectionPixel(*section, way) - scene::worldFromSectionPixel(*section, glm::dvec2(0.0));
-    now.instance = -1;
+    now.pointInstances.clear();
+    now.pointStructures.clear();
   } else if (mHeld.part == MarkPart::Point) {
     // In the section plane in which the point was taken; in the picture on what is seen, where something is.
     auto seen = mStartSpace.pixelFromWorld(mStart.points[mHeld.point]);
     auto to = section && seen ? std::optional(scene::worldFromSectionPixel(*section, *seen + way)) : event.at.world();
-    if (to) now = session::withPointAt(mStart, mHeld.point, *to, mStartSpace);
+    if (to) {
+      const render::Pick* pick = !section && event.at.pick() ? &*event.at.pick() : nullptr;
+      session::MarkAim aim = session::aimOf(mDocument.shown(), event.at.space(), event.at.pixel(), *to, pick);
+      now = session::withPointAt(mStart, mHeld.point, aim.place, mStartSpace, aim.instance);
+    }
   }
   place(now, markStepOf(mHeld.part));
 }
@@ -176,13 +183,13 @@ std::optional<Qt::CursorShape> MarkGrips::hover(const ViewPoint& at) {
 
 /// Moves the selected point as far as an arrow key says.
 void MarkGrips::step(ToolView& view, QPointF way) {
-  const scene::Mark* mark = selected();
-  if (!mark || mPoint < 0) return;
+  if (!selected() || mPoint < 0) return;
   session::ViewSpace space = view.space();
-  auto seen = space.pixelFromWorld(mark->points[std::size_t(mPoint)]);
+  scene::Mark mark = session::followed(mDocument.shown(), *selected());
+  auto seen = space.pixelFromWorld(mark.points[std::size_t(mPoint)]);
   if (!seen) return;
   ViewPoint at(view, mDocument.shown(), toPoint(*seen) + way);
-  if (auto to = at.world()) place(session::withPointAt(*mark, std::size_t(mPoint), *to, space), "Move point of mark");
+  if (auto to = at.world()) place(session::withPointAt(mark, std::size_t(mPoint), *to, space), "Move point of mark");
 }
 
 KeyAnswer MarkGrips::key(const KeyStroke& stroke) {
@@ -207,10 +214,10 @@ KeyAnswer MarkGrips::key(const KeyStroke& stroke) {
 void MarkGrips::paint(ViewPainter& over) const {
   const scene::Scene& scene = mDocument.shown();
   double nearby = scene::sectionStep(scene);
-  for (const scene::Mark& mark : scene.lettering.marks) {
-    if (!session::isShown(scene, mark)) continue;
-    bool isSelected = mark.id == mSelection.mark(), isHot = mark.id == mHover.mark;
-    if (!isSelected && !isHot) continue;
+  for (const scene::Mark& given : scene.lettering.marks) {
+    bool isSelected = given.id == mSelection.mark(), isHot = given.id == mHover.mark;
+    if (!session::isShown(scene, given) || (!isSelected && !isHot)) continue;
+    const scene::Mark mark = session::followed(scene, given);
     for (std::size_t i = 0; i < mark.points.size(); ++i) {
       auto pixel = over.space.pixelFromWorld(mark.points[i]);
       double share = session::pointShare(over.space, mark, i, nearby);

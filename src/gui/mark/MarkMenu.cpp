@@ -15,6 +15,7 @@
 #include "session/command/MarkCommands.h"
 #include "session/mark/MarkHands.h"
 #include "session/mark/MarkWords.h"
+#include "session/measure/Follow.h"
 
 namespace velum::gui {
 
@@ -48,7 +49,17 @@ void MarkMenu::setWords(int mark, const QString& words) {
 void MarkMenu::goTo(int mark) {
   const scene::Mark* found = session::findMark(mDocument.shown(), mark);
   if (!found || found->points.empty()) return;
-  changeSections(mDocument, [place = found->points[0]](scene::Scene& scene) { scene::moveCrosshair(scene, place); });
+  glm::dvec3 place = session::followed(mDocument.shown(), *found).points[0];
+  changeSections(mDocument, [place](scene::Scene& scene) { scene::moveCrosshair(scene, place); });
+}
+
+void MarkMenu::setFollowing(int mark, bool follows) {
+  if (!session::findMark(mDocument.shown(), mark)) return;
+  try {
+    session::edit(mDocument, session::FollowMarks{keyOfMark(mark), follows});
+  } catch (const Error& error) {
+    emit refused(QString::fromUtf8(error.what()));
+  }
 }
 
 void MarkMenu::copy(int mark) {
@@ -77,6 +88,14 @@ void MarkMenu::fill(QMenu& menu, int mark) {
   })->setEnabled(!found->points.empty());
   add(tr("Copy value"), tr("Name and value, for tables and texts"), [this, mark] { copy(mark); });
   add(tr("Duplicate"), tr("Add a copy of it"), [this, mark] { duplicate(mark); });
+  bool follows = !found->pointInstances.empty() || !found->pointStructures.empty();
+  QString followTip = follows ? tr("Its points stay where they are now")
+                              : tr("Its points go to the middles of the molecules or structures in which they lie, "
+                                   "and follow them");
+  bool canFollow = mDocument.shown().model.data || mDocument.shown().labels.data;
+  add(follows ? tr("Let go") : tr("Follow what is there"), followTip, [this, mark, follows] {
+    setFollowing(mark, !follows);
+  })->setEnabled(!found->points.empty() && (follows || canFollow));
   bool isSeen = found->visible;
   add(isSeen ? tr("Hide") : tr("Show"), tr("A hidden mark is still measured"),
       [this, mark, isSeen] { setVisible(mark, !isSeen); });

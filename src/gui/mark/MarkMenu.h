@@ -20,12 +20,16 @@ class MarkMenu : public QObject {
   void setWords(int mark, const QString& words);
   /// Puts the crosshair to the mark's first point.
   void goTo(int mark);
+  /// Lets the mark's points follow what is there, or lets them go.
+  void setFollowing(int mark, bool follows);
   /// Puts the mark's name and value on the clipboard.
   void copy(int mark);
 
  signals:
   /// The words of a mark are to be typed.
   void renameAsked(int mark);
+  /// What was wanted cannot be done. @param why  one line
+  void refused(const QString& why);
 
  private:
   session::Document& mDocument;

@@ -122,6 +122,8 @@ QWidget* MarkPanel::makeFields() {
                scene::MarkKind kind = marks()[std::size_t(place())].kind;
                return kind == scene::MarkKind::Distance || kind == scene::MarkKind::Path;
              }});
+  mForm.addWidget(mShownAt = makeShownAt(fields), tr("Shown at"));
+  mShownAtLabel = rows->itemAtPosition(rows->rowCount() - 1, 0)->widget();
   mForm.add("opacity", tr("Opacity"),
             {.object = "markOpacity",
              .tip = tr("How much it covers, %"),
@@ -138,6 +140,36 @@ QWidget* MarkPanel::makeFields() {
   return fields;
 }
 
+QComboBox* MarkPanel::makeShownAt(QWidget* parent) {
+  auto* steps = new QComboBox(parent);
+  steps->setObjectName("markShownAt");
+  steps->setAccessibleName(tr("Time steps at which the mark is shown"));
+  steps->setToolTip(tr("A mark is shown and listed at all time steps of a series, or drawn at one of them alone"));
+  connect(steps, &QComboBox::activated, this, [this, steps](int row) {
+    if (place() < 0) return;
+    session::edit(mDocument,
+                  session::SetField{"lettering.marks." + std::to_string(place()) + ".timeStep",
+                                    std::to_string(steps->itemData(row).toInt())},
+                  false, tr("Change time step of mark").toStdString());
+  });
+  return steps;
+}
+
+/// All time steps, the one that is shown, and that of the mark where it is another. Nothing where there is only one.
+void MarkPanel::refreshShownAt() {
+  const auto& volume = mDocument.shown().volume;
+  int own = place() < 0 ? -1 : marks()[std::size_t(place())].timeStep;
+  bool hasChoice = own >= 0 || (volume.data && volume.data->timeSteps > 1);
+  mShownAt->setVisible(hasChoice);
+  mShownAtLabel->setVisible(hasChoice);
+  if (!hasChoice) return;
+  mShownAt->clear();
+  mShownAt->addItem(tr("All time steps"), -1);
+  mShownAt->addItem(tr("This time step (%1)").arg(volume.timeStep + 1), volume.timeStep);
+  if (own >= 0 && own != volume.timeStep) mShownAt->addItem(tr("Time step %1").arg(own + 1), own);
+  mShownAt->setCurrentIndex(mShownAt->findData(own));
+}
+
 /// Of the selected mark in the scene's list; -1: none is selected.
 int MarkPanel::place() const {
   auto found = std::ranges::find(marks(), mSelection.mark(), &scene::Mark::id);
@@ -146,6 +178,12 @@ int MarkPanel::place() const {
 
 void MarkPanel::setMeasured(std::map<int, session::Measured> measured) {
   mMeasured = std::move(measured);
+  showList();
+}
+
+void MarkPanel::setHidden(std::set<int> marks) {
+  if (mHidden == marks) return;
+  mHidden = std::move(marks);
   showList();
 }
 
@@ -166,7 +204,10 @@ void MarkPanel::showList() {
                     .icon = rowOf(mark.kind).sign,
                     .name = toText(session::markName(scene, mark)).replace('\n', ' '),
                     .value = valueOf(mark),
-                    .isOn = mark.visible});
+                    .isOn = mark.visible,
+                    .isDim = mHidden.contains(mark.id),
+                    .tip = mHidden.contains(mark.id) ? tr("Hidden here: the picture shows nothing of what it points at")
+                                                     : QString()});
   mList->setRows(rows, place());
 }
 
@@ -180,6 +221,7 @@ void MarkPanel::refresh() {
   mFields->setVisible(isSelected);
   for (QToolButton* tool : std::as_const(mTools)) tool->setEnabled(marks().size() < scene::kMostMarks);
   mOwnColor->refresh();
+  refreshShownAt();
   mForm.refresh();
   mLettering->refresh();
 }

@@ -1,9 +1,11 @@
 #pragma once
+#include <QComboBox>
 #include <QHash>
 #include <QLabel>
 #include <QPushButton>
 #include <QToolButton>
 #include <map>
+#include <set>
 
 #include "gui/mark/LetteringForm.h"
 #include "gui/mark/MarkMenu.h"
@@ -24,6 +26,8 @@ class MarkPanel : public QWidget {
   void refresh();
   /// What marks measure that are not measured at once, by their ids.
   void setMeasured(std::map<int, session::Measured> measured);
+  /// Marks that the 3D picture does not show, as it hides what they point at: their ids.
+  void setHidden(std::set<int> marks);
   CaptionForm& captions() { return mLettering->captions(); }
   /// The button of a tool. @param kind  one that has a tool
   QToolButton& toolButton(scene::MarkKind kind) { return *mTools.value(int(kind)); }
@@ -37,6 +41,8 @@ class MarkPanel : public QWidget {
   QWidget* makeTools();
   QWidget* makeButtons();
   QWidget* makeFields();
+  QComboBox* makeShownAt(QWidget* parent);
+  void refreshShownAt();
   int place() const;
   const std::vector<scene::Mark>& marks() const { return mDocument.shown().lettering.marks; }
   void showList();
@@ -46,12 +52,15 @@ class MarkPanel : public QWidget {
   Selection& mSelection;
   MarkMenu& mMenu;
   std::map<int, session::Measured> mMeasured;
+  std::set<int> mHidden;
   QHash<int, QToolButton*> mTools;  ///< by kind
   EyeList* mList;
   QLabel* mEmpty;
   FieldForm mForm;
   QWidget *mButtons, *mFields;
   OwnColor* mOwnColor = nullptr;
+  QComboBox* mShownAt = nullptr;
+  QWidget* mShownAtLabel = nullptr;
   LetteringForm* mLettering;
 };
 

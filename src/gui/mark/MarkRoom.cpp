@@ -36,6 +36,9 @@ MarkRoom::MarkRoom(const WindowParts& parts, LetteringOverlay& lettering)
   menu->addSeparator();
   addActions(menu);
   connect(&mMenu, &MarkMenu::renameAsked, this, &MarkRoom::rename);
+  connect(&mMenu, &MarkMenu::refused, &parts.messages, &MessageBar::showError);
+  // After the lettering has looked at the picture.
+  connect(&parts.views.viewport(), &Viewport::refined, this, [this] { mPanel->setHidden(mLettering.hidden()); });
   connect(&mGrips, &MarkGrips::removeAsked, &mMenu, &MarkMenu::remove);
   connect(&mGrips, &MarkGrips::menuAsked, this, [this](int mark, QPoint place) {
     QMenu marks(&mParts.window);
@@ -110,6 +113,7 @@ void MarkRoom::rename(int mark) {
 
 void MarkRoom::refresh(const session::Session& session) {
   mNames->setChecked(session.shown().lettering.names);
+  mPanel->setHidden(mLettering.hidden());
   mPanel->refresh();
   measure(session);
 }

@@ -1,5 +1,7 @@
 #include "gui/mark/MarkTool.h"
 
+#include <algorithm>
+
 #include "core/Error.h"
 #include "gui/kit/Theme.h"
 #include "gui/mark/MarkGrips.h"
@@ -70,8 +72,13 @@ QString MarkTool::whatIsNext() const {
   }
 }
 
-bool MarkTool::start() {
+void MarkTool::clear() {
   mPoints.clear();
+  mInstances.clear();
+}
+
+bool MarkTool::start() {
+  clear();
   mNext.reset();
   say(whatIsNext());
   return true;
@@ -90,17 +97,19 @@ bool MarkTool::endsAt(const PointerEvent& event) const {
 void MarkTool::click(const PointerEvent& event) {
   if (event.keys != Qt::NoModifier) return;
   if (mKind == MarkKind::Name) return name(event);
-  auto place = event.at.world();
-  if (!place) return say(tr("Nothing is there: click on what is drawn. %1").arg(whatIsNext()));
+  auto aim = aimAt(event.at);
+  if (!aim) return say(tr("Nothing is there: click on what is drawn. %1").arg(whatIsNext()));
   if (endsAt(event)) {
     if (isComplete()) finish(event.at.space());
     return;
   }
-  mPoints.push_back(*place);
+  mPoints.push_back(aim->place);
+  mInstances.push_back(aim->instance);
+  mPick = event.at.pick();
   mSpace = event.at.space();
   mView = &event.at.view();
   mPlace = event.at.place();
-  mNext = place;
+  mNext = aim->place;
   if (mPoints.size() == scene::markPoints(mKind).most) return finish(mSpace);
   say(whatIsNext());
 }
@@ -116,7 +125,7 @@ void MarkTool::name(const PointerEvent& event) {
     mark.type = pathOf(*scene.model.data, scene.model.data->types[std::size_t(pick->type)]);
     if (auto place = session::instancePlace(scene, pick->modelInstance)) {
       mark.points[0] = place->middle;
-      mark.instance = int(pick->modelInstance);
+      mark.pointInstances = {int(pick->modelInstance)};
     }
   } else {
     mark.structure = pick->structure;
@@ -126,14 +135,37 @@ void MarkTool::name(const PointerEvent& event) {
 
 void MarkTool::finish(const session::ViewSpace& space) {
   double step = scene::sectionStep(mDocument.shown());
-  add(session::markOfClicks(mKind, std::exchange(mPoints, {}), space, step));
+  scene::Mark mark = session::markOfClicks(mKind, mPoints, space, step);
+  bool follows = std::ranges::any_of(mInstances, [](int instance) { return instance >= 0; });
+  if (follows) mark.pointInstances = mInstances;
+  clear();
+  if (mKind == MarkKind::Label) pointAtWhatIsSeen(mark);
+  add(mark);
+}
+
+/// In the picture a label belongs to the structure or molecule that is clicked.
+void MarkTool::pointAtWhatIsSeen(scene::Mark& mark) const {
+  const scene::Scene& scene = mDocument.shown();
+  if (!mPick || mSpace.section()) return;
+  if (mPick->type >= 0)
+    mark.type = pathOf(*scene.model.data, scene.model.data->types[std::size_t(mPick->type)]);
+  else
+    mark.structure = mPick->structure;
+}
+
+/// What a click takes: the middle of a molecule near it, else the place that is seen.
+std::optional<session::MarkAim> MarkTool::aimAt(const ViewPoint& at) const {
+  auto place = at.world();
+  if (!place) return std::nullopt;
+  bool mayFollow = mDocument.shown().model.data && !at.isOnSection() && at.pick();
+  return session::aimOf(mDocument.shown(), at.space(), at.pixel(), *place, mayFollow ? &*at.pick() : nullptr);
 }
 
 void MarkTool::add(scene::Mark mark) {
   const scene::Scene& scene = mDocument.shown();
   int id = scene::nextId(scene.lettering.marks);
   session::AddMark call{mark.kind, mark.points, mark.text, {}, mark.type};
-  call.instance = mark.instance;
+  call.pointInstances = mark.pointInstances;
   call.normal = mark.normal;
   if (mark.structure != 0) call.structure = session::structureNames(scene, {mark.structure})[0];
   if (mKind == MarkKind::Label) call.text = tr("Label").toStdString();
@@ -149,7 +181,8 @@ void MarkTool::add(scene::Mark mark) {
 
 std::optional<Qt::CursorShape> MarkTool::hover(const ViewPoint& at) {
   if (!mPoints.empty()) {
-    mNext = at.world();
+    auto aim = aimAt(at);
+    mNext = aim ? std::optional(aim->place) : std::nullopt;
     mView = &at.view();
     mPlace = at.place();
     mToolbox.repaint();
@@ -168,6 +201,7 @@ void MarkTool::leave() {
 
 void MarkTool::takeBack() {
   mPoints.pop_back();
+  mInstances.pop_back();
   say(whatIsNext());
 }
 

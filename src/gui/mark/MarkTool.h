@@ -5,6 +5,7 @@
 
 #include "gui/view/Room.h"
 #include "scene/Mark.h"
+#include "session/mark/MarkHands.h"
 
 namespace velum::gui {
 
@@ -22,7 +23,7 @@ class MarkTool : public ClickTool {
   bool isSetting() const { return !mPoints.empty(); }
 
   bool start() override;
-  void stop() override { mPoints.clear(); }
+  void stop() override { clear(); }
   bool press(const PointerEvent& event) override;
   void click(const PointerEvent& event) override;
   std::optional<Qt::CursorShape> hover(const ViewPoint& at) override;
@@ -42,9 +43,12 @@ class MarkTool : public ClickTool {
   QString whatIsNext() const;
   void say(const QString& text);
   void takeBack();
+  void clear();
   void finish(const session::ViewSpace& space);
   void name(const PointerEvent& event);
   void add(scene::Mark mark);
+  std::optional<session::MarkAim> aimAt(const ViewPoint& at) const;
+  void pointAtWhatIsSeen(scene::Mark& mark) const;
 
   const scene::MarkKind mKind;
   session::Document& mDocument;
@@ -53,10 +57,12 @@ class MarkTool : public ClickTool {
   MessageBar& mMessages;
   const MarkGrips& mGrips;
   std::vector<glm::dvec3> mPoints;
-  session::ViewSpace mSpace;        ///< of the view in which the last point was set
-  const ToolView* mView = nullptr;  ///< in which the pointer is
-  QPointF mPlace;                   ///< of the pointer
-  std::optional<glm::dvec3> mNext;  ///< under the pointer; none: nothing is there
+  std::vector<int> mInstances;        ///< of the model, whose middles the points are; -1: of none
+  std::optional<render::Pick> mPick;  ///< what is seen where the last point was set
+  session::ViewSpace mSpace;          ///< of the view in which the last point was set
+  const ToolView* mView = nullptr;    ///< in which the pointer is
+  QPointF mPlace;                     ///< of the pointer
+  std::optional<glm::dvec3> mNext;    ///< under the pointer; none: nothing is there
   QString mHint;
 };
 

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kEyeRowHeight = 27, kEyeWidth = 28, kSignWidth = 24, kValueGap = 8;
 constexpr int kSignRole = Qt::UserRole, kWasOnRole = Qt::UserRole + 1, kWasNameRole = Qt::UserRole + 2,
-              kRowIdRole = Qt::UserRole + 3, kValueRole = Qt::UserRole + 4;
+              kRowIdRole = Qt::UserRole + 3, kValueRole = Qt::UserRole + 4, kDimRole = Qt::UserRole + 5;
 
 class EyeRowDelegate : public QStyledItemDelegate {
  public:
@@ -27,7 +27,7 @@ class EyeRowDelegate : public QStyledItemDelegate {
     painter->setRenderHint(QPainter::Antialiasing);
     paintRowGround(*painter, option, true, true);
     bool isOn = index.data(Qt::CheckStateRole).toInt() == Qt::Checked;
-    QColor color = rowTextColor(option, isOn);
+    QColor color = rowTextColor(option, isOn && !index.data(kDimRole).toBool());
     paintEye(*painter, eyeBox(option.rect), color, isOn);
     QRectF sign(option.rect.left() + kEyeWidth, option.rect.top(), kSignWidth, option.rect.height());
     paintIcon(*painter, sign, color, static_cast<const char*>(index.data(kSignRole).value<const void*>()));
@@ -100,6 +100,8 @@ void EyeList::setRows(const std::vector<Row>& rows, int selected) {
     set(kWasOnRole, row.isOn);
     set(kWasNameRole, row.name);
     set(kValueRole, row.value);
+    set(kDimRole, row.isDim);
+    set(Qt::ToolTipRole, row.tip.isEmpty() ? QVariant() : QVariant(row.tip));
     set(Qt::CheckStateRole, int(row.isOn ? Qt::Checked : Qt::Unchecked));
     set(Qt::DisplayRole, row.name);
   }

@@ -15,6 +15,8 @@ class EyeList : public QListWidget {
     QString name;
     QString value = {};  ///< at the right
     bool isOn = true;
+    bool isDim = false;  ///< on, but not to be seen just now
+    QString tip = {};    ///< empty: that of the list
   };
   /// @param mostRows  that are seen before the list scrolls
   EyeList(const char* name, int mostRows, QWidget* parent);

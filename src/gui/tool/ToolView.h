@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "render/Renderer.h"
+#include "render/section/SectionImage.h"
 #include "session/ViewSpace.h"
 
 namespace velum::gui {
@@ -21,6 +22,14 @@ class ToolView {
   virtual bool showsHandles() const = 0;
   /// The cursor where nothing can be taken hold of and no tool has the pointer.
   virtual Qt::CursorShape restCursor() const = 0;
+  /// A section as its view shows it in full.
+  struct ShownSection {
+    const render::SectionImage& image;
+    scene::SectionPlane plane;  ///< in pixels of the screen
+    int number = 0;             ///< another one for each image
+  };
+  /// Nothing in the 3D picture, and while a section is drawn or coarse.
+  virtual std::optional<ShownSection> shownSection() const { return std::nullopt; }
 };
 
 }  // namespace velum::gui

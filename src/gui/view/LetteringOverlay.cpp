@@ -1,10 +1,11 @@
 #include "gui/view/LetteringOverlay.h"
 
-#include <QElapsedTimer>
 #include <QImage>
 #include <algorithm>
 
 #include "gui/kit/Text.h"
+#include "gui/view/SettleNames.h"
+#include "session/mark/MarkHands.h"
 
 namespace velum::gui {
 
@@ -12,7 +13,8 @@ namespace {
 
 constexpr double kLeastLetters = 12.0;  // of marks in small views, pixels
 constexpr qint64 kSettleMs = 25;
-constexpr int kMostSteps = 120;  // until names have gone to new places
+constexpr double kMostFurniture = 0.25;  // of a view: what is larger lies over all of it
+constexpr double kHiddenShare = 0.05;    // of a mark: less cannot be read
 
 void paintBlocks(QPainter& painter, const std::vector<session::LetteringBlock>& blocks, glm::ivec2 size, double ratio) {
   for (const session::LetteringBlock& block : blocks) {
@@ -33,25 +35,46 @@ session::ViewSpace finer(const session::ViewSpace& space, glm::dvec2 size, doubl
   return session::ViewSpace(plane);
 }
 
+/// What stands over a view and is no part of its picture, such as the cube and buttons: pixels of the screen.
+std::vector<session::Rectangle> takenIn(ToolView& view, double ratio) {
+  std::vector<session::Rectangle> taken;
+  const QWidget& widget = view.widget();
+  double whole = double(widget.width()) * widget.height();
+  for (const QWidget* child : widget.findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
+    QRect at = child->geometry();
+    if (child->isVisible() && double(at.width()) * at.height() < kMostFurniture * whole)
+      taken.push_back({ratio * glm::dvec2(at.left(), at.top()), ratio * glm::dvec2(at.right() + 1, at.bottom() + 1)});
+  }
+  return taken;
+}
+
 }  // namespace
 
-bool LetteringOverlay::count() {
+bool LetteringOverlay::count(const scene::Scene& settled) {
   const scene::Scene& scene = mDocument.shown();
-  bool hasLegend = scene.lettering.legend && scene.model.data, hasNames = session::needsSeenNames(scene.lettering);
-  if (!hasLegend && !hasNames) return false;
-  Viewport::PixelIds picture = mViewport.idsOfPixels();
+  bool hasLegend = scene.lettering.legend && scene.model.data, hasNames = session::needsSeenNames(scene.lettering),
+       hasPlaces = session::needsSeenPlaces(scene.lettering);
+  if (!hasNames && !hasPlaces) mSeen = {}, mAnchors.clear();
+  if (!hasLegend && !hasNames && !hasPlaces) return false;
+  Viewport::PixelIds picture = mViewport.idsOfPixels(hasPlaces);
   if (picture.structures.empty()) return false;
   std::vector<QString> before = names();
   if (hasLegend) {
     mPixels = session::countPixels(picture.types, scene.model.data->types.size());
     mModel = scene.model.data;
   }
-  if (!hasNames) return names() != before;
-  mSeen = session::seenNames(scene, {picture.size, picture.structures, picture.types, 1},
-                             mSize == picture.size ? namesFrom(mViewport.space()) : session::SeenNames());
+  if (!hasNames && !hasPlaces) return names() != before;
+  session::SeenMap map{picture.size, picture.structures, picture.types, 1, picture.instances, picture.distances};
+  session::SeenNames old = mSize == picture.size ? namesFrom(mViewport.space()) : session::SeenNames();
+  mSeen = hasNames ? session::seenNames(scene, map, old) : session::SeenNames();
+  if (hasPlaces) mSeen.places = session::seenPlaces(settled, map);
   mSize = picture.size;
   keepAnchors();
-  settleNames();
+  session::Seen seen{pixels(), mMeasured, mSeen};
+  seen.taken = takenIn(mViewport, mViewport.devicePixelRatioF());
+  if (hasNames)
+    mPlaces = settledNames(std::move(mPlaces), std::move(seen), kSettleMs,
+                           [&](const session::Seen& of) { return session::layLettering(scene, mSize, of); });
   return true;
 }
 
@@ -59,46 +82,44 @@ bool LetteringOverlay::count() {
 void LetteringOverlay::keepAnchors() {
   mAnchors.clear();
   glm::dvec2 pixel = mViewport.space().size() / glm::dvec2(mSize);
-  auto keep = [&](const session::SeenName& name) {
-    glm::dvec2 at = name.anchor * pixel;
+  auto keep = [&](glm::dvec2 anchor) {
+    glm::dvec2 at = anchor * pixel;
     auto pick = mViewport.pickAt({at.x, at.y});
     mAnchors.push_back(pick && pick->hit ? pick->world : mDocument.shown().camera.target);
   };
-  for (const session::SeenName& name : mSeen.names) keep(name);
-  for (const auto& [mark, name] : mSeen.marks) keep(name);
+  for (const session::SeenName& name : mSeen.names) keep(name.anchor);
+  for (const auto& [mark, name] : mSeen.marks) keep(name.anchor);
+  for (const session::SeenPlace& place : mSeen.places)
+    if (place.at) keep(*place.at);
 }
 
-/// The names of the last complete picture, where a space shows them now.
+/// What the last complete picture showed, where a space shows it now.
 session::SeenNames LetteringOverlay::namesFrom(const session::ViewSpace& space) const {
   session::SeenNames seen = mSeen;
   session::ViewSpace own(space.camera(), glm::dvec2(mSize));
   std::size_t place = 0;
-  auto follow = [&](session::SeenName& name) {
-    if (auto at = own.pixelFromWorld(mAnchors[place++])) name.anchor = *at;
+  auto follow = [&](glm::dvec2& anchor) {
+    if (auto at = own.pixelFromWorld(mAnchors[place++])) anchor = *at;
   };
-  for (session::SeenName& name : seen.names) follow(name);
-  for (auto& [mark, name] : seen.marks) follow(name);
+  for (session::SeenName& name : seen.names) follow(name.anchor);
+  for (auto& [mark, name] : seen.marks) follow(name.anchor);
+  for (session::SeenPlace& one : seen.places)
+    if (one.at) follow(*one.at);
   return seen;
 }
 
-/// Lets names go from their places before to those of the new picture, until none moves any more.
-void LetteringOverlay::settleNames() {
-  session::Seen seen{pixels(), mMeasured, mSeen};
-  QElapsedTimer clock;
-  clock.start();
-  for (int i = 0; i < kMostSteps; ++i) {
-    if (clock.elapsed() > kSettleMs) break;
-    std::vector<session::NamePlace> before = mPlaces;
-    seen.namesBefore = before.empty() ? nullptr : &before;
-    mPlaces = session::layLettering(mDocument.shown(), mSize, seen).names;
-    bool isStill = std::ranges::equal(before, mPlaces, [](const auto& a, const auto& b) {
-      return a.key == b.key && a.block.low == b.block.low && a.strength == b.strength;
-    });
-    if (isStill) return;
+std::set<int> LetteringOverlay::hidden() const {
+  std::set<int> ids;
+  if (mSize == glm::ivec2(0)) return ids;
+  for (const scene::Mark& mark : mDocument.shown().lettering.marks) {
+    if (!session::isShown(mDocument.shown(), mark)) continue;
+    auto at = std::ranges::find(mSeen.places, mark.id, &session::SeenPlace::mark);
+    bool isHidden = at != mSeen.places.end() && at->share < kHiddenShare;
+    bool isUnseen =
+        mark.points.empty() && std::ranges::none_of(mSeen.marks, [&](const auto& one) { return one.first == mark.id; });
+    if (isHidden || isUnseen) ids.insert(mark.id);
   }
-  // Too far to go: as in a picture of its own.
-  seen.namesBefore = nullptr;
-  mPlaces = session::layLettering(mDocument.shown(), mSize, seen).names;
+  return ids;
 }
 
 std::span<const session::PlacedWords> LetteringOverlay::words(const ToolView& view) const {
@@ -125,18 +146,26 @@ void LetteringOverlay::paint(ViewPainter& over) const {
   const scene::Scene& scene = mDocument.shown();
   session::Seen seen{pixels(), mMeasured, {}};
   seen.leastEm = kLeastLetters * ratio;
+  seen.taken = takenIn(over.view, ratio);
   session::LaidLettering laid;
+  // Words stay where they are while the camera moves, and point at what they name.
+  session::NamesBetween held;
   if (&over.view == &mViewport) {
-    session::NamesBetween held;
-    if (size == mSize && session::needsSeenNames(scene.lettering)) {
-      // Words stay where they are while the camera moves, and point at what they name.
+    bool isNaming = session::needsSeenNames(scene.lettering) || session::needsSeenPlaces(scene.lettering);
+    if (size == mSize && isNaming) {
       seen.names = namesFrom(over.space);
       held.from = held.to = mPlaces;
       seen.between = &held;
     }
     laid = session::layLettering(scene, size, seen);
   } else {
-    laid = session::layMarks(scene, finer(over.space, glm::dvec2(size), ratio), seen);
+    session::ViewSpace space = finer(over.space, glm::dvec2(size), ratio);
+    SectionNames& names = mSections[&over.view];
+    names.look(scene, over.view, seen);
+    seen.names = names.seenFrom(space);
+    held.from = held.to = names.places();
+    seen.between = &held;
+    laid = session::layMarks(scene, space, seen);
   }
   paintBlocks(over.painter, laid.blocks, size, ratio);
   for (session::PlacedWords& words : laid.words) words.low /= ratio, words.high /= ratio, words.at /= ratio;

@@ -1,6 +1,7 @@
 #pragma once
 #include <QString>
 #include <map>
+#include <set>
 #include <span>
 #include <utility>
 #include <vector>
@@ -8,20 +9,25 @@
 #include "core/Model.h"
 #include "core/Shared.h"
 #include "gui/tool/Manipulator.h"
+#include "gui/view/SectionNames.h"
 #include "gui/view/Viewport.h"
 #include "scene/SceneFwd.h"
 #include "session/lettering/Lettering.h"
 
 namespace velum::gui {
 
-/// What is written over the 3D view (scene::Lettering), as over pictures of the view's size, and marks over sections.
+/// What is written over the 3D view (scene::Lettering), as over pictures of the view's size, and marks and names over
+/// sections. Keeps away from what stands over the views and is no part of pictures, such as the cube.
 class LetteringOverlay : public Manipulator {
  public:
   LetteringOverlay(const session::Document& document, Viewport& viewport) : mDocument(document), mViewport(viewport) {}
 
-  /// To be called when a picture is complete, and when a legend or names are asked for: looks which types and
-  /// structures the picture shows, and where. @return true when the lettering has changed
-  bool count();
+  /// To be called when a picture is complete, and when a legend, names or labels are asked for: looks which types and
+  /// structures the picture shows, and where.
+  /// @param settled  the shown scene with the shapes of its sheets  @return true when the lettering has changed
+  bool count(const scene::Scene& settled);
+  /// Marks that are shown, but point at what the 3D picture that was complete last hides: their ids.
+  std::set<int> hidden() const;
   /// What the legend names, from its top.
   std::vector<QString> names() const;
 
@@ -37,17 +43,17 @@ class LetteringOverlay : public Manipulator {
   const session::TypePixels& pixels() const;
   session::SeenNames namesFrom(const session::ViewSpace& space) const;
   void keepAnchors();
-  void settleNames();
 
   const session::Document& mDocument;
   Viewport& mViewport;
   session::TypePixels mPixels;
   std::map<int, session::Measured> mMeasured;
   session::SeenNames mSeen;                 ///< names, as the picture showed them that was complete last
-  std::vector<glm::dvec3> mAnchors;         ///< of the names and then of the marks in it, in the world
+  std::vector<glm::dvec3> mAnchors;         ///< of the names, then of the marks and places in it, in the world
   glm::ivec2 mSize{0};                      ///< of that picture, pixels
   std::vector<session::NamePlace> mPlaces;  ///< of the names in it
   mutable std::map<const ToolView*, std::vector<session::PlacedWords>> mWords;
+  mutable std::map<const ToolView*, SectionNames> mSections;
   Shared<Model> mModel;  ///< the model whose types were counted
 };
 

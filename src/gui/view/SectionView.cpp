@@ -143,7 +143,13 @@ void SectionView::drawImage() {
                                render::SectionDetail::AtOnce);
   if (mDrawnCoarse == 1) mFullMs = double(clock.nsecsElapsed()) * 1e-6;
   mStale = false;
+  ++mDrawnCount;
   fetchBricks();
+}
+
+std::optional<ToolView::ShownSection> SectionView::shownSection() const {
+  if (mStale || mDrawnCoarse != 1) return std::nullopt;
+  return ShownSection{mImage, mWantedPlane, mDrawnCount};
 }
 
 /// The circles in which the section meets the instances of the model, in their types' colours.

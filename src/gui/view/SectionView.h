@@ -46,6 +46,7 @@ class SectionView : public QWidget, public ToolView {
   QWidget& widget() override { return *this; }
   session::ViewSpace space() const override { return session::ViewSpace(plane()); }
   std::optional<render::Pick> pickAt(QPointF place) override;
+  std::optional<ShownSection> shownSection() const override;
   bool showsHandles() const override { return mDocument.shown().sections.showCuts; }
   Qt::CursorShape restCursor() const override { return Qt::CrossCursor; }
 
@@ -127,6 +128,7 @@ class SectionView : public QWidget, public ToolView {
   QElapsedTimer mSincePress;
   double mWheelRest = 0.0;  ///< The part of a notch that a fine wheel has turned so far.
   SectionHints mHints;
+  int mDrawnCount = 0;  ///< How many images were drawn.
 };
 
 }  // namespace velum::gui

@@ -319,9 +319,9 @@ std::optional<render::Pick> Viewport::pickAt(QPointF place) {
   return mRenderer->pick(glm::ivec2(glm::floor(share * glm::dvec2(mFrame.pictureSize))));
 }
 
-Viewport::PixelIds Viewport::idsOfPixels() {
+Viewport::PixelIds Viewport::idsOfPixels(bool withDistances) {
   if (!mHasPicture || !bindContext()) return {};
-  return {mRenderer->idsOfPixels(), mFrame.pictureSize};
+  return {mRenderer->idsOfPixels(withDistances), mFrame.pictureSize};
 }
 
 void Viewport::pickUnderPointer() {

@@ -59,7 +59,7 @@ class Viewport : public QOpenGLWidget, public ToolView {
   struct PixelIds : render::PixelIds {
     glm::ivec2 size{0};  ///< 0: there is no picture
   };
-  PixelIds idsOfPixels();
+  PixelIds idsOfPixels(bool withDistances = false);
   bool showsHandles() const override { return true; }
   Qt::CursorShape restCursor() const override { return Qt::ArrowCursor; }
 

@@ -1,5 +1,6 @@
 #include "render/passes/CountPass.h"
 
+#include "render/Renderer.h"
 #include "render/WorkQueue.h"
 
 namespace velum::render {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/Renderer.h"
 #include "render/WorkQueue.h"
 #include "shared/bindings.h"
 

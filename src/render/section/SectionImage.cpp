@@ -44,11 +44,12 @@ class SectionDrawing {
   void sampleChannel(int y, int channel, const GridRow& row, double scale, double offset, float* out) const;
   void prepareLabels();
   void readIds(int y);
-  void drawRow(int y, Row& colors, std::vector<float>& samples, std::uint32_t* out) const;
+  void drawRow(int y, Row& colors, std::vector<float>& samples, SectionImage& image) const;
   GridRow addVolume(int y, Row& colors, std::vector<float>& samples) const;
   void addChannels(int y, const GridRow& row, Row& colors, std::vector<float>& samples) const;
   void addLabels(int y, Row& colors, std::vector<char>& covered) const;
-  void dimRemoved(int y, Row& colors) const;
+  void dimRemoved(int y, Row& colors, std::span<std::uint16_t> shown) const;
+  void showIds(int y, std::span<std::uint16_t> shown) const;
   bool isOutline(glm::ivec2 pixel) const;
   std::uint16_t idAt(int x, int y) const { return mIds[std::size_t(y) * std::size_t(mSize.x) + std::size_t(x)]; }
 
@@ -177,12 +178,22 @@ void SectionDrawing::addLabels(int y, Row& colors, std::vector<char>& covered) c
   }
 }
 
-void SectionDrawing::dimRemoved(int y, Row& colors) const {
+/// The ids of a row, without those of structures that are not shown.
+void SectionDrawing::showIds(int y, std::span<std::uint16_t> shown) const {
+  for (std::size_t x = 0; x < shown.size(); ++x) {
+    std::uint16_t id = idAt(int(x), y);
+    shown[x] = id < mStructures.size() && mStructures[id].a > 0.0f ? id : 0;
+  }
+}
+
+void SectionDrawing::dimRemoved(int y, Row& colors, std::span<std::uint16_t> shown) const {
   std::span<const std::uint16_t> ids;
   if (!mIds.empty()) ids = std::span(mIds).subspan(std::size_t(y) * std::size_t(mSize.x), std::size_t(mSize.x));
   std::vector<char> removed = mCuts->removedOf(y, mSize.x, ids);
   for (std::size_t x = 0; x < removed.size(); ++x)
     if (removed[x]) colors[x] = glm::clamp(colors[x], 0.0f, 1.0f) * kDimmed;
+  for (std::size_t x = 0; x < std::min(removed.size(), shown.size()); ++x)
+    if (removed[x]) shown[x] = 0;
 }
 
 std::uint32_t packed(glm::vec3 color) {
@@ -191,7 +202,11 @@ std::uint32_t packed(glm::vec3 color) {
   return 0xff000000u | byte(color.r) << 16 | byte(color.g) << 8 | byte(color.b);
 }
 
-void SectionDrawing::drawRow(int y, Row& colors, std::vector<float>& samples, std::uint32_t* out) const {
+void SectionDrawing::drawRow(int y, Row& colors, std::vector<float>& samples, SectionImage& image) const {
+  std::size_t first = std::size_t(y) * std::size_t(mSize.x);
+  std::uint32_t* out = &image.pixels[first];
+  std::span<std::uint16_t> shown;
+  if (!image.structures.empty()) shown = std::span(image.structures).subspan(first, std::size_t(mSize.x));
   const auto& behind = mScene.background;
   // One colour, the darker end of the usual gradient: a section is flat, and air in it is black.
   glm::vec3 ground = behind.bottom;
@@ -200,20 +215,22 @@ void SectionDrawing::drawRow(int y, Row& colors, std::vector<float>& samples, st
   std::vector<char> covered(std::size_t(mSize.x), 0);
   std::fill(covered.begin() + row.first, covered.begin() + row.last, 1);
   addLabels(y, colors, covered);
-  if (mCuts && !mCuts->isEmpty()) dimRemoved(y, colors);
+  showIds(y, shown);
+  if (mCuts && !mCuts->isEmpty()) dimRemoved(y, colors, shown);
   std::uint32_t empty = behind.transparent ? packed(ground) & 0xffffffu : packed(ground);
   for (std::size_t x = 0; x < colors.size(); ++x) out[x] = covered[x] ? packed(colors[x]) : empty;
 }
 
 SectionImage SectionDrawing::draw() {
-  SectionImage image{mSize, std::vector<std::uint32_t>(std::size_t(mSize.x) * std::size_t(mSize.y)), {}};
+  SectionImage image{mSize, std::vector<std::uint32_t>(std::size_t(mSize.x) * std::size_t(mSize.y)), {}, {}};
+  if (mShowsLabels && mLabelPath) image.structures.resize(image.pixels.size());
   if (mBricks) image.missing = mBricks->missing();
   constexpr int kRows = 16;
   if (mLabelPath) parallelFor(0, mSize.y, [&](int y) { readIds(y); });
   parallelForRanges(0, mSize.y, kRows, [&](int first, int end) {
     Row colors(std::size_t(mSize.x));
     std::vector<float> samples(std::size_t(mSize.x));
-    for (int y = first; y < end; ++y) drawRow(y, colors, samples, &image.pixels[std::size_t(y) * std::size_t(mSize.x)]);
+    for (int y = first; y < end; ++y) drawRow(y, colors, samples, image);
   });
   return image;
 }
@@ -233,57 +250,6 @@ scene::SectionPlane coarserPlane(scene::SectionPlane plane, int n) {
   plane.size /= double(n);
   plane.lengthPerPixel *= double(n);
   return plane;
-}
-
-namespace {
-
-/// The values of the finest voxel there, as far as it is in memory: who moves a pointer waits for no disk.
-void takeFinest(const Volume& volume, glm::dvec3 world, int firstChannel, int timeStep, std::vector<double>& values) {
-  BrickCache& bricks = *volume.finer->bricks;
-  for (int level = 0; level < volume.finer->level; ++level) {
-    const VoxelLevel& its = bricks.source().levels()[std::size_t(level)];
-    glm::dvec3 place = glm::inverse(worldFromLevel(volume, level)) * glm::dvec4(world, 1.0);
-    glm::ivec3 voxel = glm::clamp(glm::ivec3(glm::floor(place + 0.5)), glm::ivec3(0), its.dims - 1);
-    bool isThere = true;
-    for (std::size_t i = 0; i < values.size() && isThere; ++i) {
-      int channel = firstChannel + int(i);
-      isThere =
-          bool(bricks.find({level, voxel / its.brickSize, channel / its.brickChannels, timeStep / its.brickTimeSteps}));
-      if (isThere) values[i] = valueAt(bricks.read({level, voxel, glm::ivec3(1)}, channel, timeStep), glm::ivec3(0));
-    }
-    if (isThere) return;
-  }
-}
-
-}  // namespace
-
-Probe probe(const scene::Scene& scene, glm::dvec3 world) {
-  Probe out;
-  auto voxelOf = [&](const glm::dmat4& worldFromVoxel) {
-    return glm::floor(glm::dvec3(glm::inverse(worldFromVoxel) * glm::dvec4(world, 1.0)) + 0.5);
-  };
-  auto isIn = [](glm::dvec3 voxel, glm::ivec3 dims) {
-    return glm::all(glm::greaterThanEqual(voxel, glm::dvec3(0.0))) && glm::all(glm::lessThan(voxel, glm::dvec3(dims)));
-  };
-  const auto& labels = scene.labels;
-  if (labels.data) {
-    glm::dvec3 voxel = voxelOf(labels.data->worldFromVoxel());
-    bool inside = isIn(voxel, labels.data->dims());
-    if (inside && labels.visible) out.structure = scene::structureAt(scene, world).id;
-    out.inside = inside && !scene.volume.data;
-  }
-  if (!scene.volume.data) return out;
-  const Volume& v = *scene.volume.data;
-  glm::dvec3 voxel = voxelOf(v.worldFromVoxel);
-  out.inside = isIn(voxel, v.dims);
-  if (!out.inside) return out;
-  bool all = v.isColor || scene::mixesChannels(scene.volume);
-  int first = all ? 0 : scene::shownChannel(scene.volume);
-  int last = all ? v.channels : first + 1, timeStep = scene::shownTimeStep(scene.volume);
-  for (int channel = first; channel < last; ++channel)
-    out.values.push_back(valueAt(v, glm::ivec3(voxel), channel, timeStep));
-  if (v.finer) takeFinest(v, world, first, timeStep, out.values);
-  return out;
 }
 
 }  // namespace velum::render

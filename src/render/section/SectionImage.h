@@ -14,6 +14,8 @@ namespace velum::render {
 struct SectionImage {
   glm::ivec2 size{0};
   std::vector<std::uint32_t> pixels;  ///< 0xAARRGGBB, sRGB, straight alpha, top row first
+  std::vector<std::uint16_t> structures;  ///< ids, of each pixel the structure that is shown there and that no shown
+                                          ///< cut removes; 0: none; empty where no labels are shown
   std::vector<BrickAddress> missing;  ///< of a streamed volume: bricks without which parts of it are coarse
 };
 

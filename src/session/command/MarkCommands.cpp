@@ -8,6 +8,8 @@
 #include "session/command/CommandRow.h"
 #include "session/command/ModelCommands.h"
 #include "session/command/StructureCommands.h"
+#include "session/measure/Follow.h"
+#include "session/model/ModelEdit.h"
 
 namespace velum::session::detail {
 
@@ -17,10 +19,31 @@ using scene::Mark;
 using scene::MarkKind;
 using scene::Scene;
 
+/// Points that follow something need not be given. @throw ArgumentError where what they follow is not there
+void placeFollowing(const Scene& scene, Mark& mark) {
+  std::size_t count = std::max(mark.pointInstances.size(), mark.pointStructures.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!isFollowing(mark, i)) continue;
+    if (i < mark.pointInstances.size() && mark.pointInstances[i] >= 0) {
+      if (!instancePlace(scene, std::uint32_t(mark.pointInstances[i])))
+        throw ArgumentError(fmt::format("the model has no instance {}", mark.pointInstances[i]));
+    } else if (!middleOfVoxels(scene, mark.pointStructures[i])) {
+      throw ArgumentError(fmt::format("structure {} has no voxels that a point could follow", mark.pointStructures[i]));
+    }
+    if (i > mark.points.size())
+      throw ArgumentError(fmt::format("point {} of the mark follows nothing and has no place", mark.points.size() + 1));
+    if (i == mark.points.size()) mark.points.emplace_back(0.0);
+  }
+  mark = followed(scene, mark);
+}
+
 Mark markFrom(const Scene& scene, const AddMark& a) {
   Mark mark{.kind = a.kind, .points = a.points, .alongSurface = a.alongSurface, .type = a.type, .text = a.text};
-  mark.instance = a.instance;
   mark.normal = a.normal;
+  mark.pointInstances = a.pointInstances;
+  for (const std::string& name : a.pointStructures)
+    mark.pointStructures.push_back(name.empty() || name == "0" ? 0 : structureIds(scene, {name})[0]);
+  placeFollowing(scene, mark);
   if (!a.structure.empty()) mark.structure = structureIds(scene, {a.structure})[0];
   if (!a.type.empty()) typeNumbers(scene, {a.type});  // says where there is none
   if (a.kind == MarkKind::Name && mark.structure == 0 && a.type.empty())
@@ -42,6 +65,14 @@ Mark* markWithId(Scene& scene, int id) {
   auto& all = scene.lettering.marks;
   auto found = std::ranges::find(all, id, &Mark::id);
   return found == all.end() ? nullptr : &*found;
+}
+
+void follow(const Scene& scene, Mark& mark, bool follows) {
+  Mark now = follows ? following(scene, mark) : fixed(scene, mark);
+  if (follows && now.pointInstances.empty() && now.pointStructures.empty())
+    throw ArgumentError(
+        fmt::format("no point of mark {} lies in a structure or in an instance that it could follow", mark.id));
+  mark = std::move(now);
 }
 
 /// "Remove angle", "Remove 3 marks".
@@ -71,6 +102,16 @@ std::vector<Command> markCommands() {
                                std::erase_if(scene.lettering.marks, [id](const Mark& m) { return m.id == id; });
                              scene::dropLostTracks(scene);
                            }),
+      editRow<FollowMarks>(
+          "Lets each point of marks follow what is there: the instance of the model that holds it, or the structure in "
+          "which it lies, in its middle.",
+          "mark.follow 1",
+          [](const Scene& scene, const FollowMarks& a) {
+            return stepOfMarks<FollowMarks>(a.follow ? "Let follow" : "Let go")(scene, a);
+          },
+          [](Scene& scene, const FollowMarks& a) {
+            for (int id : markIds(scene, a.marks)) follow(scene, *markWithId(scene, id), a.follow);
+          }),
       editRow<DuplicateMarks>("Adds a copy of each mark.", "mark.duplicate 1", stepOfMarks<DuplicateMarks>("Duplicate"),
                               [](Scene& scene, const DuplicateMarks& a) {
                                 for (int id : markIds(scene, a.marks))

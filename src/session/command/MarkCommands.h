@@ -19,7 +19,8 @@ struct AddMark {
   std::vector<glm::dvec3> points;
   std::string text, structure, type;
   bool alongSurface = false;
-  int instance = scene::Mark().instance;
+  std::vector<int> pointInstances;
+  std::vector<std::string> pointStructures;
   glm::dvec3 normal = scene::Mark().normal;
   static void fields(auto& o, auto& visit) {
     visit("kind", o.kind, FieldInfo{"", {}, "What it is; how many points it has follows."});
@@ -28,12 +29,26 @@ struct AddMark {
         FieldInfo{kLength, {}, "Places in the world: x,y,z;x,y,z;... or JSON.", false, false, scene::kMostMarkPoints});
     visit("text", o.text, FieldInfo{"", {}, "Words of a label; of others in place of the name or before the value."});
     visit("structure", o.structure,
-          FieldInfo{"", {}, "Name or number of what a name or a region is of; nothing: none."});
-    visit("type", o.type, FieldInfo{"", {}, "Path of the type or compartment that a name is of; nothing: none."});
+          FieldInfo{"", {}, "Name or number of what a name or a region is of, or a label points at; nothing: none."});
+    visit("type", o.type,
+          FieldInfo{"", {}, "Path of the type or compartment that a name is of, or a label points at; nothing: none."});
     visit("alongSurface", o.alongSurface,
           FieldInfo{"", {}, "On: a way is measured along the surface that is seen, not through the air."});
-    visit("instance", o.instance,
-          FieldInfo{"", {-1, 2e9}, "Number of the instance with which the first point goes; -1: none."});
+    visit("pointInstances", o.pointInstances,
+          FieldInfo{"",
+                    {-1, 2e9},
+                    "Numbers of the model's instances that its points follow, in their order; -1: none. Points that "
+                    "follow something need no place.",
+                    false,
+                    false,
+                    scene::kMostMarkPoints});
+    visit("pointStructures", o.pointStructures,
+          FieldInfo{"",
+                    {},
+                    "Names or numbers of the structures that its points follow, in their order; 0: none.",
+                    false,
+                    false,
+                    scene::kMostMarkPoints});
     visit("normal", o.normal, directionInfo("Of the plane of a circle; 0,0,0: it is a ball."));
   }
 };
@@ -42,6 +57,16 @@ struct RemoveMarks {
   static constexpr std::string_view kName = "mark.remove";
   std::vector<std::string> marks;
   static void fields(auto& o, auto& visit) { visit("marks", o.marks, kMarksInfo); }
+};
+
+struct FollowMarks {
+  static constexpr std::string_view kName = "mark.follow";
+  std::vector<std::string> marks;
+  bool follow = true;
+  static void fields(auto& o, auto& visit) {
+    visit("marks", o.marks, kMarksInfo);
+    visit("follow", o.follow, FieldInfo{"", {}, "Off: their points stay where they are now."});
+  }
 };
 
 struct DuplicateMarks {

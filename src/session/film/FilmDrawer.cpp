@@ -4,6 +4,8 @@
 
 #include "core/Memory.h"
 #include "render/RenderPicture.h"
+#include "scene/SectionPlane.h"
+#include "session/lettering/SeenSection.h"
 #include "session/model/TrueLevels.h"
 #include "session/picture/Picture.h"
 
@@ -24,9 +26,9 @@ FilmDrawer::FilmDrawer(const scene::Scene& scene, const FilmOutput& output, rend
   bool mayHaveNames = needsSeenNames(scene.lettering) ||
                       std::ranges::any_of(scene.timeline.tracks,
                                           [](const auto& track) { return track.path.starts_with("lettering."); });
-  if (output.section || !mayHaveNames) return;
+  if (!mayHaveNames) return;
   mAhead = std::make_unique<Film>(scene);
-  mNames.emplace(mFilm.frames(), output.picture.size, namesStep(output.picture.size),
+  mNames.emplace(mFilm.frames(), output.picture.size, namesStep(output.picture.size), output.section,
                  [this](int frame, Progress& progress) { return lookAt(frame, progress); });
 }
 
@@ -38,8 +40,14 @@ FilmNames::Look FilmDrawer::lookAt(int frame, Progress& progress) {
   drawn.scene.finish = {};
   drawn.scene.lettering = {};
   drawn.scene.rayCast.samplesPerPixel = 1;
-  TrueLevels().give(drawn.scene.model, progress);
   int step = namesStep(mOutput.picture.size);
+  if (mOutput.section) {
+    scene::SectionPlane plane = scene::makeSectionPlane(look.scene, *mOutput.section, glm::dvec2(mOutput.picture.size));
+    plane = render::coarserPlane(plane, step);
+    look.image = seenOfSection(render::drawSection(look.scene, plane), plane, look.scene.background.bottom);
+    return look;
+  }
+  TrueLevels().give(drawn.scene.model, progress);
   drawn.pictureSize = (mOutput.picture.size + step - 1) / step;
   drawn.brickBytes = memoryBudget().gpuBrickBytes;
   render::Layers layers;
@@ -61,13 +69,13 @@ const std::map<int, Measured>& FilmDrawer::measured(const scene::Scene& scene, P
 
 FilmFrame FilmDrawer::draw(int frame, double share, Progress& progress) {
   Film::Frame at = mFilm.at(frame, share, progress);
-  if (mOutput.section)
-    return {drawSectionPicture(at.drawn, *mOutput.section, mOutput.picture, progress), std::move(at.scene)};
   Seen known;
   known.measured = measured(at.drawn, progress);
   std::optional<NamesBetween> names;
   if (mNames && needsSeenNames(at.drawn.lettering)) names = mNames->at(frame, share, at.drawn, progress);
   if (names) known.between = &*names;
+  if (mOutput.section)
+    return {drawSectionPicture(at.drawn, *mOutput.section, mOutput.picture, progress, &known), std::move(at.scene)};
   Image image = drawPicture(*mRenderer, at.drawn, mOutput.picture, *mLimits, progress, &known);
   return {std::move(image), std::move(at.scene)};
 }

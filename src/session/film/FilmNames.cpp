@@ -5,6 +5,7 @@
 
 #include "core/ImageChannels.h"
 #include "scene/Project.h"
+#include "scene/SectionPlane.h"
 
 namespace velum::session {
 
@@ -45,12 +46,18 @@ bool areAlike(const std::vector<NamePlace>& a, const std::vector<NamePlace>& b) 
 
 }  // namespace
 
-FilmNames::FilmNames(const scene::FilmFrames& frames, glm::ivec2 size, int step, LookAt lookAt)
+FilmNames::FilmNames(const scene::FilmFrames& frames, glm::ivec2 size, int step,
+                     std::optional<scene::SectionKind> section, LookAt lookAt)
     : mFrames(frames),
       mSize(size),
       mStep(step),
       mPeriod(std::max(1, int(std::lround(kKeySeconds * frames.framesPerSecond)))),
+      mSection(section),
       mLookAt(std::move(lookAt)) {}
+
+std::vector<NamePlace> FilmNames::placesIn(const scene::Scene& scene, const Seen& seen) const {
+  return (mSection ? layLettering(scene, *mSection, mSize, seen) : layLettering(scene, mSize, seen)).names;
+}
 
 int FilmNames::frameOf(int key) const { return std::min(key * mPeriod, mFrames.count - 1); }
 
@@ -74,7 +81,7 @@ FilmNames::Key FilmNames::keyAfter(int key, const Key* before, Progress& progres
     Seen all;
     all.names = out.seen;
     all.namesBefore = before ? &places : nullptr;
-    std::vector<NamePlace> next = layLettering(seen.scene, mSize, all).names;
+    std::vector<NamePlace> next = placesIn(seen.scene, all);
     bool isStill = areAlike(places, next);
     places = std::move(next);
     if (isStill) break;
@@ -100,11 +107,12 @@ NamesBetween FilmNames::at(int frame, double share, const scene::Scene& scene, P
   double way = (frame + share - frameOf(first)) / std::max(1, frameOf(first + 1) - frameOf(first));
   const Key from = keyOf(first, progress), to = keyOf(first + 1, progress);
   NamesBetween out{from.places, to.places, glm::smoothstep(0.0, 1.0, way), {}};
+  ViewSpace space = mSection ? ViewSpace(scene::makeSectionPlane(scene, *mSection, glm::dvec2(mSize)))
+                             : ViewSpace(scene.camera, glm::dvec2(mSize));
   // Where what was pointed at in the one and in the other frame is seen now.
   auto seenNow = [&](const Key& key, int name) {
     auto found = key.anchors.find(name);
-    return found == key.anchors.end() ? std::nullopt
-                                      : scene::pixelFromWorld(scene.camera, glm::dvec2(mSize), found->second);
+    return found == key.anchors.end() ? std::nullopt : space.pixelFromWorld(found->second);
   };
   for (const Key* key : {&from, &to})
     for (SeenName name : key->seen.names) {

@@ -19,16 +19,18 @@ namespace velum::session {
 /// one, at most five small pictures are looked at, whatever was drawn before.
 class FilmNames {
  public:
-  /// A small picture of a frame, with the channels "id", "instance", "type" and "position", and the scene that it
-  /// shows.
+  /// A small picture of a frame, with the channels "id", "instance", "type" and "position" (of a section as
+  /// seenOfSection() makes it), and the scene that it shows.
   struct Look {
     Image image;
     scene::Scene scene;
   };
   using LookAt = std::function<Look(int frame, Progress& progress)>;
   /// @param size  of the film's pictures, pixels  @param step  how many of their pixels, along x and y, are one of a
-  /// small picture  @param lookAt  called with frames that mostly grow
-  FilmNames(const scene::FilmFrames& frames, glm::ivec2 size, int step, LookAt lookAt);
+  /// small picture  @param section  that the film shows; none: the 3D picture  @param lookAt  called with frames that
+  /// mostly grow
+  FilmNames(const scene::FilmFrames& frames, glm::ivec2 size, int step, std::optional<scene::SectionKind> section,
+            LookAt lookAt);
 
   /// What a frame's lettering is to know of its names. @param scene  of the frame  @param share  see Film::at()
   /// @throw Cancelled, and what `lookAt` throws
@@ -45,10 +47,12 @@ class FilmNames {
   Key keyAfter(int key, const Key* before, Progress& progress);
   const Key& keyOf(int key, Progress& progress);
   int frameOf(int key) const;
+  std::vector<NamePlace> placesIn(const scene::Scene& scene, const Seen& seen) const;
 
   scene::FilmFrames mFrames;
   glm::ivec2 mSize;
   int mStep, mPeriod;
+  std::optional<scene::SectionKind> mSection;
   LookAt mLookAt;
   std::map<int, Look> mLooks;  ///< of the key frames that were looked at last
   std::map<int, Key> mKeys;

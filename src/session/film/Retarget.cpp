@@ -133,6 +133,9 @@ void carryMarks(std::vector<scene::Mark>& marks, const std::map<int, int>& ids) 
   std::erase_if(marks, [&](const scene::Mark& mark) { return mark.structure > 0 && !ids.count(mark.structure); });
   for (scene::Mark& mark : marks)
     if (mark.structure > 0) mark.structure = ids.at(mark.structure);
+  for (scene::Mark& mark : marks)
+    for (int& structure : mark.pointStructures)
+      if (structure > 0) structure = ids.count(structure) ? ids.at(structure) : 0;
 }
 
 /// Looks, spares, marks and tracks of structures go to the structures of the same names.

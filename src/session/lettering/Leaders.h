@@ -1,4 +1,6 @@
 #pragma once
+#include <glm/glm.hpp>
+
 #include "session/lettering/PlaceNames.h"
 
 namespace velum::session {
@@ -14,6 +16,11 @@ bool isCrossing(const Segment& a, const Segment& b);
 bool isCrossing(const Segment& segment, const Rectangle& rectangle);
 /// True where two rectangles have a point of their insides in common.
 bool isCrossing(const Rectangle& a, const Rectangle& b);
+/// A vector of the length 1; of none the other one.
+inline glm::dvec2 unitOr(glm::dvec2 v, glm::dvec2 other) {
+  double length = glm::length(v);
+  return length > 1e-9 ? v / length : other;
+}
 /// From a place to the nearest point of a piece, pixels.
 double distanceTo(const Segment& segment, glm::dvec2 place);
 Rectangle grown(const Rectangle& rectangle, double by);

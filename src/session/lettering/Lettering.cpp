@@ -10,6 +10,7 @@
 #include "scene/Units.h"
 #include "session/lettering/LetteringLayout.h"
 #include "session/lettering/MarkLayout.h"
+#include "session/lettering/SeenSection.h"
 #include "session/section/SectionTool.h"
 
 namespace velum::session {
@@ -33,19 +34,24 @@ bool hasLettering(const scene::Lettering& lettering) {
          !lettering.marks.empty() || lettering.names;
 }
 
+void keepFree(FreePlaces& places, const Seen& seen) {
+  for (const Rectangle& taken : seen.taken) places.add(taken.low, taken.high - taken.low, 0.0);
+}
+
 /// What always stands there goes before what comes and goes, so that it keeps its place.
 LaidLettering layAll(LetteringLayout& layout, const MarkView& view, glm::vec3 ground,
                      const std::optional<ScaleBar>& bar, const std::vector<LegendEntry>& entries, const Seen& seen) {
   const scene::Scene& scene = view.scene();
+  keepFree(layout.places(), seen);
   if (bar) layout.addScaleBar(*bar);
   auto stamp = scene.lettering.timeStamp ? timeStampOf(scene) : std::nullopt;
   if (stamp) layout.addTimeStamp(*stamp);
   layout.addLegend(entries);
   layout.addCaptions();
-  MarkLayout marks(view, seen.measured, ground, seen.leastEm, layout.places());
+  MarkLayout marks(view, seen.measured, seen.names.places, ground, seen.leastEm, layout.places());
   for (const scene::Mark& mark : scene.lettering.marks) marks.add(mark);
-  LaidNames names = layNames(scene, glm::ivec2(view.space().size()), seen.names, seen.measured, ground, layout.places(),
-                             seen.namesBefore, seen.between);
+  LaidNames names = layNames(scene, {glm::ivec2(view.space().size()), ground, 0.0}, seen.names, seen.measured,
+                             layout.places(), seen.namesBefore, seen.between);
   LaidLettering all{{}, std::move(names.places), marks.words()};
   all.words.insert(all.words.end(), names.words.begin(), names.words.end());
   all.blocks = std::move(marks).blocks();
@@ -72,10 +78,11 @@ std::map<int, Measured> measuredMarks(const scene::Scene& scene, Progress& progr
 }
 
 render::Layers withLetteringLayers(render::Layers layers, const scene::Scene& scene) {
-  bool hasNames = needsSeenNames(scene.lettering);
+  bool hasPlaces = needsSeenPlaces(scene.lettering), hasNames = hasPlaces || needsSeenNames(scene.lettering);
   layers.type = layers.type || (scene.model.data && (scene.lettering.legend || hasNames));
   layers.structure = layers.structure || hasNames;
   layers.instance = layers.instance || hasNames;
+  layers.depth = layers.depth || hasPlaces;
   return layers;
 }
 
@@ -100,11 +107,23 @@ Seen seenIn(const Image& image, const scene::Scene& scene, Progress& progress, c
   seen.measured = known ? known->measured : measuredMarks(scene, progress);
   if (needsSeenNames(scene.lettering))
     seen.names = between ? seenNear(scene, image, between->near) : seenNames(scene, image);
+  if (needsSeenPlaces(scene.lettering)) seen.names.places = seenPlaces(scene, ImageMap(scene, image).map());
   seen.between = between;
   return seen;
 }
 
-Seen seenInSection(const scene::Scene& scene, Progress& progress) { return {{}, measuredMarks(scene, progress), {}}; }
+Seen seenInSection(const render::SectionImage& section, const scene::SectionPlane& plane, const scene::Scene& scene,
+                   Progress& progress, const Seen* known) {
+  const NamesBetween* between = known ? known->between : nullptr;
+  Seen seen;
+  seen.measured = known ? known->measured : measuredMarks(scene, progress);
+  if (needsSeenNames(scene.lettering)) {
+    Image image = seenOfSection(section, plane, scene.background.bottom);
+    seen.names = between ? seenNear(scene, image, between->near) : seenNames(scene, image);
+  }
+  seen.between = between;
+  return seen;
+}
 
 LaidLettering layLettering(const scene::Scene& scene, glm::ivec2 size, const Seen& seen) {
   if (!hasLettering(scene.lettering)) return {};
@@ -125,14 +144,19 @@ LaidLettering layLettering(const scene::Scene& scene, scene::SectionKind kind, g
 }
 
 LaidLettering layMarks(const scene::Scene& scene, const ViewSpace& space, const Seen& seen) {
-  if (scene.lettering.marks.empty()) return {};
+  if (scene.lettering.marks.empty() && seen.names.names.empty()) return {};
   FreePlaces places(space.size());
+  keepFree(places, seen);
   MarkView view(scene, space);
   glm::vec3 ground = space.section() ? scene.background.bottom : groundOf(scene, scene::CaptionPlace::Centre);
-  MarkLayout marks(view, seen.measured, ground, seen.leastEm, places);
+  MarkLayout marks(view, seen.measured, seen.names.places, ground, seen.leastEm, places);
   for (const scene::Mark& mark : scene.lettering.marks) marks.add(mark);
-  LaidLettering laid{{}, {}, marks.words()};
+  LaidNames names = layNames(scene, {glm::ivec2(space.size()), ground, seen.leastEm}, seen.names, seen.measured, places,
+                             seen.namesBefore, seen.between);
+  LaidLettering laid{{}, std::move(names.places), marks.words()};
   laid.blocks = std::move(marks).blocks();
+  std::ranges::move(names.blocks, std::back_inserter(laid.blocks));
+  laid.words.insert(laid.words.end(), names.words.begin(), names.words.end());
   return laid;
 }
 

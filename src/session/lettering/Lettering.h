@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "render/Renderer.h"
+#include "render/section/SectionImage.h"
 #include "scene/SceneFwd.h"
 #include "scene/Sections.h"
 #include "session/ViewSpace.h"
@@ -32,11 +33,12 @@ std::optional<ScaleBar> scaleBarOf(const scene::Scene& scene, scene::SectionKind
 struct Seen {
   TypePixels pixels;                 ///< for the legend
   std::map<int, Measured> measured;  ///< by the ids of marks, see measuredMarks()
-  SeenNames names;                   ///< see seenNames()
+  SeenNames names;                   ///< see seenNames() and seenPlaces()
   double leastEm = 0.0;              ///< of the letters of marks in a view, pixels
   const std::vector<NamePlace>* namesBefore =
       nullptr;                            ///< where names stood in the frame before; null: a still picture
   const NamesBetween* between = nullptr;  ///< of a film: see NamesBetween
+  std::vector<Rectangle> taken = {};      ///< by what a window shows over the picture, pixels: nothing stands there
 };
 /// What the visible marks of a scene measure, of those that are not measured at once. @param scene  settled: with the
 /// shapes of its sheets  @throw as measure(). Any thread.
@@ -50,8 +52,10 @@ render::Layers withLetteringLayers(render::Layers layers, const scene::Scene& sc
 /// What a picture with these layers shows. @param scene  settled  @throw as measuredMarks(). Any thread.
 /// @param known  of a frame of a film: what its marks measure, and where its names stand; null: nothing is known
 Seen seenIn(const Image& image, const scene::Scene& scene, Progress& progress, const Seen* known = nullptr);
-/// The same for a section: it has no names.
-Seen seenInSection(const scene::Scene& scene, Progress& progress);
+/// The same for a section: names are of the structures that it cuts; leaders of marks go to their own places.
+/// @param section  drawn of the scene  @param plane  of the section
+Seen seenInSection(const render::SectionImage& section, const scene::SectionPlane& plane, const scene::Scene& scene,
+                   Progress& progress, const Seen* known = nullptr);
 
 /// What is to be laid over a picture.
 struct LaidLettering {
@@ -62,9 +66,9 @@ struct LaidLettering {
 /// Lettering over a picture of so many pixels: dark on a light ground, light on a dark one, each letter on a little of
 /// the ground's colour. Sizes go with the picture's rows, or with its page.
 LaidLettering layLettering(const scene::Scene& scene, glm::ivec2 size, const Seen& seen);
-/// The same for a picture of a section: it has no legend and no names.
+/// The same for a picture of a section: it has no legend.
 LaidLettering layLettering(const scene::Scene& scene, scene::SectionKind kind, glm::ivec2 size, const Seen& seen);
-/// The marks alone, for a view. @param space  what the pixels of the view mean
+/// The marks and names alone, for a view. @param space  what the pixels of the view mean
 LaidLettering layMarks(const scene::Scene& scene, const ViewSpace& space, const Seen& seen);
 
 inline std::vector<LetteringBlock> letteringBlocks(const scene::Scene& scene, glm::ivec2 size, const Seen& seen) {

@@ -5,24 +5,22 @@
 #include <limits>
 
 #include "scene/Scene.h"
+#include "session/lettering/Leaders.h"
 #include "session/lettering/LetteringLayout.h"
 #include "session/mark/MarkWords.h"
+#include "session/measure/Follow.h"
 
 namespace velum::session {
 
 namespace {
 
 // Lengths, in ems.
-constexpr double kTick = 0.42, kDot = 0.17, kHeadLength = 0.95, kHeadWidth = 0.62, kMarkLine = 1.25, kMarkCap = 0.72;
-constexpr double kAside = 1.0, kMarkGap = 0.35, kMarkMargin = 0.6, kWordsGap = 0.35, kShortestLine = 0.9;
+constexpr double kTick = 0.42, kDot = 0.17, kHeadLength = 0.95, kHeadWidth = 0.62;
+constexpr double kAside = 1.0, kMarkGap = 0.35;
 constexpr double kArc = 0.32, kLargestArc = 3.2;  // radius of an angle's arc: of the shorter arm; at most, ems
 constexpr double kAreaFill = 0.14;
 constexpr int kArcPieces = 24;
 
-glm::dvec2 unitOr(glm::dvec2 v, glm::dvec2 other) {
-  double length = glm::length(v);
-  return length > 1e-9 ? v / length : other;
-}
 glm::dvec2 across(glm::dvec2 v) { return {v.y, -v.x}; }
 
 glm::dvec2 meanOf(const std::vector<glm::dvec2>& points) {
@@ -39,17 +37,21 @@ glm::dvec2 upFrom(glm::dvec2 along) {
 
 }  // namespace
 
-MarkLayout::MarkLayout(const MarkView& view, const std::map<int, Measured>& measured, glm::vec3 ground, double leastEm,
-                       FreePlaces& places)
+MarkLayout::MarkLayout(const MarkView& view, const std::map<int, Measured>& measured,
+                       const std::vector<SeenPlace>& seen, glm::vec3 ground, double leastEm, FreePlaces& places)
     : mView(view),
       mMeasured(measured),
+      mSeen(seen),
       mGround(ground),
       mPlaces(places),
       mStyle(view.scene().lettering, glm::ivec2(view.space().size()), leastEm),
       mLetters(mStyle.font(), mStyle.em()) {}
 
-void MarkLayout::add(const scene::Mark& mark) {
-  double opacity = mView.opacityOf(mark);
+void MarkLayout::add(const scene::Mark& given) {
+  const scene::Mark mark = followed(mView.scene(), given);
+  auto seen = std::ranges::find(mSeen, mark.id, &SeenPlace::mark);
+  const SeenPlace* place = seen == mSeen.end() ? nullptr : &*seen;
+  double opacity = mView.opacityOf(mark) * (place ? place->share : 1.0);
   auto at = mView.pixels(mark.points);
   scene::MarkPoints count = scene::markPoints(mark.kind);
   if (opacity <= 0.0 || !at || at->size() < std::max<std::size_t>(count.least, 1) || at->size() > count.most) return;
@@ -61,7 +63,7 @@ void MarkLayout::add(const scene::Mark& mark) {
     measured = known->second;
   } else if (isMeasuredAtOnce(mark)) {
     Progress progress;
-    measured = measure(mView.scene(), mark, progress);
+    measured = measure(mView.scene(), given, progress);
   }
   using enum scene::MarkKind;
   switch (mark.kind) {
@@ -82,7 +84,7 @@ void MarkLayout::add(const scene::Mark& mark) {
       break;
     case Label:
     case Name:
-      addLabel(mark, at->front());
+      addLabel(mark, at->front(), place && place->at ? *place->at : at->front());
       break;
     case Circle:
       addBall(mark, measured);
@@ -127,48 +129,6 @@ void MarkLayout::addTick(glm::dvec2 end, glm::dvec2 from) {
 void MarkLayout::addDot(glm::dvec2 at) {
   mLines.items.push_back(vector::Shape{
       {}, {vector::circle(at, std::max(kDot * mStyle.em(), mPen.width))}, {}, vector::Fill{mPen.color, 1}});
-}
-
-void MarkLayout::addWords(const scene::Mark& mark, Words words) {
-  bool isBeyond =
-      glm::any(glm::lessThan(words.at, glm::dvec2(0.0))) || glm::any(glm::greaterThan(words.at, mView.space().size()));
-  if (words.lines.empty() || isBeyond) return;
-  double em = mStyle.em(), widest = 0.0;
-  for (const std::string& line : words.lines) widest = std::max(widest, mLetters.width(line));
-  glm::dvec2 size(widest, (kMarkCap + kMarkLine * double(words.lines.size() - 1)) * em);
-  glm::dvec2 low;
-  if (mark.wordsAt) {
-    low = words.at + *mark.wordsAt * mView.space().size().y - 0.5 * size;
-    mPlaces.add(low, size, kMarkGap * em);
-  } else {
-    // As far aside as the words reach in that direction.
-    glm::dvec2 way = unitOr(words.aside, {0, -1});
-    double reach = 0.5 * std::abs(way.x) * size.x + 0.5 * std::abs(way.y) * size.y + glm::length(words.aside);
-    glm::dvec2 wanted = words.at + way * reach - 0.5 * size, most = mView.space().size() - kMarkMargin * em - size;
-    wanted = glm::max(glm::min(wanted, most), glm::dvec2(kMarkMargin * em));
-    auto free = mPlaces.take(size, wanted, kMarkMargin * em, kMarkGap * em);
-    if (!free) return;
-    low = *free;
-  }
-  glm::dvec2 nearest = glm::clamp(words.at, low - kWordsGap * em, low + size + kWordsGap * em);
-  if (words.hasLeader || (mark.wordsAt && glm::distance(nearest, words.at) > kShortestLine * em)) {
-    LetteringBlock leader = mLines;
-    leader.layer = "leaders";
-    leader.items = {vector::Shape{{}, {vector::outlineThrough({nearest, words.at}, false)}, mPen, {}}};
-    mBlocks.push_back(std::move(leader));
-  }
-  mWords.push_back({mark.id, 0, {}, low, low + size, words.at});
-  LetteringBlock block = mLines;
-  bool isName = mark.kind == scene::MarkKind::Label || mark.kind == scene::MarkKind::Name;
-  block.layer = isName ? "labels" : "marks";
-  block.items.clear();
-  for (std::size_t i = 0; i < words.lines.size(); ++i) {
-    double indent = 0.5 * (size.x - mLetters.width(words.lines[i]));
-    if (isName && low.x > words.at.x) indent = 0.0;
-    block.items.push_back(
-        mLetters.words(words.lines[i], low + glm::dvec2(indent, (kMarkCap + kMarkLine * double(i)) * em), mPen.color));
-  }
-  mBlocks.push_back(std::move(block));
 }
 
 void MarkLayout::addDistance(const scene::Mark& mark, const Pixels& at, const Measured& measured) {
@@ -227,13 +187,6 @@ void MarkLayout::addArrow(const scene::Mark& mark, const Pixels& at) {
   head.fill = vector::Fill{mPen.color, 1.0};
   mLines.items.push_back(std::move(head));
   addWords(mark, {linesOf(mark, {}), at[0], -kMarkGap * em * along});
-}
-
-void MarkLayout::addLabel(const scene::Mark& mark, glm::dvec2 at) {
-  addDot(at);
-  // Away from the picture's middle, where the subject is.
-  glm::dvec2 out = unitOr((at - 0.5 * mView.space().size()) * glm::dvec2(1.0, 0.6), {1, 0});
-  addWords(mark, {linesOf(mark, {}), at, 3.0 * kAside * mStyle.em() * out, true});
 }
 
 void MarkLayout::addBall(const scene::Mark& mark, const Measured& measured) {

@@ -10,6 +10,7 @@
 #include "session/lettering/LetteringBlock.h"
 #include "session/lettering/LetteringStyle.h"
 #include "session/lettering/MarkView.h"
+#include "session/lettering/SeenPlaces.h"
 #include "session/mark/MarkHands.h"
 #include "session/measure/Measure.h"
 #include "vector/Letters.h"
@@ -20,10 +21,11 @@ namespace velum::session {
 class MarkLayout {
  public:
   /// @param measured  by the marks' ids, of those that are not measured at once; where one is missing it has no words
+  /// @param seen  where leaders go; a mark that is not in it points at its own place. Outlives this object
   /// @param ground  before which all stands, sRGB  @param places  where words can stand
   /// @param leastEm  of letters, pixels
-  MarkLayout(const MarkView& view, const std::map<int, Measured>& measured, glm::vec3 ground, double leastEm,
-             FreePlaces& places);
+  MarkLayout(const MarkView& view, const std::map<int, Measured>& measured, const std::vector<SeenPlace>& seen,
+             glm::vec3 ground, double leastEm, FreePlaces& places);
 
   /// Nothing of a mark that is not seen here.
   void add(const scene::Mark& mark);
@@ -33,9 +35,9 @@ class MarkLayout {
  private:
   struct Words {
     std::vector<std::string> lines;
-    glm::dvec2 at{0.0};     ///< the place that they belong to, pixels
-    glm::dvec2 aside{0.0};  ///< where their middle should rather stand from there: a direction, pixels
-    bool hasLeader = false;
+    glm::dvec2 at{0.0};                     ///< the place that they belong to, pixels
+    glm::dvec2 aside{0.0};                  ///< where their middle should rather stand from there: a direction, pixels
+    std::optional<glm::dvec2> target = {};  ///< of a leader, pixels; none: there is none
   };
   using Pixels = std::vector<glm::dvec2>;
   void addDistance(const scene::Mark& mark, const Pixels& at, const Measured& measured);
@@ -43,7 +45,7 @@ class MarkLayout {
   void addPath(const scene::Mark& mark, const Pixels& at, const Measured& measured);
   void addArea(const scene::Mark& mark, const Pixels& at, const Measured& measured);
   void addArrow(const scene::Mark& mark, const Pixels& at);
-  void addLabel(const scene::Mark& mark, glm::dvec2 at);
+  void addLabel(const scene::Mark& mark, glm::dvec2 at, glm::dvec2 target);
   void addCircle(const scene::Mark& mark, const Measured& measured);
   void addBall(const scene::Mark& mark, const Measured& measured);
   void addBox(const scene::Mark& mark, const Measured& measured);
@@ -62,6 +64,7 @@ class MarkLayout {
 
   const MarkView& mView;
   const std::map<int, Measured>& mMeasured;
+  const std::vector<SeenPlace>& mSeen;
   glm::vec3 mGround;
   FreePlaces& mPlaces;
   LetteringStyle mStyle;

@@ -29,11 +29,11 @@ struct NameWords {
 
 class NameLayout {
  public:
-  NameLayout(const scene::Scene& scene, glm::ivec2 size, glm::vec3 ground)
+  NameLayout(const scene::Scene& scene, const NamePaper& paper)
       : mScene(scene),
-        mSize(size),
-        mGround(ground),
-        mStyle(scene.lettering, size),
+        mSize(paper.size),
+        mGround(paper.ground),
+        mStyle(scene.lettering, paper.size, paper.leastEm),
         mLetters(mStyle.font(), mStyle.em()) {}
 
   void add(int key, const std::string& text, const SeenName& seen, double weight, const scene::Mark* mark) {
@@ -150,11 +150,11 @@ std::vector<NamePlace> placesBetween(const NamesBetween& names, double em) {
   return out;
 }
 
-LaidNames layNames(const scene::Scene& scene, glm::ivec2 size, const SeenNames& seen,
-                   const std::map<int, Measured>& measured, glm::vec3 ground, const FreePlaces& places,
+LaidNames layNames(const scene::Scene& scene, const NamePaper& paper, const SeenNames& seen,
+                   const std::map<int, Measured>& measured, const FreePlaces& places,
                    const std::vector<NamePlace>* before, const NamesBetween* between) {
   if (seen.names.empty() && seen.marks.empty()) return {};
-  NameLayout layout(scene, size, ground);
+  NameLayout layout(scene, paper);
   for (const SeenName& name : seen.names) layout.add(2 * name.key, name.name, name, double(name.pixels), nullptr);
   for (const auto& [id, name] : seen.marks) {
     const scene::Mark* mark = findMark(scene, id);

@@ -28,11 +28,16 @@ struct NamesBetween {
 /// What moves in one piece stands on its way; what goes far, or is at one of the two moments only, fades.
 std::vector<NamePlace> placesBetween(const NamesBetween& names, double em);
 
-/// @param ground  before which all stands, sRGB  @param measured  of marks that are regions  @param places  where other
-/// lettering stands  @param before  see placeNames()  @param between  of a film: places that are chosen already; null:
-/// none are
-LaidNames layNames(const scene::Scene& scene, glm::ivec2 size, const SeenNames& seen,
-                   const std::map<int, Measured>& measured, glm::vec3 ground, const FreePlaces& places,
+/// The picture beside which names stand.
+struct NamePaper {
+  glm::ivec2 size{0};
+  glm::vec3 ground{0.0f};  ///< before which all stands, sRGB
+  double leastEm = 0.0;    ///< of letters, pixels
+};
+/// @param measured  of marks that are regions  @param places  where other lettering stands  @param before  see
+/// placeNames()  @param between  of a film: places that are chosen already; null: none are
+LaidNames layNames(const scene::Scene& scene, const NamePaper& paper, const SeenNames& seen,
+                   const std::map<int, Measured>& measured, const FreePlaces& places,
                    const std::vector<NamePlace>* before, const NamesBetween* between = nullptr);
 
 }  // namespace velum::session

@@ -15,6 +15,8 @@ struct SeenMap {
   std::span<const std::int32_t> structures;  ///< ids; 0 and below: none; empty: no pixel has one
   std::span<const std::int32_t> types;  ///< of the model; below 0: none, and what has one has no structure; or empty
   int step = 1;
+  std::span<const std::int32_t> instances = {};  ///< of the model, over all copies; below 0: none; or empty
+  std::span<const float> distances = {};         ///< from the eye along the ray; infinity: nothing; or empty: not known
 };
 
 /// A name for something that a picture shows.

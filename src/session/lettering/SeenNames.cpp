@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/ImageChannels.h"
+#include "render/Renderer.h"
 #include "scene/Scene.h"
 #include "session/lettering/NameGroups.h"
 #include "session/mark/MarkHands.h"
@@ -65,19 +66,28 @@ SeenNames seenNames(const scene::Scene& scene, const SeenMap& map, const SeenNam
   return seen;
 }
 
-SeenNames seenNames(const scene::Scene& scene, const Image& image, const SeenNames& before) {
-  int id = channelIndex(image, "id"), instance = channelIndex(image, "instance"), type = channelIndex(image, "type");
-  int step = std::max(1, image.width / kPixelsAcross);
-  glm::ivec2 size((image.width + step - 1) / step, (image.height + step - 1) / step);
-  std::vector<std::int32_t> structures, types;
+ImageMap::ImageMap(const scene::Scene& scene, const Image& image, int step) {
+  int id = channelIndex(image, "id"), instance = channelIndex(image, "instance"), type = channelIndex(image, "type"),
+      distance = channelIndex(image, "Z");
+  if (step == 0) step = std::max(1, image.width / kPixelsAcross);
   std::size_t channels = image.channels.size();
+  std::int32_t first = std::int32_t(render::firstModelInstance(scene));
   for (int y = 0; y < image.height; y += step)
     for (int x = 0; x < image.width; x += step) {
       const float* pixel = &image.pixels[(std::size_t(y) * std::size_t(image.width) + std::size_t(x)) * channels];
-      structures.push_back(instance >= 0 && pixel[instance] < 0.0f ? -1 : std::int32_t(id < 0 ? 0.0f : pixel[id]));
-      if (type >= 0) types.push_back(std::int32_t(pixel[type]));
+      bool isNothing = instance >= 0 && pixel[instance] < 0.0f;
+      mStructures.push_back(isNothing ? -1 : std::int32_t(id < 0 ? 0.0f : pixel[id]));
+      if (distance >= 0) mDistances.push_back(pixel[distance]);
+      if (type < 0) continue;
+      mTypes.push_back(std::int32_t(pixel[type]));
+      if (instance >= 0) mInstances.push_back(mTypes.back() < 0 ? -1 : std::int32_t(pixel[instance]) - first);
     }
-  return seenNames(scene, {size, structures, types, step}, before);
+  glm::ivec2 size((image.width + step - 1) / step, (image.height + step - 1) / step);
+  mMap = {size, mStructures, mTypes, step, mInstances, mDistances};
+}
+
+SeenNames seenNames(const scene::Scene& scene, const Image& image, const SeenNames& before) {
+  return seenNames(scene, ImageMap(scene, image).map(), before);
 }
 
 SeenNames seenNear(const scene::Scene& scene, const Image& image, const SeenNames& near) {

@@ -6,6 +6,7 @@
 #include "scene/Lettering.h"
 #include "scene/SceneFwd.h"
 #include "session/lettering/NamesToPlace.h"
+#include "session/lettering/SeenPlaces.h"
 #include "session/lettering/VisibleParts.h"
 
 namespace velum::session {
@@ -15,6 +16,7 @@ struct SeenNames {
   std::vector<SeenName> names;                  ///< that find their own places (scene::Lettering::names)
   std::vector<std::pair<int, SeenName>> marks;  ///< by the ids of marks that have no points: where they point
   Silhouette subject;                           ///< of all that the picture shows
+  std::vector<SeenPlace> places;                ///< of marks with leaders from places: where the leaders go
 };
 
 /// True where a picture needs seenNames().
@@ -24,7 +26,23 @@ bool needsSeenNames(const scene::Lettering& lettering);
 /// @throw ArgumentError as namesToPlace(). Any thread; time goes with the pixels.
 SeenNames seenNames(const scene::Scene& scene, const SeenMap& map, const SeenNames& before = {});
 
-/// Of a picture with the channels "id" and "instance" (render::Layers), and "type" where there is a model.
+/// The map of a picture with the channels "id" and "instance" (render::Layers), "type" where there is a model, and "Z"
+/// where its distances are asked for.
+class ImageMap {
+ public:
+  /// @param step  see SeenMap; 0: as fine as names need it
+  ImageMap(const scene::Scene& scene, const Image& image, int step = 0);
+  ImageMap(const ImageMap&) = delete;
+  ImageMap& operator=(const ImageMap&) = delete;
+  const SeenMap& map() const { return mMap; }
+
+ private:
+  std::vector<std::int32_t> mStructures, mTypes, mInstances;
+  std::vector<float> mDistances;
+  SeenMap mMap;
+};
+
+/// Of a picture with the channels of an ImageMap.
 SeenNames seenNames(const scene::Scene& scene, const Image& image, const SeenNames& before = {});
 /// Of a picture in whose film names have their places already: those names, pointing near where they are told to.
 SeenNames seenNear(const scene::Scene& scene, const Image& image, const SeenNames& near);

@@ -9,6 +9,8 @@
 #include <utility>
 
 #include "scene/Project.h"
+#include "session/measure/Follow.h"
+#include "session/model/ModelEdit.h"
 
 namespace velum::session {
 
@@ -18,7 +20,8 @@ using scene::Mark;
 using scene::MarkKind;
 using Line = std::vector<glm::dvec2>;
 
-constexpr double kWordsReach = 2.0;  ///< around words, pixels
+constexpr double kWordsReach = 2.0;   ///< around words, pixels
+constexpr double kSnapPixels = 12.0;  ///< so near to its middle an instance draws a point to itself
 constexpr std::size_t kCircleParts = 72;
 
 double shareAt(double height, double step) { return std::clamp(1.5 - std::abs(height) / step, 0.0, 1.0); }
@@ -164,8 +167,10 @@ MarkGrip markAt(const scene::Scene& scene, const ViewSpace& view, glm::dvec2 pix
     return std::tuple(rankOf(grip.part), grip.mark != reach.selected, away);
   };
   auto bestKey = key(best, 0.0);
-  for (const Mark& mark : scene.lettering.marks) {
-    if (!isShown(scene, mark) || markShare(view, mark, reach.step) <= 0.0) continue;
+  for (const Mark& given : scene.lettering.marks) {
+    if (!isShown(scene, given)) continue;
+    const Mark mark = followed(scene, given);
+    if (markShare(view, mark, reach.step) <= 0.0) continue;
     auto [grip, away] = gripOf(mark, view, pixel, reach);
     if (grip.part == MarkPart::None || key(grip, away) >= bestKey) continue;
     best = grip;
@@ -174,15 +179,25 @@ MarkGrip markAt(const scene::Scene& scene, const ViewSpace& view, glm::dvec2 pix
   return best;
 }
 
-Mark withPointAt(Mark mark, std::size_t point, glm::dvec3 place, const ViewSpace& view) {
+Mark withPointAt(Mark mark, std::size_t point, glm::dvec3 place, const ViewSpace& view, int instance) {
   if (point >= mark.points.size()) return mark;
   glm::dvec3 before = mark.points[point];
   if (const auto* plane = view.section(); plane && mark.kind == MarkKind::Box)
     place += plane->normal * (scene::heightOverSection(*plane, before) - scene::heightOverSection(*plane, place));
   mark.points[point] = place;
   if (mark.kind == MarkKind::Circle && point == 0) mark.points[1] += place - before;
-  if (point == 0) mark.instance = -1;
+  if (point < mark.pointStructures.size()) mark.pointStructures[point] = 0;
+  if (instance >= 0 && point >= mark.pointInstances.size()) mark.pointInstances.resize(point + 1, -1);
+  if (point < mark.pointInstances.size()) mark.pointInstances[point] = instance;
   return mark;
+}
+
+MarkAim aimOf(const scene::Scene& scene, const ViewSpace& view, glm::dvec2 pixel, glm::dvec3 place,
+              const render::Pick* pick) {
+  auto instance = pick && pick->type >= 0 && !view.section() ? instancePlace(scene, pick->modelInstance) : std::nullopt;
+  auto middle = instance ? view.pixelFromWorld(instance->middle) : std::nullopt;
+  if (!middle || glm::distance(*middle, pixel) > kSnapPixels) return {place, -1};
+  return {instance->middle, int(pick->modelInstance)};
 }
 
 Mark withWordsBy(Mark mark, const PlacedWords& from, glm::dvec2 pixels, const ViewSpace& view) {

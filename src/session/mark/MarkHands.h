@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "render/Renderer.h"
 #include "scene/Scene.h"
 #include "session/ViewSpace.h"
 
@@ -56,11 +57,23 @@ MarkGrip markAt(const scene::Scene& scene, const ViewSpace& view, glm::dvec2 pix
 
 /// A mark after one of its points was dragged to a place of the world. A circle goes with its middle; the point of a
 /// box keeps its depth on a section, so that a box keeps its thickness there.
-scene::Mark withPointAt(scene::Mark mark, std::size_t point, glm::dvec3 place, const ViewSpace& view);
+/// @param instance  of the model, whose middle the place is: the point follows it; -1: it follows nothing from now on
+scene::Mark withPointAt(scene::Mark mark, std::size_t point, glm::dvec3 place, const ViewSpace& view,
+                        int instance = -1);
 /// A mark after its words were dragged by so many pixels. @param from  where they stood before
 scene::Mark withWordsBy(scene::Mark mark, const PlacedWords& from, glm::dvec2 pixels, const ViewSpace& view);
 /// The mark that a name becomes which was taken hold of; it has no id yet.
 scene::Mark markOfName(const PlacedWords& name);
+
+/// A place that is aimed at, and the instance of the model whose middle it is; -1: of none.
+struct MarkAim {
+  glm::dvec3 place{0.0};
+  int instance = -1;
+};
+/// What a hand aims at that points at something in the 3D picture: the middle of the instance that is seen, where the
+/// pixel is near it, else the place itself. On a section always the place. @param pick  what is seen there
+MarkAim aimOf(const scene::Scene& scene, const ViewSpace& view, glm::dvec2 pixel, glm::dvec3 place,
+              const render::Pick* pick);
 
 /// What clicks make: a mark of a kind with these points. On a section a circle is flat, and a box one step thick.
 scene::Mark markOfClicks(scene::MarkKind kind, std::vector<glm::dvec3> points, const ViewSpace& view, double step);

@@ -8,6 +8,7 @@
 
 #include "scene/Mark.h"
 #include "scene/Scene.h"
+#include "session/measure/Follow.h"
 #include "session/measure/Left.h"
 #include "session/measure/Region.h"
 #include "session/measure/SurfaceWay.h"
@@ -130,8 +131,9 @@ bool isMeasuredAtOnce(const scene::Mark& mark) {
   }
 }
 
-Measured measure(const scene::Scene& scene, const scene::Mark& mark, Progress& progress) {
+Measured measure(const scene::Scene& scene, const scene::Mark& given, Progress& progress) {
   progress.throwIfCancelled();
+  const scene::Mark mark = followed(scene, given);
   scene::MarkPoints wanted = scene::markPoints(mark.kind);
   if (mark.points.size() < wanted.least || mark.points.size() > wanted.most) return refusal("it lacks points");
   Telling telling = tellingOf(scene);

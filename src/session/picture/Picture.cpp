@@ -126,7 +126,8 @@ Image drawPicture(render::Renderer& renderer, const scene::Scene& scene, const P
   Image image = render::renderPicture(renderer, frame, asked, window, progress);
   layOver(letteringBlocks(frame.scene, options.size, seenIn(image, frame.scene, progress, known)), image);
   std::vector<std::string> channels = image.channels;
-  for (auto [isAsked, name] : {std::pair(layers.type, "type"), {layers.structure, "id"}, {layers.instance, "instance"}})
+  for (auto [isAsked, name] :
+       {std::pair(layers.type, "type"), {layers.structure, "id"}, {layers.instance, "instance"}, {layers.depth, "Z"}})
     if (!isAsked) std::erase(channels, name);
   if (channels != image.channels) image = channelsOf(image, channels);
   if (!options.layers || !hasInlayLayers(frame.scene)) return image;
@@ -141,14 +142,20 @@ Image drawPicture(render::Renderer& renderer, const scene::Scene& scene, const P
   return image;
 }
 
-Image drawSectionPicture(const scene::Scene& scene, scene::SectionKind kind, const PictureOptions& options,
-                         Progress& progress) {
-  render::SectionImage section = render::drawSection(sceneForPicture(scene, options), kind, options.size);
+Image imageOf(const render::SectionImage& section) {
   Image image{section.size.x, section.size.y, {"R", "G", "B", "A"}, {}};
   image.pixels.reserve(section.pixels.size() * 4);
   for (std::uint32_t pixel : section.pixels)
     for (int shift : {16, 8, 0, 24}) image.pixels.push_back(float(pixel >> shift & 255u) / 255.0f);
-  layOver(letteringBlocks(scene, kind, options.size, seenInSection(scene, progress)), image);
+  return image;
+}
+
+Image drawSectionPicture(const scene::Scene& scene, scene::SectionKind kind, const PictureOptions& options,
+                         Progress& progress, const Seen* known) {
+  scene::SectionPlane plane = scene::makeSectionPlane(scene, kind, glm::dvec2(options.size));
+  render::SectionImage section = render::drawSection(sceneForPicture(scene, options), plane);
+  Image image = imageOf(section);
+  layOver(letteringBlocks(scene, kind, options.size, seenInSection(section, plane, scene, progress, known)), image);
   return image;
 }
 

@@ -8,6 +8,7 @@
 #include "core/Image.h"
 #include "core/Task.h"
 #include "render/Renderer.h"
+#include "render/section/SectionImage.h"
 #include "scene/SceneFwd.h"
 #include "scene/Sections.h"
 
@@ -50,8 +51,11 @@ Image drawPicture(render::Renderer& renderer, const scene::Scene& scene, const P
                   const gpu::Limits& limits, Progress& progress, const Seen* known = nullptr);
 
 /// A section view as a picture: R, G, B, A. Without a graphics context. @throw Cancelled. Any thread.
+/// @param known  as of drawPicture()
 Image drawSectionPicture(const scene::Scene& scene, scene::SectionKind kind, const PictureOptions& options,
-                         Progress& progress);
+                         Progress& progress, const Seen* known = nullptr);
+/// The pixels of a section: R, G, B, A.
+Image imageOf(const render::SectionImage& section);
 
 /// @throw InputError where pictures are written in no such format
 void expectPictureFormat(const std::filesystem::path& path);

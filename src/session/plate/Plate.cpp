@@ -101,15 +101,15 @@ vector::Drawing drawPlate(render::Renderer& renderer, const scene::Scene& scene,
 
 vector::Drawing drawSectionPlate(const scene::Scene& scene, scene::SectionKind kind, const PictureOptions& options,
                                  Progress& progress) {
-  scene::Scene bare = scene;
-  bare.lettering = {};
+  scene::SectionPlane plane = scene::makeSectionPlane(scene, kind, glm::dvec2(options.size));
+  render::SectionImage section = render::drawSection(sceneForPicture(scene, options), plane);
   vector::Drawing drawing{glm::dvec2(options.size), plateDpi(scene, options), {}, {}};
-  Image image = drawSectionPicture(bare, kind, options, progress);
   std::vector<std::string> color{"R", "G", "B"};
   if (options.transparent) color.push_back("A");
-  drawing.layers.push_back(plateLayer("plate", channelsOf(image, color)));
+  drawing.layers.push_back(plateLayer("plate", channelsOf(imageOf(section), color)));
   scene::Scene lettered = sceneForPicture(scene, options);
-  addLayers(drawing, layersOf(letteringBlocks(lettered, kind, options.size, seenInSection(lettered, progress))));
+  Seen seen = seenInSection(section, plane, lettered, progress);
+  addLayers(drawing, layersOf(letteringBlocks(lettered, kind, options.size, seen)));
   return drawing;
 }
 

@@ -123,10 +123,10 @@ QWidget* LetteringForm::makeWidths(QWidget* parent) {
   auto* widths = new QWidget(parent);
   auto* row = new QHBoxLayout(widths);
   row->setContentsMargins(0, 0, 0, 0);
-  row->setSpacing(6);
+  row->setSpacing(0);
   for (int width : kPageWidths) {
     QPushButton* button =
-        makeQuiet(QString::number(width), "", tr("A width that journals ask for: %1 mm").arg(width), widths);
+        makeQuiet(tr("%1 mm").arg(width), "", tr("A width that journals ask for: %1 mm").arg(width), widths);
     button->setAccessibleName(tr("Page of %1 mm").arg(width));
     connect(button, &QPushButton::clicked, this, [this, width] {
       session::edit(mDocument, session::SetField{"lettering.pageWidth", std::to_string(width)}, false,

@@ -221,7 +221,7 @@ void MarkTool::paint(ViewPainter& over) const {
   QString value = QString::fromStdString(session::markValue(scene, mark));
   scene::Mark lines = mark;
   lines.kind = mark.points.size() < scene::markPoints(mKind).least ? MarkKind::Path : mKind;
-  for (const auto& line : session::markLines(over.space, lines)) {
+  for (const auto& line : session::markLines(over.space, lines, scene::sectionStep(scene))) {
     QPainterPath path;
     for (const glm::dvec2& p : line) path.elementCount() == 0 ? path.moveTo(p.x, p.y) : path.lineTo(p.x, p.y);
     strokeTwice(over.painter, path, kHandle, 1.5);

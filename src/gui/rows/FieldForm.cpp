@@ -9,6 +9,7 @@
 
 #include "core/Assert.h"
 #include "core/Text.h"
+#include "gui/kit/Text.h"
 #include "scene/json/Paths.h"
 #include "session/command/DocumentCommands.h"
 
@@ -44,16 +45,24 @@ int decimalsOf(const scene::FieldFacts& facts, const FieldText& text) {
   return span <= 2.0 ? 2 : span <= 100.0 ? 1 : 0;
 }
 
+/// How a unit stands behind a number; empty where numbers are shown without.
+QString symbolOf(std::string_view unit) {
+  if (unit == "pixel") return FieldForm::tr(" px");
+  if (unit == "point") return FieldForm::tr(" pt");
+  if (unit == "deg") return "\u00b0";
+  if (unit == "mm" || unit == "s") return " " + toText(unit);
+  return {};
+}
+
 QString suffixOf(const scene::FieldFacts& facts, const FieldText& text) {
-  if (inPercent(facts, text)) return " %";
-  return facts.unit == "pixel" ? FieldForm::tr(" px") : QString();
+  return inPercent(facts, text) ? " %" : symbolOf(facts.unit);
 }
 
 /// What the field means, with a unit that the control does not show.
 QString tipOf(const scene::FieldFacts& facts) {
   QString tip = QString::fromStdString(facts.meaning);
   if (tip.endsWith('.')) tip.chop(1);
-  bool isShown = facts.unit.empty() || facts.unit == "pixel" || facts.unit == kLength;
+  bool isShown = facts.unit.empty() || facts.unit == kLength || !symbolOf(facts.unit).isEmpty();
   return isShown ? tip : tip + ", " + QString::fromStdString(facts.unit).replace("^2", "\u00b2");
 }
 

@@ -66,6 +66,7 @@ void MarkLayout::add(const scene::Mark& given) {
     measured = measure(mView.scene(), given, progress);
   }
   using enum scene::MarkKind;
+  if (mView.goesThrough(mark)) return addCrossing(mark, measured);
   switch (mark.kind) {
     case Distance:
       addDistance(mark, *at, measured);
@@ -97,6 +98,16 @@ void MarkLayout::add(const scene::Mark& given) {
       break;
     case Region:
       break;  // stands beside the structure that it measures, see addNames()
+  }
+  if (!mLines.items.empty()) mBlocks.push_back(std::move(mLines));
+}
+
+/// A line that a section cuts is seen where it goes through, and says there nothing of its whole.
+void MarkLayout::addCrossing(scene::Mark mark, const Measured& measured) {
+  if (measured.way.size() > 1) mark.points = measured.way;
+  for (const Pixels& piece : mView.lines(mark)) {
+    addLine(piece, false);
+    addDot(0.5 * (piece.front() + piece.back()));
   }
   if (!mLines.items.empty()) mBlocks.push_back(std::move(mLines));
 }

@@ -40,6 +40,7 @@ class MarkLayout {
     std::optional<glm::dvec2> target = {};  ///< of a leader, pixels; none: there is none
   };
   using Pixels = std::vector<glm::dvec2>;
+  void addCrossing(scene::Mark mark, const Measured& measured);
   void addDistance(const scene::Mark& mark, const Pixels& at, const Measured& measured);
   void addAngle(const scene::Mark& mark, const Pixels& at, const Measured& measured);
   void addPath(const scene::Mark& mark, const Pixels& at, const Measured& measured);

@@ -4,8 +4,10 @@
 #include <cmath>
 #include <limits>
 
+#include "scene/GreyWindows.h"
 #include "scene/Scene.h"
 #include "scene/Units.h"
+#include "session/lettering/LetteringLayout.h"
 #include "session/lettering/MarkLayout.h"
 
 namespace velum::session {
@@ -14,7 +16,7 @@ namespace {
 
 constexpr double kPlotWidth = 11.0, kPlotHeight = 4.5, kPlotGap = 0.5, kPlotMargin = 0.6;  // ems
 constexpr double kPlotShare = 0.72;                                                        // of the letters
-constexpr double kPlotFill = 0.35;
+constexpr double kPlotFill = 0.6;
 
 }  // namespace
 
@@ -26,7 +28,10 @@ void MarkLayout::addPlot(const scene::Mark& mark, glm::dvec2 at, const Measured&
   if (measured.profile.size() < 2 || !(low <= high)) return;
   double em = mStyle.em(), last = measured.profile.back().distance;
   vector::Letters letters(mStyle.font(), kPlotShare * em);
-  std::string most = fmt::format("{:.4g}", high), least = fmt::format("{:.4g}", low);
+  const auto& volume = mView.scene().volume.data;
+  std::string unit = volume ? scene::valueUnit(*volume) : "";
+  std::string most = fmt::format("{:.4g}{}{}", high, unit.empty() ? "" : " ", drawable(unit));
+  std::string least = fmt::format("{:.4g}", low);
   double beside = std::max(letters.width(most), letters.width(least)) + kPlotGap * em;
   glm::dvec2 plot(kPlotWidth * em, kPlotHeight * em), room = plot + glm::dvec2(beside, 1.3 * em);
   glm::dvec2 wanted =
@@ -44,7 +49,7 @@ void MarkLayout::addPlot(const scene::Mark& mark, glm::dvec2 at, const Measured&
   vector::Pen thin = mPen;
   thin.width *= 0.6;
   block.items.push_back(vector::Shape{{},
-                                      {vector::rectangle(corner, corner + plot, 0.0)},
+                                      {vector::rectangle(*free, *free + room, 0.0)},
                                       {},
                                       vector::Fill{LetteringStyle::glowOf(mPen.color, mGround), kPlotFill}});
   block.items.push_back(vector::Shape{

@@ -30,6 +30,12 @@ double MarkView::opacityOf(const scene::Mark& mark) const {
   return isShown(mScene, mark) ? mark.opacity * markShare(mSpace, mark, mStep) : 0.0;
 }
 
+bool MarkView::goesThrough(const scene::Mark& mark) const { return session::goesThrough(mSpace, mark, mStep); }
+
+std::vector<std::vector<glm::dvec2>> MarkView::lines(const scene::Mark& mark) const {
+  return markLines(mSpace, mark, mStep);
+}
+
 std::vector<glm::dvec3> boxCorners(const scene::Scene& scene, const scene::Mark& mark) {
   glm::dmat3 axes = scene.volume.data ? direction(*scene.volume.data) : glm::dmat3(1.0);
   glm::dvec3 way = glm::inverse(axes) * (mark.points[1] - mark.points[0]);

@@ -24,6 +24,9 @@ class MarkView {
   double height(glm::dvec3 world) const;
   /// How much of a mark is seen here, 0..1, see markShare(); nothing at other time steps than its own.
   double opacityOf(const scene::Mark& mark) const;
+  /// See goesThrough() and markLines().
+  bool goesThrough(const scene::Mark& mark) const;
+  std::vector<std::vector<glm::dvec2>> lines(const scene::Mark& mark) const;
 
  private:
   const scene::Scene& mScene;

@@ -23,8 +23,48 @@ using Line = std::vector<glm::dvec2>;
 constexpr double kWordsReach = 2.0;   ///< around words, pixels
 constexpr double kSnapPixels = 12.0;  ///< so near to its middle an instance draws a point to itself
 constexpr std::size_t kCircleParts = 72;
+constexpr double kSeenSteps = 1.5;  ///< so far beside a section a mark is seen there, steps
 
-double shareAt(double height, double step) { return std::clamp(1.5 - std::abs(height) / step, 0.0, 1.0); }
+double shareAt(double height, double step) { return std::clamp(kSeenSteps - std::abs(height) / step, 0.0, 1.0); }
+
+/// The stretch of a way from one height to another that is nowhere farther from 0, as shares of the way; empty where
+/// the first is larger than the second.
+glm::dvec2 stretchWithin(double from, double to, double farthest) {
+  glm::dvec2 stretch(0.0, 1.0);
+  for (double sign : {1.0, -1.0}) {
+    double a = farthest - sign * from, b = farthest - sign * to;  // what is left up to the border
+    if (a < 0.0 && b < 0.0) return {1.0, 0.0};
+    if (a < 0.0) stretch.x = std::max(stretch.x, a / (a - b));
+    if (b < 0.0) stretch.y = std::min(stretch.y, a / (a - b));
+  }
+  return stretch;
+}
+
+/// Of a line through places, what is seen: on a section what lies in it, or no farther beside it than marks are seen.
+std::vector<Line> seenLines(const ViewSpace& view, const std::vector<glm::dvec3>& places, double step) {
+  const scene::SectionPlane* plane = view.section();
+  std::vector<Line> lines;
+  Line line;
+  auto end = [&] {
+    if (line.size() > 1) lines.push_back(line);
+    line.clear();
+  };
+  for (std::size_t i = 1; i < places.size(); ++i) {
+    const glm::dvec3 &a = places[i - 1], &b = places[i];
+    glm::dvec2 seen(0.0, 1.0);
+    if (plane)
+      seen = stretchWithin(scene::heightOverSection(*plane, a), scene::heightOverSection(*plane, b), kSeenSteps * step);
+    auto from = view.pixelFromWorld(glm::mix(a, b, seen.x)), to = view.pixelFromWorld(glm::mix(a, b, seen.y));
+    bool isSeen = seen.x < seen.y && from && to;
+    if (!isSeen || seen.x > 0.0) end();
+    if (!isSeen) continue;
+    if (line.empty()) line.push_back(*from);
+    line.push_back(*to);
+    if (seen.y < 1.0) end();
+  }
+  end();
+  return lines;
+}
 
 /// The stretch of heights over a section that a mark takes.
 glm::dvec2 heightsOf(const scene::SectionPlane& plane, const Mark& mark) {
@@ -94,7 +134,7 @@ std::pair<MarkGrip, double> gripOf(const Mark& mark, const ViewSpace& view, glm:
   }
   if (best.first.part != MarkPart::None) return best;
   if (areWordsOf(reach, mark.id, pixel)) return {{MarkPart::Words, mark.id, 0}, 0.0};
-  for (const Line& line : markLines(view, mark))
+  for (const Line& line : markLines(view, mark, reach.step))
     if (double away = distanceToLine(line, pixel); away <= 0.5 * best.second)
       best = {{MarkPart::Line, mark.id, 0}, 2.0 * away};
   return best;
@@ -122,27 +162,26 @@ double pointShare(const ViewSpace& view, const Mark& mark, std::size_t point, do
   return shareAt(scene::heightOverSection(*plane, mark.points[point]), step);
 }
 
-std::vector<Line> markLines(const ViewSpace& view, const Mark& mark) {
+std::vector<Line> markLines(const ViewSpace& view, const Mark& mark, double step) {
   if (mark.points.size() < 2) return {};
-  if (mark.kind == MarkKind::Circle && mark.normal != glm::dvec3(0.0)) {
-    Line line;
-    for (const glm::dvec3& place : circlePlaces(mark))
-      if (auto pixel = view.pixelFromWorld(place)) line.push_back(*pixel);
-    return line.size() == kCircleParts + 1 ? std::vector<Line>{line} : std::vector<Line>();
-  }
+  if (mark.kind == MarkKind::Circle && mark.normal != glm::dvec3(0.0)) return seenLines(view, circlePlaces(mark), step);
   if (mark.kind == MarkKind::Circle) {
     auto round = view.circleOfBall(mark.points[0], glm::distance(mark.points[0], mark.points[1]));
     return round ? std::vector<Line>{circle(*round)} : std::vector<Line>();
   }
   if (mark.kind == MarkKind::Box) return boxLines(view, mark.points[0], mark.points[1]);
-  Line line;
-  for (const glm::dvec3& p : mark.points) {
-    auto pixel = view.pixelFromWorld(p);
-    if (!pixel) return {};
-    line.push_back(*pixel);
-  }
-  if (mark.kind == MarkKind::Area) line.push_back(line.front());
-  return {line};
+  std::vector<glm::dvec3> places = mark.points;
+  if (mark.kind == MarkKind::Area) places.push_back(places.front());
+  return seenLines(view, places, step);
+}
+
+bool goesThrough(const ViewSpace& view, const Mark& mark, double step) {
+  bool isLine = mark.points.size() > 1 && mark.kind != MarkKind::Box && mark.kind != MarkKind::Region &&
+                (mark.kind != MarkKind::Circle || mark.normal != glm::dvec3(0.0));
+  if (!view.section() || !isLine) return false;
+  for (std::size_t i = 0; i < mark.points.size(); ++i)
+    if (pointShare(view, mark, i, step) <= 0.0) return true;
+  return false;
 }
 
 std::vector<glm::dvec3> circlePlaces(const Mark& mark) {

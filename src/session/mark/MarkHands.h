@@ -22,8 +22,11 @@ double markShare(const ViewSpace& view, const scene::Mark& mark, double step);
 /// The same of one of its points.
 double pointShare(const ViewSpace& view, const scene::Mark& mark, std::size_t point, double step);
 
-/// The lines of a mark in a view; each a polyline. None for kinds without lines.
-std::vector<std::vector<glm::dvec2>> markLines(const ViewSpace& view, const scene::Mark& mark);
+/// The lines of a mark in a view; each a polyline. Of a line that goes through a section only what marks are seen of
+/// there, see markShare(). None for kinds without lines.
+std::vector<std::vector<glm::dvec2>> markLines(const ViewSpace& view, const scene::Mark& mark, double step);
+/// True where a mark of lines does not lie in a section that it meets, but goes through it.
+bool goesThrough(const ViewSpace& view, const scene::Mark& mark, double step);
 /// Where words stand in a view, as its lettering has laid them out.
 struct PlacedWords {
   int mark = 0;                    ///< id of their mark; 0: they are a name that has found its place by itself

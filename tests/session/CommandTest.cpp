@@ -182,7 +182,7 @@ TEST(Commands, EachEditIsOneStepThatUndoTakesBackAndRedoBringsAgain) {
       "model.leaveAsAbove",  "model.bringToSize", "model.setDrawn", "model.letFollow",    "model.rename",
       "model.listInLegend"};
   const std::set<std::string_view> kOfChannels{"look.channelAlone", "look.channelColor"};
-  const std::set<std::string_view> kOfOtherData{"film.equalize", "film.fly", "film.time"};
+  const std::set<std::string_view> kOfOtherData{"film.equalize", "film.fly", "film.time", "mark.follow"};
   int done = 0;
   for (const Command& command : commands()) {
     if (!command.change || kOfModels.count(command.name) || kOfChannels.count(command.name)) continue;

@@ -17,7 +17,7 @@
 namespace velum::session {
 namespace {
 
-constexpr glm::ivec2 kSectionSize(600, 500);
+constexpr glm::ivec2 kSectionSize(300, 250);
 constexpr auto kAxial = scene::SectionKind::Axial;
 
 /// Four columns along z; the fourth begins at z = 30.
@@ -71,6 +71,7 @@ TEST(SectionNames, APixelsStructureIsThatOfItsPlace) {
   scene.labels.structures[0].visible = false;
   scene::SectionPlane plane = scene::makeSectionPlane(scene, kAxial, glm::dvec2(kSectionSize));
   render::SectionImage section = render::drawSection(scene, plane);
+  auto field = scene::structureFieldOf(scene);  // is held while places are asked
   int seen = 0;
   for (int y = 3; y < kSectionSize.y; y += 7)
     for (int x = 3; x < kSectionSize.x; x += 7) {

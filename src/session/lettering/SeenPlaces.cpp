@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <set>
 
 #include "render/kept/KeptPlaces.h"
@@ -125,13 +126,16 @@ class PlacesIn {
   /// No cut has removed what is at a place.
   bool isKept(glm::dvec3 world) {
     if (!mKept) mKept.emplace(mScene, world);
-    return mKept->isEmpty() || mKept->keeps(world, std::uint16_t(scene::structureAt(mScene, world).id));
+    if (mKept->isEmpty()) return true;
+    if (!mField && mScene.labels.data) mField = scene::structureFieldOf(mScene);
+    return mKept->keeps(world, std::uint16_t(scene::structureAt(mScene, world).id));
   }
 
   const scene::Scene& mScene;
   const SeenMap& mMap;
   ViewSpace mView;
   std::optional<render::KeptPlaces> mKept;
+  std::shared_ptr<const StructureField> mField;  ///< held, so that each place asks the same one
 };
 
 }  // namespace

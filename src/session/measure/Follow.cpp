@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <memory>
 #include <mutex>
 #include <utility>
 #include <vector>
@@ -132,6 +133,7 @@ scene::Mark followed(const scene::Scene& scene, const scene::Mark& mark) {
 
 scene::Mark following(const scene::Scene& scene, scene::Mark mark) {
   mark = fixed(scene, mark);
+  auto field = scene.labels.data ? scene::structureFieldOf(scene) : nullptr;  // held while points ask it
   for (std::size_t i = 0; i < mark.points.size(); ++i) {
     int instance = instanceAt(scene, mark.points[i]);
     int structure = instance < 0 ? scene::structureAt(scene, mark.points[i]).id : 0;

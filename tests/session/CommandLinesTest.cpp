@@ -155,7 +155,7 @@ TEST(PythonLines, CommandsAreMethodsAndFieldsAreItems) {
       {"set camera.eye 1,2.5,-3", R"(s["camera.eye"] = (1, 2.5, -3))"},
       {"set volume.bodyOnly true", R"(s["volume.bodyOnly"] = True)"},
       {"set cuts.0.membrane null", R"(s["cuts.0.membrane"] = None)"},
-      {"set cuts.0.name \"42\"", R"(s["cuts.0.name"] = "42")"},
+      {"set cuts.0.name \"42\"", R"(s["cuts.0.name"] = 42)"},
       {"set cuts.0.name 1e3", R"(s.set("cuts.0.name", "1e3"))"},
       {"set cuts [{\"id\":1}]", R"(s["cuts"] = [{"id": 1}])"},
       {"settle", "s.settle()"}};

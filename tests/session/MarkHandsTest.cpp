@@ -43,6 +43,33 @@ TEST(MarkHands, AMarkFadesASectionAwayAndIsWholeWhereItLies) {
   EXPECT_EQ(markShare(ViewSpace(planeAt(34)), ball, 2.0), 0.0);
 }
 
+TEST(MarkHands, ALineThatGoesThroughASectionIsSeenThereNoFartherThanMarksAre) {
+  // From 30 before the section to 50 behind it, over 80 to the right: a unit to the right a unit deeper.
+  Mark mark = distance({-30, 0, -20}, {50, 0, 60});
+  ViewSpace view(planeAt(10));
+  EXPECT_TRUE(goesThrough(view, mark, 2.0));
+  auto lines = markLines(view, mark, 2.0);
+  ASSERT_EQ(lines.size(), 1u);
+  ASSERT_EQ(lines[0].size(), 2u);
+  auto pixelAt = [&](double x) { return scene::sectionPixelFromWorld(planeAt(10), {x, 0, 10}); };
+  EXPECT_NEAR(glm::distance(lines[0][0], pixelAt(-3)), 0.0, 1e-9) << "one step and a half before it";
+  EXPECT_NEAR(glm::distance(lines[0][1], pixelAt(3)), 0.0, 1e-9);
+  EXPECT_EQ(markLines(ViewSpace(scene::Camera(), {400, 300}), mark, 2.0)[0].size(), 2u) << "the picture shows all";
+  scene::Scene scene;
+  scene.lettering.marks = {mark};
+  auto part = [&](double x) { return markAt(scene, view, pixelAt(x), {.step = 2.0}).part; };
+  EXPECT_EQ(part(1), MarkPart::Line);
+  EXPECT_EQ(part(40), MarkPart::None) << "what is not drawn is not taken";
+  // A path that comes back is there twice; what lies in the section is whole.
+  mark.kind = MarkKind::Path;
+  mark.points.push_back({80, 0, -20});
+  EXPECT_EQ(markLines(view, mark, 2.0).size(), 2u);
+  Mark flat = distance({-30, 5, 10}, {50, 5, 12});
+  EXPECT_FALSE(goesThrough(view, flat, 2.0));
+  EXPECT_EQ(markLines(view, flat, 2.0)[0].front(), *view.pixelFromWorld(flat.points[0]));
+  EXPECT_TRUE(markLines(ViewSpace(planeAt(100)), mark, 2.0).empty());
+}
+
 TEST(MarkHands, TheNearestPointWithinReachIsTaken) {
   ViewSpace view(planeAt(10));
   scene::Scene scene;

@@ -111,6 +111,16 @@ TEST(MarkLayout, ASectionShowsMarksThatLieInItAndFadesThemAStepAway) {
   EXPECT_EQ(opacityAt(22.0), 0.0);
 }
 
+TEST(MarkLayout, AMarkThatGoesThroughASectionIsADotThereAndSaysNothing) {
+  scene::Scene scene = markedCube({{.kind = MarkKind::Distance, .points = {{5, 20, 5}, {35, 20, 35}}}});
+  scene.sections.crosshair.z = 20;
+  LaidLettering through = layLettering(scene, scene::SectionKind::Axial, kMarkedSize, {});
+  EXPECT_TRUE(textsOf(through).empty());
+  ASSERT_FALSE(through.blocks.empty());
+  // The picture says how long it is.
+  EXPECT_FALSE(textsOf(laidOf(scene)).empty());
+}
+
 TEST(MarkLayout, WordsOfManyMarksCoverNeitherEachOtherNorTheScaleBar) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> place(2.0, 38.0);

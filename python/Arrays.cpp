@@ -112,14 +112,18 @@ LabelVolume labelsOf(const py::array& array, const LabelFacts& facts) {
   LabelVolume labels(dims, facts.worldFromVoxel, facts.lengthUnit);
   labels.write({0, 0, 0}, dims, {ids.data(), std::size_t(ids.size())});
   labels.name = facts.name;
-  labels.table = io::completeTable({}, labels.idsInUse());
-  auto rowOf = [&](int id, const char* what) -> LabelInfo& {
-    for (LabelInfo& row : labels.table)
-      if (row.id == id) return row;
-    throw ArgumentError(fmt::format("{}: no voxel has the label {}", what, id));
-  };
-  for (const auto& [id, name] : facts.names) rowOf(id, "names").name = name;
-  for (const auto& [id, color] : facts.colors) rowOf(id, "colors").color = glm::vec3(color[0], color[1], color[2]);
+  std::vector<LabelInfo> named;
+  for (const auto& [id, text] : facts.names) {
+    if (id < 1 || id > kMostId)
+      throw ArgumentError(fmt::format("names: {} is no label; these are 1 to {}", id, kMostId));
+    named.push_back({std::uint16_t(id), text, defaultLabelColor(std::uint16_t(id))});
+  }
+  labels.table = io::completeTable(std::move(named), labels.idsInUse());
+  for (const auto& [id, color] : facts.colors) {
+    auto row = std::find_if(labels.table.begin(), labels.table.end(), [id = id](auto& info) { return info.id == id; });
+    if (row == labels.table.end()) throw ArgumentError(fmt::format("colors: label {} has no voxel and no name", id));
+    row->color = glm::vec3(color[0], color[1], color[2]);
+  }
   return labels;
 }
 

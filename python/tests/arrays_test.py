@@ -97,12 +97,13 @@ class Labels(Case):
             labels = velum.Labels(given, spacing=(2, 2, 2))
             self.assertEqual(labels.array.dtype, numpy.uint16)
             numpy.testing.assert_array_equal(labels.array, given)
+        self.assertEqual(velum.Labels(array, names={5: "nowhere"}).names, {3: velum.Labels(array).names[3], 5: "nowhere"})
         labels = velum.Labels(array, names={3: "ball"}, colors={3: (1, 0, 0.5)})
         self.assertEqual((labels.names, labels.colors), ({3: "ball"}, {3: (1, 0, 0.5)}))
 
     def test_what_is_no_label_is_refused(self):
         for array, named, word in ((ball(dtype="float32"), {}, "float32"), (ball(inside=-1), {}, "-1"), (ball(inside=65536, dtype="int32"), {}, "65536"),
-                                   (ball(), {"names": {5: "x"}}, "5"), (numpy.zeros((3, 3), "uint8"), {}, "shape")):
+                                   (ball(), {"names": {0: "x"}}, "0 is no label"), (ball(), {"colors": {5: (1, 0, 0)}}, "5"), (numpy.zeros((3, 3), "uint8"), {}, "shape")):
             with self.subTest(word=word), self.assertRaises(velum.ArgumentError) as caught:
                 velum.Labels(array, **named)
             self.assertIn(word, str(caught.exception))

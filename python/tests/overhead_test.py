@@ -24,7 +24,7 @@ def seconds(command, folder):
 class Overhead(Case):
     def test_a_picture_costs_what_it_costs_the_program(self):
         path = self.sample("skull", 192)
-        size, samples = "1280x960", 16
+        size, samples = "1280x960", 8
         (self.folder / "script.txt").write_text(f"open {path}\ncut.add plane\npicture {size} samples={samples} batch.png\n")
         program = f"import velum; s = velum.open({str(path)!r}); s.cut.add('plane'); s.picture({size!r}, 'python.png', samples={samples})"
         rows = [(seconds([PROGRAM, "run", "script.txt"], self.folder), seconds([sys.executable, "-c", program], self.folder)) for _ in range(TURNS)]

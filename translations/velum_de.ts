@@ -2152,6 +2152,78 @@ Ersetzen?</translation>
         <source>Structures</source>
         <translation>Strukturen</translation>
     </message>
+    <message>
+        <source>&amp;Anterior</source>
+        <translation>&amp;Anterior</translation>
+    </message>
+    <message>
+        <source>Fr&amp;ont</source>
+        <translation>V&amp;orne</translation>
+    </message>
+    <message>
+        <source>P&amp;osterior</source>
+        <translation>&amp;Posterior</translation>
+    </message>
+    <message>
+        <source>B&amp;ack</source>
+        <translation>&amp;Hinten</translation>
+    </message>
+    <message>
+        <source>&amp;Left</source>
+        <translation>&amp;Links</translation>
+    </message>
+    <message>
+        <source>Ri&amp;ght</source>
+        <translation>&amp;Rechts</translation>
+    </message>
+    <message>
+        <source>&amp;Superior</source>
+        <translation>&amp;Superior</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Oben</translation>
+    </message>
+    <message>
+        <source>&amp;Inferior</source>
+        <translation>In&amp;ferior</translation>
+    </message>
+    <message>
+        <source>Botto&amp;m</source>
+        <translation>&amp;Unten</translation>
+    </message>
+    <message>
+        <source>O&amp;blique</source>
+        <translation>Schrä&amp;g</translation>
+    </message>
+    <message>
+        <source>Three sections and 3D</source>
+        <translation>Drei Schnittbilder und 3D</translation>
+    </message>
+    <message>
+        <source>3&amp;D only</source>
+        <translation>Nur 3&amp;D</translation>
+    </message>
+    <message>
+        <source>The 3D view alone</source>
+        <translation>Die 3D-Ansicht allein</translation>
+    </message>
+    <message>
+        <source>3D and one s&amp;ection</source>
+        <translation>3D und &amp;ein Schnittbild</translation>
+    </message>
+    <message>
+        <source>The 3D view and the current section</source>
+        <translation>Die 3D-Ansicht und das aktuelle Schnittbild</translation>
+    </message>
+    <message>
+        <source>One se&amp;ction</source>
+        <translation>Ein Schnit&amp;tbild</translation>
+    </message>
+    <message>
+        <source>The current section alone</source>
+        <translation>Das aktuelle Schnittbild allein</translation>
+    </message>
 </context>
 <context>
     <name>velum::gui::ActionTable</name>

@@ -22,7 +22,7 @@ QString systemCode() {
   return isOurs ? code : QString("en");
 }
 
-void install(const QString& name, const QString& folder) {
+void installWords(const QString& name, const QString& folder) {
   auto* words = new QTranslator(qApp);
   if (words->load(name, folder))
     QCoreApplication::installTranslator(words);
@@ -43,8 +43,8 @@ void speak(const QString& code) {
   if (!code.isEmpty() && code != ofSystem) QLocale::setDefault(QLocale(code));
   if (spoken == "en") return;
   // Qt's own words, of dialogs and menus of fields, are where Qt is; ours go before them.
-  install("qtbase_" + spoken, QLibraryInfo::path(QLibraryInfo::TranslationsPath));
-  install("velum_" + spoken, ":/velum/translations");
+  installWords("qtbase_" + spoken, QLibraryInfo::path(QLibraryInfo::TranslationsPath));
+  installWords("velum_" + spoken, ":/velum/translations");
 }
 
 }  // namespace velum::gui

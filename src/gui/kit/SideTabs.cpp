@@ -12,7 +12,7 @@ namespace velum::gui {
 namespace {
 
 constexpr int kMargin = 16, kMarginTop = 14;
-constexpr const char* kTitle = "title";
+constexpr const char* kPageTitle = "title";
 
 /// A page that scrolls where the window is low. The scroll bar stands in the margin, so that the page's widgets do not
 /// move.
@@ -38,7 +38,7 @@ SideTabs::SideTabs(QWidget* parent) : QTabWidget(parent) {
 
 void SideTabs::addPage(QWidget* panel, const char* title, const QString& tip) {
   auto* scroll = new PageScroll(this);
-  scroll->setProperty(kTitle, title);
+  scroll->setProperty(kPageTitle, title);
   scroll->setFrameShape(QFrame::NoFrame);
   scroll->setFocusPolicy(Qt::NoFocus);  // the widgets on the page take it; the area scrolls to them
   scroll->setWidgetResizable(true);
@@ -68,7 +68,7 @@ void SideTabs::setPageShown(const QWidget* panel, bool shown) {
 bool SideTabs::showPage(const QString& title) {
   for (int i = 0; i < count(); ++i) {
     auto isIt = [&](const QString& one) { return one.compare(title, Qt::CaseInsensitive) == 0; };
-    if (isTabVisible(i) && (isIt(tabText(i)) || isIt(widget(i)->property(kTitle).toString()))) {
+    if (isTabVisible(i) && (isIt(tabText(i)) || isIt(widget(i)->property(kPageTitle).toString()))) {
       setCurrentIndex(i);
       return true;
     }

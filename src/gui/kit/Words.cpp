@@ -10,7 +10,7 @@ namespace velum::gui {
 namespace {
 
 /// Names of undo steps that are given where the change is: below the window, or by a hand in it.
-[[maybe_unused]] constexpr const char* kSteps[] = {
+[[maybe_unused]] constexpr const char* kStepNames[] = {
     QT_TRANSLATE_NOOP("Words", "Add caption"),
     QT_TRANSLATE_NOOP("Words", "Add cut"),
     QT_TRANSLATE_NOOP("Words", "Add membrane"),

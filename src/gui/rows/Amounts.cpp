@@ -15,7 +15,7 @@ struct Measure {
 };
 
 /// Without marks between thousands.
-QString shown(double number, char form, int digits) {
+QString plainNumber(double number, char form, int digits) {
   QLocale locale;
   locale.setNumberOptions(QLocale::OmitGroupSeparator);
   return locale.toString(number, form, digits);
@@ -26,10 +26,10 @@ QString amountText(double amount, std::span<const Measure> units) {
   std::size_t i = 0;
   while (i + 1 < units.size() && amount < units[i].least) ++i;
   double number = amount / units[i].size;
-  QString digits = number >= 100.0  ? shown(number, 'f', 0)
-                   : number >= 10.0 ? shown(number, 'f', 1)
-                   : number >= 1.0  ? shown(number, 'f', 2)
-                                    : shown(number, 'g', 3);
+  QString digits = number >= 100.0  ? plainNumber(number, 'f', 0)
+                   : number >= 10.0 ? plainNumber(number, 'f', 1)
+                   : number >= 1.0  ? plainNumber(number, 'f', 2)
+                                    : plainNumber(number, 'g', 3);
   return digits + " " + QString::fromUtf8(units[i].symbol);
 }
 

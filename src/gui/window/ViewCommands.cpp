@@ -25,19 +25,18 @@ struct DirectionRow {
   scene::StandardView view;
 };
 constexpr DirectionRow kDirections[] = {
-    {"view.anteriorQT_TRANSLATE_NOOP(" Words ", ", ")&AnteriorQT_TRANSLATE_NOOP(" Words ", ",
-     ")Fr&ontQT_TRANSLATE_NOOP(" Words ", ", scene::StandardView::Anterior},
-    {")view.posteriorQT_TRANSLATE_NOOP(" Words ", ", ")P&osteriorQT_TRANSLATE_NOOP(" Words ", ",
-     ")B&ackQT_TRANSLATE_NOOP(" Words ", ", scene::StandardView::Posterior},
-    {")view.leftQT_TRANSLATE_NOOP(" Words ", ", ")&LeftQT_TRANSLATE_NOOP(" Words ", ",
-     ")&LeftQT_TRANSLATE_NOOP(" Words ", ", scene::StandardView::Left},
-    {")view.rightQT_TRANSLATE_NOOP(" Words ", ", ")Ri&ghtQT_TRANSLATE_NOOP(" Words ", ",
-     ")Ri&ghtQT_TRANSLATE_NOOP(" Words ", ", scene::StandardView::Right},
-    {")view.superiorQT_TRANSLATE_NOOP(" Words ", ", ")&SuperiorQT_TRANSLATE_NOOP(" Words ", ",
-     ")TopQT_TRANSLATE_NOOP(" Words ", ", scene::StandardView::Superior},
-    {")view.inferiorQT_TRANSLATE_NOOP(" Words ", ", ")&InferiorQT_TRANSLATE_NOOP(" Words ", ",
-     ")Botto&mQT_TRANSLATE_NOOP(" Words ", ", scene::StandardView::Inferior},
-    {")view.obliqueQT_TRANSLATE_NOOP(" Words ", ", ")O&bliqueQT_TRANSLATE_NOOP(" Words ", ", ")O&blique",
+    {"view.anterior", QT_TRANSLATE_NOOP("Words", "&Anterior"), QT_TRANSLATE_NOOP("Words", "Fr&ont"),
+     scene::StandardView::Anterior},
+    {"view.posterior", QT_TRANSLATE_NOOP("Words", "P&osterior"), QT_TRANSLATE_NOOP("Words", "B&ack"),
+     scene::StandardView::Posterior},
+    {"view.left", QT_TRANSLATE_NOOP("Words", "&Left"), QT_TRANSLATE_NOOP("Words", "&Left"), scene::StandardView::Left},
+    {"view.right", QT_TRANSLATE_NOOP("Words", "Ri&ght"), QT_TRANSLATE_NOOP("Words", "Ri&ght"),
+     scene::StandardView::Right},
+    {"view.superior", QT_TRANSLATE_NOOP("Words", "&Superior"), QT_TRANSLATE_NOOP("Words", "Top"),
+     scene::StandardView::Superior},
+    {"view.inferior", QT_TRANSLATE_NOOP("Words", "&Inferior"), QT_TRANSLATE_NOOP("Words", "Botto&m"),
+     scene::StandardView::Inferior},
+    {"view.oblique", QT_TRANSLATE_NOOP("Words", "O&blique"), QT_TRANSLATE_NOOP("Words", "O&blique"),
      scene::StandardView::Oblique}};
 
 void resetCamera(session::Document& document, const QWidget& view) {
@@ -115,13 +114,12 @@ void ViewCommands::addLayouts(QMenu* menu) {
   };
   // In the order of scene::Layout.
   static constexpr Row kRows[] = {
-      {"layout.fourQT_TRANSLATE_NOOP(" Words ", ", kFourViews, ")Three sections and 3DQT_TRANSLATE_NOOP(" Words ", "},
-      {")layout.volumeQT_TRANSLATE_NOOP(" Words ", ", ")3&D onlyQT_TRANSLATE_NOOP(" Words ", ",
-       ")The 3D view aloneQT_TRANSLATE_NOOP(" Words ", "},
-      {")layout.besideQT_TRANSLATE_NOOP(" Words ", ", ")3D and one s&ectionQT_TRANSLATE_NOOP(" Words ", ",
-       ")The 3D view and the current sectionQT_TRANSLATE_NOOP(" Words ", "},
-      {")layout.sectionQT_TRANSLATE_NOOP(" Words ", ", ")One se&ctionQT_TRANSLATE_NOOP(" Words ", ",
-       ")The current section alone"}};
+      {"layout.four", kFourViews, QT_TRANSLATE_NOOP("Words", "Three sections and 3D")},
+      {"layout.volume", QT_TRANSLATE_NOOP("Words", "3&D only"), QT_TRANSLATE_NOOP("Words", "The 3D view alone")},
+      {"layout.beside", QT_TRANSLATE_NOOP("Words", "3D and one s&ection"),
+       QT_TRANSLATE_NOOP("Words", "The 3D view and the current section")},
+      {"layout.section", QT_TRANSLATE_NOOP("Words", "One se&ction"),
+       QT_TRANSLATE_NOOP("Words", "The current section alone")}};
   static_assert(std::size(kRows) == std::size(EnumNames<Layout>::kNames), "each layout has its row");
   for (const Row& row : kRows) {
     auto layout = static_cast<Layout>(&row - kRows);

@@ -570,7 +570,7 @@ Ersetzen?</translation>
     </message>
     <message>
         <source>&amp;Path</source>
-        <translation>&amp;Weg</translation>
+        <translation>W&amp;eg</translation>
     </message>
     <message>
         <source>Measure a way along points; a double click or Enter ends it</source>
@@ -810,7 +810,7 @@ Ersetzen?</translation>
     </message>
     <message>
         <source>An&amp;giography</source>
-        <translation>An&amp;giographie</translation>
+        <translation>A&amp;ngiographie</translation>
     </message>
     <message>
         <source>SUV 0 to &amp;5</source>
@@ -2194,7 +2194,7 @@ Ersetzen?</translation>
     </message>
     <message>
         <source>O&amp;blique</source>
-        <translation>Schrä&amp;g</translation>
+        <translation>Schr&amp;äg</translation>
     </message>
     <message>
         <source>Three sections and 3D</source>
@@ -2427,7 +2427,7 @@ Ersetzen?</translation>
     <name>velum::gui::CarryCommands</name>
     <message>
         <source>Carr&amp;y over to other data...</source>
-        <translation>Auf andere Daten über&amp;tragen...</translation>
+        <translation>Auf &amp;andere Daten übertragen...</translation>
     </message>
     <message>
         <source>Show other data as this scene shows its own: look, cuts and film</source>
@@ -2944,7 +2944,7 @@ Ersetzen?</translation>
     </message>
     <message>
         <source>Cut along the &amp;view</source>
-        <translation>&amp;Quer zur Blickrichtung schneiden</translation>
+        <translation>Quer zur Blick&amp;richtung schneiden</translation>
     </message>
     <message>
         <source>A plane through the middle that faces you exactly</source>
@@ -3211,7 +3211,7 @@ BigDataViewer; Zellmodelle; dazu Labels und Oberflächen; eine Velum-Szene oder 
     </message>
     <message>
         <source>Export s&amp;tructures...</source>
-        <translation>&amp;Strukturen exportieren...</translation>
+        <translation>Strukturen e&amp;xportieren...</translation>
     </message>
     <message>
         <source>Write structures as surfaces or as labels, for other programs</source>
@@ -3478,7 +3478,7 @@ BigDataViewer; Zellmodelle; dazu Labels und Oberflächen; eine Velum-Szene oder 
     </message>
     <message>
         <source>Put all bac&amp;k</source>
-        <translation>Alle &amp;zurücklegen</translation>
+        <translation>Alle zurü&amp;cklegen</translation>
     </message>
     <message>
         <source>Everything goes back into the cuts</source>
@@ -3551,7 +3551,7 @@ BigDataViewer; Zellmodelle; dazu Labels und Oberflächen; eine Velum-Szene oder 
     </message>
     <message>
         <source>&amp;Cancel what is running</source>
-        <translation>La&amp;ufendes abbrechen</translation>
+        <translation>Laufendes abbre&amp;chen</translation>
     </message>
     <message>
         <source>Stop the load or the picture</source>
@@ -3729,7 +3729,7 @@ BigDataViewer; Zellmodelle; dazu Labels und Oberflächen; eine Velum-Szene oder 
     <name>velum::gui::FilmCommands</name>
     <message>
         <source>S&amp;ave film...</source>
-        <translation>&amp;Film speichern...</translation>
+        <translation>Film s&amp;peichern...</translation>
     </message>
     <message>
         <source>Draw the film of the scene, and save it as a video or as frames</source>
@@ -3737,7 +3737,7 @@ BigDataViewer; Zellmodelle; dazu Labels und Oberflächen; eine Velum-Szene oder 
     </message>
     <message>
         <source>C&amp;lear film</source>
-        <translation>Film &amp;löschen</translation>
+        <translation>Film l&amp;öschen</translation>
     </message>
     <message>
         <source>Remove all keys of the film</source>
@@ -5588,7 +5588,7 @@ In den Ansichten sagt es Strg+Umschalt+Klick jederzeit</translation>
     <name>velum::gui::MembraneRoom</name>
     <message>
         <source>P&amp;in the sheet</source>
-        <translation>Tuch &amp;heften</translation>
+        <translation>Tuch he&amp;ften</translation>
     </message>
     <message>
         <source>Click the sheet of the membrane and hold it there, or drag it on</source>
@@ -5596,7 +5596,7 @@ In den Ansichten sagt es Strg+Umschalt+Klick jederzeit</translation>
     </message>
     <message>
         <source>P&amp;ush sheet</source>
-        <translation>Tuch weg&amp;drücken</translation>
+        <translation>Tuch wegdr&amp;ücken</translation>
     </message>
     <message>
         <source>Drag a ball in a section, or click in the picture: the sheet goes around it</source>
@@ -5604,7 +5604,7 @@ In den Ansichten sagt es Strg+Umschalt+Klick jederzeit</translation>
     </message>
     <message>
         <source>Pu&amp;ll sheet</source>
-        <translation>Tuch heran&amp;ziehen</translation>
+        <translation>Tuch her&amp;anziehen</translation>
     </message>
     <message>
         <source>Drag a ball in a section, or click in the picture: the sheet is drawn to its middle</source>
@@ -6163,7 +6163,7 @@ In den Ansichten sagt es Strg+Umschalt+Klick jederzeit</translation>
     </message>
     <message>
         <source>Meet num&amp;bers to be seen</source>
-        <translation>&amp;Sichtbare Anzahlen erreichen</translation>
+        <translation>Sichtbare Anzahlen e&amp;rreichen</translation>
     </message>
     <message>
         <source>Set what cuts leave so that of each type as many are seen as is wanted</source>
@@ -6171,7 +6171,7 @@ In den Ansichten sagt es Strg+Umschalt+Klick jederzeit</translation>
     </message>
     <message>
         <source>Lege&amp;nd</source>
-        <translation>&amp;Legende</translation>
+        <translation>Le&amp;gende</translation>
     </message>
     <message>
         <source>Colours and names of types over the picture, also in files: those that are seen most, or that are listed</source>
@@ -6512,7 +6512,7 @@ Automatisch: so viele, wie Rauschen nicht erklärt. 1: alles zählt.</translatio
     </message>
     <message>
         <source>&amp;Left button in 3D</source>
-        <translation>&amp;Linke Taste in 3D</translation>
+        <translation>L&amp;inke Taste in 3D</translation>
     </message>
     <message>
         <source>Turns; the middle one moves</source>
@@ -6528,7 +6528,7 @@ Automatisch: so viele, wie Rauschen nicht erklärt. 1: alles zählt.</translatio
     </message>
     <message>
         <source>&amp;Wheel forward in 3D</source>
-        <translation>&amp;Rad vorwärts in 3D</translation>
+        <translation>Ra&amp;d vorwärts in 3D</translation>
     </message>
     <message>
         <source>Comes nearer</source>
@@ -6584,7 +6584,7 @@ Automatisch: so viele, wie Rauschen nicht erklärt. 1: alles zählt.</translatio
     </message>
     <message>
         <source>Memory for &amp;bricks</source>
-        <translation>Speicher für &amp;Blöcke</translation>
+        <translation>Speicher &amp;für Blöcke</translation>
     </message>
     <message>
         <source>An eighth of the machine&apos;s (%1 MiB)</source>
@@ -6608,7 +6608,7 @@ Automatisch: so viele, wie Rauschen nicht erklärt. 1: alles zählt.</translatio
     </message>
     <message>
         <source>Read whole up &amp;to</source>
-        <translation>&amp;Ganz lesen bis</translation>
+        <translation>Gan&amp;z lesen bis</translation>
     </message>
     <message>
         <source>Volumes with levels of detail up to this size are read whole, larger ones are streamed. Counts for what is opened next</source>
@@ -6632,7 +6632,7 @@ Automatisch: so viele, wie Rauschen nicht erklärt. 1: alles zählt.</translatio
     </message>
     <message>
         <source>Level of &amp;detail</source>
-        <translation>&amp;Detailstufe</translation>
+        <translation>Detailst&amp;ufe</translation>
     </message>
 </context>
 <context>
@@ -7233,7 +7233,7 @@ Automatisch: so viele, wie Rauschen nicht erklärt. 1: alles zählt.</translatio
     </message>
     <message>
         <source>L&amp;ater</source>
-        <translation>&amp;Später</translation>
+        <translation>S&amp;päter</translation>
     </message>
     <message>
         <source>Keep it; it is offered again at the next start</source>
@@ -8775,7 +8775,7 @@ Am Knopf ziehen, um es aus den Schnitten zu ziehen (Strg+Rechts, Strg+Links)</tr
     </message>
     <message>
         <source>&amp;Solo</source>
-        <translation>Al&amp;lein</translation>
+        <translation>Allei&amp;n</translation>
     </message>
     <message>
         <source>Show the selected structure alone, or what was shown before</source>
@@ -8931,7 +8931,7 @@ Am Knopf ziehen, um es aus den Schnitten zu ziehen (Strg+Rechts, Strg+Links)</tr
     </message>
     <message>
         <source>Key &amp;camera</source>
-        <translation>S&amp;chlüsselbild der Kamera</translation>
+        <translation>Schlüsselbild der &amp;Kamera</translation>
     </message>
     <message>
         <source>Make a key of where the eye is, at the playhead</source>
@@ -8939,7 +8939,7 @@ Am Knopf ziehen, um es aus den Schnitten zu ziehen (Strg+Rechts, Strg+Links)</tr
     </message>
     <message>
         <source>&amp;Loop</source>
-        <translation>End&amp;los</translation>
+        <translation>Endl&amp;os</translation>
     </message>
     <message>
         <source>Play the film again and again</source>
@@ -9443,7 +9443,7 @@ Tasten: Bild auf und Bild ab gehen von einem zum nächsten, Einfg fügt hinzu, P
     <name>velum::gui::ViewCommands</name>
     <message>
         <source>&amp;Parallel projection</source>
-        <translation>&amp;Parallelprojektion</translation>
+        <translation>Parallelpro&amp;jektion</translation>
     </message>
     <message>
         <source>Parallel (orthographic) instead of perspective</source>
@@ -9551,7 +9551,7 @@ Tasten: Bild auf und Bild ab gehen von einem zum nächsten, Einfg fügt hinzu, P
     </message>
     <message>
         <source>Orien&amp;tation cube</source>
-        <translation>&amp;Orientierungswürfel</translation>
+        <translation>Orientierungs&amp;würfel</translation>
     </message>
     <message>
         <source>A cube in the corner of the 3D view: click a side to look from there</source>
@@ -9600,7 +9600,7 @@ Tasten: Bild auf und Bild ab gehen von einem zum nächsten, Einfg fügt hinzu, P
     <name>velum::gui::VolumeCommands</name>
     <message>
         <source>&amp;Voxel size...</source>
-        <translation>&amp;Voxelgröße...</translation>
+        <translation>Voxel&amp;größe...</translation>
     </message>
     <message>
         <source>Say how large the voxels are, where the file does not or is wrong</source>
@@ -9612,7 +9612,7 @@ Tasten: Bild auf und Bild ab gehen von einem zum nächsten, Einfg fügt hinzu, P
     </message>
     <message>
         <source>&amp;Samples of the file...</source>
-        <translation>&amp;Werte der Datei...</translation>
+        <translation>Werte der Date&amp;i...</translation>
     </message>
     <message>
         <source>Say what the samples of a file without a header are</source>

@@ -260,7 +260,7 @@ TEST_F(German, NumbersHaveACommaAndAreTypedWithEither) {
     EXPECT_EQ(field.value(), 12.5) << typed;
     EXPECT_EQ(field.text(), "12,50 %");
   }
-  EXPECT_EQ(numberText("1.5 mm, -0.25"), "1,5 mm, -0,25");
+  EXPECT_EQ(localNumber("1.5 mm, -0.25"), "1,5 mm, -0,25");
   EXPECT_EQ(std::string(std::localeconv()->decimal_point), ".");
   EXPECT_EQ(scene::getField(scene(), "lighting.ambient").find(','), std::string::npos);
 }

@@ -147,7 +147,7 @@ QString stepText(std::string_view label) {
 
 QString inSentence(const QString& title) { return QLocale().language() == QLocale::German ? title : title.toLower(); }
 
-QString numberText(std::string_view text) {
+QString localNumber(std::string_view text) {
   static const QRegularExpression point("(?<=\\d)\\.(?=\\d)");
   QString shown = QString::fromUtf8(text.data(), qsizetype(text.size()));
   QString comma = QLocale().decimalPoint();

@@ -20,6 +20,6 @@ QString inSentence(const QString& title);
 
 /// A number that was written with a decimal point, as the window shows it: "12,5 mm". @param text  numbers and units
 /// alone, no names
-QString numberText(std::string_view text);
+QString localNumber(std::string_view text);
 
 }  // namespace velum::gui

@@ -18,7 +18,7 @@ void ShowThisTool::click(const PointerEvent& event) {
   session::edit(mDocument, session::ShowThis{*place, hide, add});
   QString unit = QString::fromStdString(volume->unit);
   mMessages.showNote((hide ? tr("Hidden: values around %1 %2") : tr("Shown: values around %1 %2"))
-                         .arg(numberText(tidyNumber(tissue->value)), unit)
+                         .arg(localNumber(tidyNumber(tissue->value)), unit)
                          .trimmed());
 }
 

@@ -191,7 +191,7 @@ void TransferCanvas::paintReadings(QPainter& painter) const {
   if (!value || curve().empty()) return;
   QString text =
       QString("%1%2   %3")
-          .arg(numberText(session::axisNumber(*value, view())), name, percent(scene::opacityAt(curve(), *value)));
+          .arg(localNumber(session::axisNumber(*value, view())), name, percent(scene::opacityAt(curve(), *value)));
   QRectF box(f.topLeft.x + 1, top + 3, QFontMetricsF(painter.font()).horizontalAdvance(text) + 8, 16);
   painter.setPen(Qt::NoPen);
   painter.setBrush(faded(palette().color(QPalette::Base), 0.72));

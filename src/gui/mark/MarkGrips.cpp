@@ -223,7 +223,7 @@ void MarkGrips::paint(ViewPainter& over) const {
     over.painter.setOpacity(1.0);
   }
   if (&over.view != mView || !mHasMoved || mHeld.part == MarkPart::Words || !selected()) return;
-  drawTag(over.painter, mPointer, over.size, numberText(session::markValue(scene, *selected())));
+  drawTag(over.painter, mPointer, over.size, localNumber(session::markValue(scene, *selected())));
 }
 
 }  // namespace velum::gui

@@ -152,11 +152,11 @@ void MarkPanel::setMeasured(std::map<int, session::Measured> measured) {
 
 /// In one line; of what is still being measured three dots.
 QString MarkPanel::valueOf(const scene::Mark& mark) const {
-  if (session::isMeasuredAtOnce(mark)) return numberText(session::markValue(mDocument.shown(), mark));
+  if (session::isMeasuredAtOnce(mark)) return localNumber(session::markValue(mDocument.shown(), mark));
   auto found = mMeasured.find(mark.id);
   if (found == mMeasured.end()) return QString::fromUtf8("\u2026");
   const session::Measured& measured = found->second;
-  return (measured.text.empty() ? wordsOf(measured.problem) : numberText(measured.text)).section('\n', 0, 0);
+  return (measured.text.empty() ? wordsOf(measured.problem) : localNumber(measured.text)).section('\n', 0, 0);
 }
 
 void MarkPanel::showList() {

@@ -185,7 +185,7 @@ void MarkTool::paint(ViewPainter& over) const {
   const scene::Scene& scene = mDocument.shown();
   scene::Mark mark{.kind = mKind, .points = mPoints};
   if (mNext) mark.points.push_back(*mNext);
-  QString value = numberText(session::markValue(scene, mark));
+  QString value = localNumber(session::markValue(scene, mark));
   scene::Mark lines = mark;
   lines.kind = mark.points.size() < scene::markPoints(mKind).least ? MarkKind::Path : mKind;
   for (const auto& line : session::markLines(over.space, lines)) {

@@ -129,7 +129,7 @@ void SheetGrips::drag(const PointerEvent& event) {
         m.field.kernels = now.field.kernels;
       },
       true);
-  mTag = numberText(
+  mTag = localNumber(
       session::handText(scene::lengthFormat(mDocument.shown()), *selectedMembrane(mDocument, mSelection), shown));
   mToolbox.repaint();
 }

@@ -201,7 +201,7 @@ void StrengthCanvas::paintPlot(QPainter& painter) const {
   painter.setPen(palette().color(QPalette::Text));
   painter.drawText(p, Qt::AlignRight | Qt::AlignTop,
                    QString("%1 %2   %3")
-                       .arg(numberText(session::axisNumber(shown->value, view())), unit())
+                       .arg(localNumber(session::axisNumber(shown->value, view())), unit())
                        .arg(shown->strength, 0, 'f', 0));
 }
 

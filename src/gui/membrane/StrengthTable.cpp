@@ -31,7 +31,7 @@ class StrengthDelegate : public QStyledItemDelegate {
   using QStyledItemDelegate::QStyledItemDelegate;
   QString displayText(const QVariant& value, const QLocale&) const override {
     double number = value.toDouble();
-    return (number > 0 ? "+" : "") + numberText(tidyNumber(number));
+    return (number > 0 ? "+" : "") + localNumber(tidyNumber(number));
   }
   QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem&, const QModelIndex&) const override {
     auto* spin = new NumberField(parent);

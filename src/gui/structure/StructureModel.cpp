@@ -80,14 +80,14 @@ QString StructureModel::sizeText(int id) const {
 QString StructureModel::valueText(int id, Column column) const {
   const session::StructureValues* values = mMeter.findValues(id);
   if (!values) return mMeter.isMeasuringValues() ? QString() : QString::fromUtf8("\u2013");
-  return numberText(tidyNumber(column == Mean ? values->mean : values->most));
+  return localNumber(tidyNumber(column == Mean ? values->mean : values->most));
 }
 
 /// The tip with the scan's values in a structure; empty where they have not been measured.
 QString StructureModel::valuesTip(int id) const {
   const session::StructureValues* values = mMeter.findValues(id);
   if (!values) return {};
-  auto number = [](double value) { return numberText(tidyNumber(value)); };
+  auto number = [](double value) { return localNumber(tidyNumber(value)); };
   QString unit = mMeter.valueUnit().isEmpty() ? QString() : " " + mMeter.valueUnit();
   return "\n" + tr("Values: mean %1%5, deviation %2%5, from %3%5 to %4%5, of %6 voxels of the scan")
                     .arg(number(values->mean), number(values->deviation), number(values->least), number(values->most),

@@ -35,7 +35,7 @@ QString instanceText(const scene::Scene& scene, const render::Pick& pick) {
   return text + StatusLine::tr(", %1 of %2").arg(place->ofType + 1).arg(type.instanceCount);
 }
 
-QString shortNumber(double value) { return numberText(tidyNumber(value)); }
+QString shortNumber(double value) { return localNumber(tidyNumber(value)); }
 
 }  // namespace
 

@@ -2224,6 +2224,70 @@ Ersetzen?</translation>
         <source>The current section alone</source>
         <translation>Das aktuelle Schnittbild allein</translation>
     </message>
+    <message>
+        <source>Change range of types</source>
+        <translation>Bereich der Typen ändern</translation>
+    </message>
+    <message>
+        <source>Follow the view</source>
+        <translation>Dem Blick folgen</translation>
+    </message>
+    <message>
+        <source>Keep in view</source>
+        <translation>Im Blick behalten</translation>
+    </message>
+    <message>
+        <source>Let be hidden</source>
+        <translation>Verdecken lassen</translation>
+    </message>
+    <message>
+        <source>Lock the view</source>
+        <translation>Blick festhalten</translation>
+    </message>
+    <message>
+        <source>Move mark</source>
+        <translation>Markierung verschieben</translation>
+    </message>
+    <message>
+        <source>Move words of mark</source>
+        <translation>Wörter der Markierung verschieben</translation>
+    </message>
+    <message>
+        <source>Remove force</source>
+        <translation>Kraft entfernen</translation>
+    </message>
+    <message>
+        <source>Remove pin</source>
+        <translation>Nadel entfernen</translation>
+    </message>
+    <message>
+        <source>Remove stroke</source>
+        <translation>Strich entfernen</translation>
+    </message>
+    <message>
+        <source>Resize cut</source>
+        <translation>Größe des Schnitts ändern</translation>
+    </message>
+    <message>
+        <source>Sketch what to let through</source>
+        <translation>Skizzieren, was durchgelassen wird</translation>
+    </message>
+    <message>
+        <source>Sketch what to protect</source>
+        <translation>Skizzieren, was geschützt wird</translation>
+    </message>
+    <message>
+        <source>Stop gradient opacity</source>
+        <translation>Deckkraft nach Gradient ausschalten</translation>
+    </message>
+    <message>
+        <source>Turn cut</source>
+        <translation>Schnitt drehen</translation>
+    </message>
+    <message>
+        <source>Use gradient opacity</source>
+        <translation>Deckkraft nach Gradient einschalten</translation>
+    </message>
 </context>
 <context>
     <name>velum::gui::ActionTable</name>

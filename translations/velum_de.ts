@@ -274,7 +274,7 @@ Ersetzen?</translation>
     </message>
     <message>
         <source>Move point of mark</source>
-        <translation>Punkt der Markierung verschieben</translation>
+        <translation>Punkt der Marke verschieben</translation>
     </message>
     <message>
         <source>Move to keep</source>
@@ -882,7 +882,7 @@ Ersetzen?</translation>
     </message>
     <message>
         <source>Mar&amp;ks</source>
-        <translation>&amp;Markierungen</translation>
+        <translation>&amp;Marken</translation>
     </message>
     <message>
         <source>&amp;Time</source>
@@ -2038,19 +2038,19 @@ Ersetzen?</translation>
     </message>
     <message>
         <source>Adds a mark: a measure, an arrow, or words beside a place; its fields are set as any other: set lettering.marks[#1].wordsAt 0.1,0.</source>
-        <translation>Fügt eine Markierung hinzu: eine Messung, einen Pfeil oder Wörter neben einer Stelle; ihre Felder lassen sich wie alle anderen setzen: set lettering.marks[#1].wordsAt 0.1,0.</translation>
+        <translation>Fügt eine Marke hinzu: eine Messung, einen Pfeil oder Wörter neben einer Stelle; ihre Felder lassen sich wie alle anderen setzen: set lettering.marks[#1].wordsAt 0.1,0.</translation>
     </message>
     <message>
         <source>Removes marks.</source>
-        <translation>Entfernt Markierungen.</translation>
+        <translation>Entfernt Marken.</translation>
     </message>
     <message>
         <source>Adds a copy of each mark.</source>
-        <translation>Fügt von jeder Markierung eine Kopie hinzu.</translation>
+        <translation>Fügt von jeder Marke eine Kopie hinzu.</translation>
     </message>
     <message>
         <source>Shows or hides marks.</source>
-        <translation>Blendet Markierungen ein oder aus.</translation>
+        <translation>Blendet Marken ein oder aus.</translation>
     </message>
     <message>
         <source>Gives all lettering a style by name: typeface, sizes on the page, colour, halo.</source>
@@ -2142,7 +2142,7 @@ Ersetzen?</translation>
     </message>
     <message>
         <source>Marks</source>
-        <translation>Markierungen</translation>
+        <translation>Marken</translation>
     </message>
     <message>
         <source>Model</source>
@@ -2246,11 +2246,11 @@ Ersetzen?</translation>
     </message>
     <message>
         <source>Move mark</source>
-        <translation>Markierung verschieben</translation>
+        <translation>Marke verschieben</translation>
     </message>
     <message>
         <source>Move words of mark</source>
-        <translation>Wörter der Markierung verschieben</translation>
+        <translation>Wörter der Marke verschieben</translation>
     </message>
     <message>
         <source>Remove force</source>
@@ -2534,7 +2534,7 @@ Ersetzen?</translation>
     </message>
     <message>
         <source>By what camera, cuts and marks are found again: the box of the data, or a structure of both</source>
-        <translation>Wonach Kamera, Schnitte und Markierungen wiedergefunden werden: nach dem Quader der Daten oder nach einer Struktur, die beide haben</translation>
+        <translation>Wonach Kamera, Schnitte und Marken wiedergefunden werden: nach dem Quader der Daten oder nach einer Struktur, die beide haben</translation>
     </message>
     <message>
         <source>File...</source>
@@ -4688,7 +4688,7 @@ In den Ansichten sagt es Strg+Umschalt+Klick jederzeit</translation>
     </message>
     <message>
         <source>Width of the lines of marks and leaders, points; without a page in proportion to the letters</source>
-        <translation>Breite der Linien von Markierungen und Hinweislinien, Punkt; ohne Seite im Verhältnis zu den Buchstaben</translation>
+        <translation>Breite der Linien von Marken und Hinweislinien, Punkt; ohne Seite im Verhältnis zu den Buchstaben</translation>
     </message>
     <message>
         <source>Width of lines</source>
@@ -5125,7 +5125,7 @@ In den Ansichten sagt es Strg+Umschalt+Klick jederzeit</translation>
     <name>velum::gui::MarkMenu</name>
     <message>
         <source>Rename mark</source>
-        <translation>Markierung umbenennen</translation>
+        <translation>Marke umbenennen</translation>
     </message>
     <message>
         <source>Rename...</source>
@@ -5169,7 +5169,7 @@ In den Ansichten sagt es Strg+Umschalt+Klick jederzeit</translation>
     </message>
     <message>
         <source>A hidden mark is still measured</source>
-        <translation>Eine ausgeblendete Markierung wird weiter gemessen</translation>
+        <translation>Eine ausgeblendete Marke wird weiter gemessen</translation>
     </message>
     <message>
         <source>Remove	Del</source>
@@ -5188,15 +5188,15 @@ In den Ansichten sagt es Strg+Umschalt+Klick jederzeit</translation>
     </message>
     <message>
         <source>Marks</source>
-        <translation>Markierungen</translation>
+        <translation>Marken</translation>
     </message>
     <message>
         <source>The eye shows and hides a mark; F2 or a double click types its words; Del removes it; Ctrl+C copies its value</source>
-        <translation>Das Auge blendet eine Markierung ein und aus; F2 oder Doppelklick tippt ihre Wörter; Entf entfernt sie; Strg+C kopiert ihren Wert</translation>
+        <translation>Das Auge blendet eine Marke ein und aus; F2 oder Doppelklick tippt ihre Wörter; Entf entfernt sie; Strg+C kopiert ihren Wert</translation>
     </message>
     <message>
         <source>mark</source>
-        <translation>Markierung</translation>
+        <translation>Marke</translation>
     </message>
     <message>
         <source>Go there</source>
@@ -5204,7 +5204,7 @@ In den Ansichten sagt es Strg+Umschalt+Klick jederzeit</translation>
     </message>
     <message>
         <source>Bring the crosshair to the selected mark</source>
-        <translation>Das Fadenkreuz zur ausgewählten Markierung bringen</translation>
+        <translation>Das Fadenkreuz zur ausgewählten Marke bringen</translation>
     </message>
     <message>
         <source>Duplicate</source>
@@ -5212,7 +5212,7 @@ In den Ansichten sagt es Strg+Umschalt+Klick jederzeit</translation>
     </message>
     <message>
         <source>Add a copy of the selected mark</source>
-        <translation>Kopie der ausgewählten Markierung hinzufügen</translation>
+        <translation>Kopie der ausgewählten Marke hinzufügen</translation>
     </message>
     <message>
         <source>Remove</source>
@@ -5220,7 +5220,7 @@ In den Ansichten sagt es Strg+Umschalt+Klick jederzeit</translation>
     </message>
     <message>
         <source>Remove the selected mark (Del)</source>
-        <translation>Ausgewählte Markierung entfernen (Entf)</translation>
+        <translation>Ausgewählte Marke entfernen (Entf)</translation>
     </message>
     <message>
         <source>Along the surface</source>
@@ -5248,15 +5248,15 @@ In den Ansichten sagt es Strg+Umschalt+Klick jederzeit</translation>
     </message>
     <message>
         <source>Opacity of the mark</source>
-        <translation>Deckkraft der Markierung</translation>
+        <translation>Deckkraft der Marke</translation>
     </message>
     <message>
         <source>Change opacity of mark</source>
-        <translation>Deckkraft der Markierung ändern</translation>
+        <translation>Deckkraft der Marke ändern</translation>
     </message>
     <message>
         <source>Change colour of mark</source>
-        <translation>Farbe der Markierung ändern</translation>
+        <translation>Farbe der Marke ändern</translation>
     </message>
 </context>
 <context>
@@ -5287,7 +5287,7 @@ In den Ansichten sagt es Strg+Umschalt+Klick jederzeit</translation>
     </message>
     <message>
         <source>Write what all marks and structures measure: .csv or .json</source>
-        <translation>Schreiben, was alle Markierungen und Strukturen messen: .csv oder .json</translation>
+        <translation>Schreiben, was alle Marken und Strukturen messen: .csv oder .json</translation>
     </message>
     <message>
         <source>L&amp;ist</source>
@@ -5295,7 +5295,7 @@ In den Ansichten sagt es Strg+Umschalt+Klick jederzeit</translation>
     </message>
     <message>
         <source>Show the list of marks</source>
-        <translation>Die Liste der Markierungen zeigen</translation>
+        <translation>Die Liste der Marken zeigen</translation>
     </message>
     <message>
         <source>Save table</source>
@@ -5770,7 +5770,7 @@ In den Ansichten sagt es Strg+Umschalt+Klick jederzeit</translation>
     </message>
     <message>
         <source>Its name beside it in the picture, with a leader; the page Marks lists it</source>
-        <translation>Sein Name daneben im Bild, mit Hinweislinie; die Seite Markierungen führt ihn auf</translation>
+        <translation>Sein Name daneben im Bild, mit Hinweislinie; die Seite Marken führt ihn auf</translation>
     </message>
     <message>
         <source>Ghosts</source>
@@ -8407,7 +8407,7 @@ Doppelklick auf eine Zahl ändert sie; Entf entfernt eine Struktur.</translation
     </message>
     <message>
         <source>Its name beside it in the picture, with a leader; the page Marks lists it</source>
-        <translation>Sein Name daneben im Bild, mit Hinweislinie; die Seite Markierungen führt ihn auf</translation>
+        <translation>Sein Name daneben im Bild, mit Hinweislinie; die Seite Marken führt ihn auf</translation>
     </message>
     <message>
         <source>Measure this</source>
@@ -8415,7 +8415,7 @@ Doppelklick auf eine Zahl ändert sie; Entf entfernt eine Struktur.</translation
     </message>
     <message>
         <source>Its volume and its values, in the page Marks</source>
-        <translation>Ihr Volumen und ihre Werte, auf der Seite Markierungen</translation>
+        <translation>Ihr Volumen und ihre Werte, auf der Seite Marken</translation>
     </message>
     <message>
         <source>Key in film</source>

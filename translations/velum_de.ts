@@ -25,7 +25,7 @@ Ersetzen?</translation>
     </message>
     <message>
         <source>Sort</source>
-        <translation>Sortierung</translation>
+        <translation>Ordnen</translation>
     </message>
     <message>
         <source>All files (*)</source>
@@ -594,7 +594,7 @@ Ersetzen?</translation>
     </message>
     <message>
         <source>&amp;Label</source>
-        <translation>&amp;Beschriftung</translation>
+        <translation>Te&amp;xt</translation>
     </message>
     <message>
         <source>Write words beside a place: click it, then type</source>
@@ -2130,15 +2130,15 @@ Ersetzen?</translation>
     </message>
     <message>
         <source>Pull out</source>
-        <translation>Herausziehen</translation>
+        <translation>Ziehen</translation>
     </message>
     <message>
         <source>Look</source>
-        <translation>Aussehen</translation>
+        <translation>Look</translation>
     </message>
     <message>
         <source>Finish</source>
-        <translation>Ausführung</translation>
+        <translation>Finish</translation>
     </message>
     <message>
         <source>Marks</source>
@@ -2763,7 +2763,7 @@ Ersetzen?</translation>
     </message>
     <message>
         <source>Align to</source>
-        <translation>Ausrichten</translation>
+        <translation>Richten</translation>
     </message>
     <message>
         <source>Looking for where the membrane keeps what it protects</source>
@@ -2775,7 +2775,7 @@ Ersetzen?</translation>
     </message>
     <message>
         <source>Face</source>
-        <translation>Schnittfläche</translation>
+        <translation>Fläche</translation>
     </message>
     <message>
         <source>How the cut surface looks: lit material, or the data&apos;s grey values as on a section</source>
@@ -2933,7 +2933,7 @@ Ersetzen?</translation>
     </message>
     <message>
         <source>Add other</source>
-        <translation>Andere Form</translation>
+        <translation>Andere</translation>
     </message>
     <message>
         <source>Another shape, or a plane that is placed another way</source>
@@ -4625,11 +4625,11 @@ In den Ansichten sagt es Strg+Umschalt+Klick jederzeit</translation>
     </message>
     <message>
         <source>%1 is not grown yet: the page Pull out says why, and lets it.</source>
-        <translation>%1 ist noch nicht gewachsen: die Seite Herausziehen sagt, warum, und lässt es zu.</translation>
+        <translation>%1 ist noch nicht gewachsen: die Seite Ziehen sagt, warum, und lässt es zu.</translation>
     </message>
     <message>
         <source>%1 is held %2 out, where it would flow into something else: the page Pull out lets it go on.</source>
-        <translation>%1 wird %2 weiter draußen gehalten, wo es in etwas anderes ausliefe: die Seite Herausziehen lässt es weitergehen.</translation>
+        <translation>%1 wird %2 weiter draußen gehalten, wo es in etwas anderes ausliefe: die Seite Ziehen lässt es weitergehen.</translation>
     </message>
 </context>
 <context>
@@ -5948,7 +5948,7 @@ In den Ansichten sagt es Strg+Umschalt+Klick jederzeit</translation>
     </message>
     <message>
         <source>Sort</source>
-        <translation>Sortierung</translation>
+        <translation>Ordnen</translation>
     </message>
     <message>
         <source>By number of instances</source>
@@ -5988,7 +5988,7 @@ In den Ansichten sagt es Strg+Umschalt+Klick jederzeit</translation>
     </message>
     <message>
         <source>Show all</source>
-        <translation>Alle einblenden</translation>
+        <translation>Alle ein</translation>
     </message>
     <message>
         <source>Show all that are listed</source>
@@ -5996,7 +5996,7 @@ In den Ansichten sagt es Strg+Umschalt+Klick jederzeit</translation>
     </message>
     <message>
         <source>Hide all</source>
-        <translation>Alle ausblenden</translation>
+        <translation>Alle aus</translation>
     </message>
     <message>
         <source>Hide all that are listed</source>
@@ -6795,7 +6795,7 @@ Automatisch: so viele, wie Rauschen nicht erklärt. 1: alles zählt.</translatio
     </message>
     <message>
         <source>Go to the page Finish</source>
-        <translation>Zur Seite Ausführung gehen</translation>
+        <translation>Zur Seite Finish gehen</translation>
     </message>
     <message>
         <source>Pull out what else belongs to the picture; then choose how it is drawn: as a plate, in pencil, in ink.</source>
@@ -8276,7 +8276,7 @@ Tasten: Bild auf und Bild ab gehen von einem zum nächsten, Pfeile verschieben, 
     </message>
     <message>
         <source>The channel that is chosen on the page Look: what the sheet goes by</source>
-        <translation>Der Kanal, der auf der Seite Aussehen gewählt ist: wonach sich das Tuch richtet</translation>
+        <translation>Der Kanal, der auf der Seite Look gewählt ist: wonach sich das Tuch richtet</translation>
     </message>
 </context>
 <context>
@@ -8641,7 +8641,7 @@ Am Knopf ziehen, um es aus den Schnitten zu ziehen (Strg+Rechts, Strg+Links)</tr
     </message>
     <message>
         <source>Open others...</source>
-        <translation>Andere öffnen...</translation>
+        <translation>Andere...</translation>
     </message>
     <message>
         <source>Open labels beside what is open, in place of these</source>
@@ -8729,7 +8729,7 @@ Am Knopf ziehen, um es aus den Schnitten zu ziehen (Strg+Rechts, Strg+Links)</tr
     </message>
     <message>
         <source>Show all</source>
-        <translation>Alle einblenden</translation>
+        <translation>Alle ein</translation>
     </message>
     <message>
         <source>Show all that are listed</source>
@@ -8737,7 +8737,7 @@ Am Knopf ziehen, um es aus den Schnitten zu ziehen (Strg+Rechts, Strg+Links)</tr
     </message>
     <message>
         <source>Hide all</source>
-        <translation>Alle ausblenden</translation>
+        <translation>Alle aus</translation>
     </message>
     <message>
         <source>Hide all that are listed</source>
@@ -9316,7 +9316,7 @@ Tasten: Bild auf und Bild ab gehen von einem zum nächsten, Einfg fügt hinzu, P
     </message>
     <message>
         <source>Click the line to add a point, drag to move it</source>
-        <translation>Auf die Linie klicken fügt einen Punkt hinzu, ziehen verschiebt ihn</translation>
+        <translation>Klick auf die Linie: neuer Punkt; ziehen</translation>
     </message>
     <message>
         <source>Value</source>

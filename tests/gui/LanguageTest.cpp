@@ -211,7 +211,7 @@ TEST_F(German, MenusAndPagesSayNothingInEnglish) {
   expectNothingEnglish(*mWindow);
   EXPECT_GT(mTexts, 1000);
   EXPECT_EQ(mWindow->menuBar()->actions()[0]->text(), "&Datei");
-  EXPECT_EQ(child<SideTabs>("sideTabs")->tabText(0), "Aussehen");
+  EXPECT_EQ(child<SideTabs>("sideTabs")->tabText(0), "Look");
   // A script's names of pages are the English ones.
   EXPECT_TRUE(child<SideTabs>("sideTabs")->showPage("cuts"));
   PreferencesDialog preferences(mWindow->actions(), mWindow.get());

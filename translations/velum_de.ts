@@ -2304,7 +2304,7 @@ Ersetzen?</translation>
     <name>velum::gui::AlignRow</name>
     <message>
         <source>Nearest</source>
-        <translation>Nächste</translation>
+        <translation>Nah</translation>
     </message>
     <message>
         <source>Point the axis to the patient&apos;s %1; a plane takes away what lies there</source>

@@ -21,6 +21,7 @@
 #include "core/Error.h"
 #include "core/GuardWrites.h"
 #include "core/Log.h"
+#include "gui/kit/Language.h"
 #include "gui/kit/Preferences.h"
 #include "gui/look/LookPanel.h"
 #include "gui/service/SaveImage.h"
@@ -84,6 +85,7 @@ void describeOptions(QCommandLineParser& parser) {
   parser.addOption({"script", "Run the commands of a file, one a line; the user guide lists them.", "file"});
   parser.addOption(
       {"echo", "With --script: say each line when it is done, with the time and the memory that is allocated."});
+  parser.addOption({"language", "The language of the window, en or de; else that of the preferences.", "code"});
   parser.addPositionalArgument("files", "What to open: a volume, then labels and surfaces; a folder; a scene.",
                                "[files...]");
 }
@@ -147,6 +149,7 @@ int run(int argc, char** argv) {
     say(parser.errorText() + "; see velum --help");
     return static_cast<int>(velum::ExitCode::Usage);
   }
+  velum::gui::speak(parser.isSet("language") ? parser.value("language") : velum::gui::Preferences().language());
   for (const QString& path : parser.positionalArguments())
     if (!QFileInfo::exists(path)) {
       say(path + ": there is no such file or folder");

@@ -56,10 +56,10 @@ class Comma(unittest.TestCase):
                              "XDG_RUNTIME_DIR": str(self.folder / "run"), "LANG": "C.UTF-8", "LC_NUMERIC": "comma",
                              "LOCPATH": str(self.folder)}
 
-    def run_script(self, name, *lines):
+    def run_script(self, name, *lines, language="en"):
         script = self.folder / f"{name}.vel"
         script.write_text("\n".join(lines))
-        done = subprocess.run([VELUM, "--script", script], cwd=self.folder, env=self.environment, capture_output=True,
+        done = subprocess.run([VELUM, "--language", language, "--script", script], cwd=self.folder, env=self.environment, capture_output=True,
                               text=True, timeout=90, check=False)
         self.assertEqual(done.returncode, 0, done.stderr)
 
@@ -79,6 +79,25 @@ class Comma(unittest.TestCase):
         self.assertNotEqual(written["camera"]["eye"], [round(x) for x in written["camera"]["eye"]])
         self.run_script("again", "open scene.json", "save again.json", "quit")
         self.assertEqual(json.loads((self.folder / "again.json").read_text()), written)
+
+    def test_files_are_the_same_bytes_in_each_language(self):
+        (self.folder / "grid.nrrd").write_bytes(NRRD)
+        lines = ["open grid.nrrd", "set lighting.ambient 0.3", "cut.add box", "cut.add plane", "mark.add distance [[0,0,0],[0.1,0.1,0.1]]",
+                 "caption.add Words", "set cuts.0.size 0.25,0.5,0.75", "film.turn 2.5", "page cuts", "settle"]
+        written = {}
+        for language in ("en", "de"):
+            # The scene names its data and itself by where they are: both are written under the same names.
+            self.run_script(language, *lines, "save scene.json", "picture 64x48 picture.png", "quit", language=language)
+            written[language] = [(self.folder / name).read_bytes() for name in ("scene.json", "picture.png")]
+        for one, other in zip(written["en"], written["de"]):
+            self.assertEqual(one, other)
+
+    def test_an_unknown_language_is_one_line(self):
+        done = subprocess.run([VELUM, "--language", "fr"], env=self.environment, capture_output=True, text=True, timeout=60,
+                              check=False)
+        self.assertNotEqual(done.returncode, 0)
+        self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
+        self.assertIn("en and de", done.stderr)
 
     def test_surfaces_lie_where_their_file_says(self):
         (self.folder / "surface.ply").write_text(PLY)

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "gui/kit/Length.h"
+#include "gui/kit/Words.h"
 #include "gui/rows/FieldRow.h"
 #include "gui/service/SelectedCut.h"
 #include "gui/view/SideNames.h"
@@ -248,10 +249,10 @@ void CutForm::showSize(const scene::Cut& cut) {
   bool any = false;
   for (int i = 0; i < 3; ++i) {
     bool used = sizes[std::size_t(i)].tip;
-    QString tip = used ? tr(sizes[std::size_t(i)].tip) : QString();
+    QString tip = used ? wordsOf(sizes[std::size_t(i)].tip) : QString();
     any = any || used;
     mSize[i]->setVisible(used);
-    mSize[i]->setPrefix(tr(sizes[std::size_t(i)].prefix));
+    mSize[i]->setPrefix(wordsOf(sizes[std::size_t(i)].prefix));
     mSize[i]->setToolTip(tip);
     mSize[i]->setAccessibleName(tip);
     setQuietly(mSize[i], cut.size[i]);

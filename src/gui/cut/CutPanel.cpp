@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "gui/kit/CutTitle.h"
+#include "gui/kit/Words.h"
 #include "gui/service/SelectedCut.h"
 #include "session/command/Command.h"
 #include "session/command/CutCommands.h"
@@ -21,7 +22,7 @@ namespace {
 
 constexpr int kButtonHeight = 28;
 
-QString shapeTitle(scene::CutShape shape) { return CutPanel::tr(session::traitsOf(shape).title); }
+QString shapeTitle(scene::CutShape shape) { return wordsOf(session::traitsOf(shape).title); }
 
 }  // namespace
 
@@ -84,7 +85,7 @@ void CutPanel::buildHead() {
   more->setPopupMode(QToolButton::InstantPopup);
   auto* menu = new QMenu(more);
   for (const auto& shape : session::allShapes())
-    if (shape.menuText) menu->addAction(tr(shape.title), this, [this, shape = shape.shape] { addShape(shape); });
+    if (shape.menuText) menu->addAction(wordsOf(shape.title), this, [this, shape = shape.shape] { addShape(shape); });
   menu->addSeparator();
   QAction* sheet = menu->addAction(shapeTitle(scene::CutShape::Membrane), this, &CutPanel::addMembrane);
   sheet->setToolTip(tr("An elastic sheet that cuts around what matters instead of through it (M)"));

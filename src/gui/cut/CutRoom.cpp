@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "gui/kit/Words.h"
 #include "session/cut/ShapeTraits.h"
 
 namespace velum::gui {
@@ -14,7 +15,7 @@ CutRoom::CutRoom(const WindowParts& parts)
       mThreePoints(parts.document(), parts.toolbox, nullptr),
       mMembranes(parts, mPanel->membraneForm()),
       mNothingLeft(parts.session, parts.messages, nullptr) {
-  parts.tabs.addPage(mPanel, tr("Cuts"), tr("What is cut away"));
+  parts.tabs.addPage(mPanel, QT_TRANSLATE_NOOP("Words", "Cuts"), tr("What is cut away"));
   parts.toolbox.add(mOverPicture);
   parts.toolbox.add(mOnSections);
   mMembranes.addManipulators();  // they lie on the cut
@@ -96,7 +97,7 @@ void CutRoom::addHandles(QMenu* menu) {
 void CutRoom::addShapes(QMenu* menu) {
   for (const auto& shape : session::allShapes())
     if (shape.menuText)
-      mParts.actions.addForScene(menu, QString("cut.add%1").arg(shape.title), tr(shape.menuText),
+      mParts.actions.addForScene(menu, QString("cut.add%1").arg(shape.title), wordsOf(shape.menuText),
                                  tr("A third of the data in size, where it opens what you see"),
                                  [this, shape = shape.shape] { add([this, shape] { mPanel->addShape(shape); }); });
 }

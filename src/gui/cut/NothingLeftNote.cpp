@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "gui/kit/Words.h"
 #include "session/cut/NothingLeft.h"
 
 namespace velum::gui {
@@ -40,7 +41,7 @@ void NothingLeftNote::refresh() {
 }
 
 void NothingLeftNote::tell(bool isNothingLeft) {
-  QString text = tr(session::kNothingLeft);
+  QString text = wordsOf(session::kNothingLeft);
   if (isNothingLeft) return mMessages.showNote(text);
   if (mMessages.text() == text) mMessages.hide();
 }

@@ -10,7 +10,7 @@ ExtrusionRoom::ExtrusionRoom(const WindowParts& parts)
       mPanel(new ExtrusionPanel(parts.session, parts.selection, &parts.tabs)),
       mPull(parts),
       mBarrier(parts) {
-  parts.tabs.addPage(mPanel, tr("Pull out"), tr("Structures that stand out of the cuts"));
+  parts.tabs.addPage(mPanel, QT_TRANSLATE_NOOP("Words", "Pull out"), tr("Structures that stand out of the cuts"));
   parts.toolbox.bind(mPull, mPanel->pullButton());
   parts.toolbox.bind(mBarrier, mPanel->barrierButton());
   connect(mPanel, &ExtrusionPanel::refused, &parts.messages,

@@ -60,7 +60,7 @@ QString LeakBox::textOf(const session::Leak& leak) const {
     return tr("%1 takes most of what there is in the cut, or the darkest values, which are around everything. It has "
               "not grown yet. Narrow its values; or:")
         .arg(name);
-  return tr("%1 would flow into something else: %2 out its section becomes %3 times as large. It is held "
+  return tr("%1 would flow into something else: %2 out its section becomes %L3 times as large. It is held "
             "there. Narrow its values, draw a barrier, stop at edges, or click on what it is not; or:")
       .arg(name, Length(scene).text(leak.distance))
       .arg(leak.times, 0, 'f', 1);

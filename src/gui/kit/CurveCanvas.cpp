@@ -5,6 +5,8 @@
 #include <QPainterPath>
 #include <algorithm>
 
+#include "gui/kit/Words.h"
+
 namespace velum::gui {
 
 namespace {
@@ -97,7 +99,7 @@ void CurveCanvas::paintAxis(QPainter& painter, bool asScale) const {
   auto ticks = session::axisTicks(mView, std::clamp(int(plot().width() / 50), 2, 8));
   double free = -1e9;
   for (std::size_t i = 0; i < ticks.size(); ++i) {
-    QString text = QString::fromStdString(session::axisNumber(ticks[i], mView));
+    QString text = localNumber(session::axisNumber(ticks[i], mView));
     if (asScale && i + 1 == ticks.size() && !mUnit.isEmpty()) text += " " + mUnit;
     double wide = metrics.horizontalAdvance(text), x = xOf(ticks[i]);
     double left = std::clamp(x - 0.5 * wide, 1.0, width() - wide - 1.0);

@@ -50,8 +50,6 @@ double Length::step() const {
   return last * (decimals() > 1 ? 5 : decimals() == 1 ? 10 : 1);
 }
 
-QString Length::roundText(double length) const {
-  return QString::fromStdString(scene::roundLengthText(length, mFormat.unit));
-}
+QString Length::roundText(double length) const { return localNumber(scene::roundLengthText(length, mFormat.unit)); }
 
 }  // namespace velum::gui

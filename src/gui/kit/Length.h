@@ -1,6 +1,7 @@
 #pragma once
 #include <QString>
 
+#include "gui/kit/Words.h"
 #include "scene/Units.h"
 
 namespace velum::gui {
@@ -23,8 +24,8 @@ class Length {
   /// " mm", behind a number.
   QString suffix() const { return " " + unit(); }
   int decimals() const { return mFormat.decimals; }
-  QString number(double length) const { return QString::fromStdString(scene::lengthNumber(mFormat, length)); }
-  QString text(double length) const { return QString::fromStdString(scene::lengthText(mFormat, length)); }
+  QString number(double length) const { return localNumber(scene::lengthNumber(mFormat, length)); }
+  QString text(double length) const { return localNumber(scene::lengthText(mFormat, length)); }
   /// A round length in the unit that fits it: "50 \u00b5m", "2 km", "5 nm".
   QString roundText(double length) const;
 

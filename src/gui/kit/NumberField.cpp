@@ -114,6 +114,12 @@ bool NumberField::isTaken() const {
   return validate(text, position) == QValidator::Acceptable;
 }
 
+QString NumberField::whyUntaken(const QString& typed) const {
+  return readTyped(typed, kind())
+             ? tr("%1 is outside %2 to %3").arg(typed.trimmed(), withUnit(minimum()), withUnit(maximum()))
+             : tr("\u201c%1\u201d is not understood; nothing was changed").arg(typed.trimmed());
+}
+
 /// The base class puts the number back where the text is no number; here the text stays, so that the user sees why
 /// nothing has changed.
 template <class Base>
@@ -125,9 +131,7 @@ void NumberField::keepUntaken(Base base) {
   lineEdit()->setText(typed);
   mIsMarked = true;
   update();
-  QString why = readTyped(typed, kind())
-                    ? tr("%1 is outside %2 to %3").arg(typed.trimmed(), withUnit(minimum()), withUnit(maximum()))
-                    : tr("\u201c%1\u201d is not understood; nothing was changed").arg(typed.trimmed());
+  QString why = whyUntaken(typed);
   setAccessibleDescription(why);
   if (isVisible()) QToolTip::showText(mapToGlobal(QPoint(0, height())), why, this);
 }

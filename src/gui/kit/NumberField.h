@@ -54,6 +54,7 @@ class NumberField : public QDoubleSpinBox {
  private:
   NumberKind kind() const;
   bool isTaken() const;
+  QString whyUntaken(const QString& typed) const;
   template <class Base>
   void keepUntaken(Base base);
 

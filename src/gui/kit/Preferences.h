@@ -22,6 +22,9 @@ class Preferences {
   Preferences();
   ThemeKind theme() const;
   void setTheme(ThemeKind theme);
+  /// A code of languages(), from the next start on; empty: the system's.
+  QString language() const { return mSettings.value("language").toString(); }
+  void setLanguage(const QString& code) { mSettings.setValue("language", code); }
   /// The habits, which are the same for all windows.
   static const Habits& habits();
   void setHabits(const Habits& habits);

@@ -5,12 +5,14 @@
 #include <QVBoxLayout>
 
 #include "gui/kit/Widgets.h"
+#include "gui/kit/Words.h"
 
 namespace velum::gui {
 
 namespace {
 
 constexpr int kMargin = 16, kMarginTop = 14;
+constexpr const char* kPageTitle = "title";
 
 /// A page that scrolls where the window is low. The scroll bar stands in the margin, so that the page's widgets do not
 /// move.
@@ -34,8 +36,9 @@ SideTabs::SideTabs(QWidget* parent) : QTabWidget(parent) {
   tabBar()->setExpanding(true);
 }
 
-void SideTabs::addPage(QWidget* panel, const QString& title, const QString& tip) {
+void SideTabs::addPage(QWidget* panel, const char* title, const QString& tip) {
   auto* scroll = new PageScroll(this);
+  scroll->setProperty(kPageTitle, title);
   scroll->setFrameShape(QFrame::NoFrame);
   scroll->setFocusPolicy(Qt::NoFocus);  // the widgets on the page take it; the area scrolls to them
   scroll->setWidgetResizable(true);
@@ -49,7 +52,7 @@ void SideTabs::addPage(QWidget* panel, const QString& title, const QString& tip)
   if (panel->sizePolicy().verticalPolicy() != QSizePolicy::Expanding) layout->addStretch(1);
   scroll->setWidget(contents);
   tabInLayoutOrder(panel);
-  setTabToolTip(addTab(scroll, title), tip);
+  setTabToolTip(addTab(scroll, wordsOf(title)), tip);
 }
 
 void SideTabs::showPage(const QWidget* panel) {
@@ -63,11 +66,13 @@ void SideTabs::setPageShown(const QWidget* panel, bool shown) {
 }
 
 bool SideTabs::showPage(const QString& title) {
-  for (int i = 0; i < count(); ++i)
-    if (isTabVisible(i) && tabText(i).compare(title, Qt::CaseInsensitive) == 0) {
+  for (int i = 0; i < count(); ++i) {
+    auto isIt = [&](const QString& one) { return one.compare(title, Qt::CaseInsensitive) == 0; };
+    if (isTabVisible(i) && (isIt(tabText(i)) || isIt(widget(i)->property(kPageTitle).toString()))) {
       setCurrentIndex(i);
       return true;
     }
+  }
   return false;
 }
 

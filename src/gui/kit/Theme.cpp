@@ -9,6 +9,7 @@ static void useResources() {
   Q_INIT_RESOURCE(velum);
   Q_INIT_RESOURCE(icons);
   Q_INIT_RESOURCE(guide);
+  Q_INIT_RESOURCE(translations);
 }
 
 namespace velum::gui {

@@ -1,5 +1,6 @@
 #include "gui/look/FinishGrid.h"
 
+#include "gui/kit/Words.h"
 #include "scene/Finishes.h"
 #include "session/command/Command.h"
 #include "session/command/LookCommands.h"
@@ -15,7 +16,7 @@ FinishGrid::FinishGrid(session::Document& document, QWidget* parent)
   list().setAccessibleName(tr("Finish"));
   list().setToolTip(tr("Contours, lit spheres, strokes and paper that belong together"));
   for (const scene::NamedFinish& finish : scene::finishes())
-    list().add(textOf(finish.name), textOf(finish.title), textOf(finish.tip), {});
+    list().add(textOf(finish.name), wordsOf(finish.title), wordsOf(finish.tip), {});
   connect(&list(), &PictureList::chosen, this,
           [this](const QString& name) { session::edit(this->document(), session::ChooseFinish{name.toStdString()}); });
 }

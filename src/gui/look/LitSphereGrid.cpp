@@ -6,6 +6,7 @@
 #include <QVBoxLayout>
 #include <exception>
 
+#include "gui/kit/Words.h"
 #include "scene/LitSpheres.h"
 #include "session/command/Command.h"
 #include "session/command/LookCommands.h"
@@ -56,7 +57,7 @@ void LitSphereGrid::resizeEvent(QResizeEvent*) { mList->fit(width()); }
 void LitSphereGrid::fill() {
   mList->clear();
   for (const scene::LitSphereName& sphere : scene::litSpheres())
-    mList->add(textOf(sphere.name), textOf(sphere.title), textOf(sphere.title),
+    mList->add(textOf(sphere.name), wordsOf(sphere.title), wordsOf(sphere.title),
                roundPicture(scene::makeLitSphere(sphere.name)));
   for (const scene::LitSphere& own : mOwn) {
     QString name = QString::fromStdString(own.name);

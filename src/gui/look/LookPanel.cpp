@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gui/kit/Words.h"
 #include "session/command/Command.h"
 #include "session/command/LookCommands.h"
 
@@ -111,7 +112,7 @@ QWidget* LookPanel::makeBackground() {
         Ready{tr("Black"), glm::vec3(0), glm::vec3(0)}}) {
     auto* button = new QPushButton(ready.name, section);
     button->setProperty("role", "quiet");
-    button->setToolTip(tr("Background for %1").arg(ready.name == tr("White") ? tr("print") : ready.name.toLower()));
+    button->setToolTip(tr("Background for %1").arg(ready.name == tr("White") ? tr("print") : inSentence(ready.name)));
     connect(button, &QPushButton::clicked, this, [this, ready] {
       session::edit(mDocument, session::SetBackground{ready.top, ready.bottom});
     });

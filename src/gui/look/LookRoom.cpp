@@ -7,8 +7,8 @@ LookRoom::LookRoom(const WindowParts& parts)
       mPanel(new LookPanel(parts.document(), &parts.tabs)),
       mFinish(new FinishPanel(parts.document(), &parts.tabs)),
       mCommands(new LookCommands(parts.document(), parts.toolbox, parts.messages, &parts.window)) {
-  parts.tabs.addPage(mPanel, tr("Look"), tr("Preset, rendering, light and background"));
-  parts.tabs.addPage(mFinish, tr("Finish"), tr("Contours, lit spheres, strokes and paper"));
+  parts.tabs.addPage(mPanel, QT_TRANSLATE_NOOP("Words", "Look"), tr("Preset, rendering, light and background"));
+  parts.tabs.addPage(mFinish, QT_TRANSLATE_NOOP("Words", "Finish"), tr("Contours, lit spheres, strokes and paper"));
   connect(&mFinish->spheres(), &LitSphereGrid::failed, &parts.messages, &MessageBar::showError);
   connect(mFinish, &FinishPanel::failed, &parts.messages, &MessageBar::showError);
   mCommands->build(parts.actions, parts.menu(MenuId::Look));

@@ -2,6 +2,7 @@
 
 #include "gui/kit/Length.h"
 #include "gui/kit/Widgets.h"
+#include "gui/kit/Words.h"
 #include "scene/Presets.h"
 #include "scene/Shown.h"
 #include "session/command/Command.h"
@@ -14,7 +15,7 @@ namespace {
 
 /// A preset's title, without the modality in front of it where the group tells the modality already.
 QString titleOf(const scene::Preset& preset, bool withModality) {
-  QString text = textOf(preset.title);
+  QString text = wordsOf(preset.title);
   int colon = text.indexOf(": ");
   if (colon < 0) return text;
   if (withModality) return text.replace(": ", " ");

@@ -1,6 +1,7 @@
 #include "gui/look/ShowThisTool.h"
 
 #include "core/Text.h"
+#include "gui/kit/Words.h"
 #include "session/command/Command.h"
 #include "session/command/LookCommands.h"
 #include "session/look/ShowThis.h"
@@ -17,7 +18,7 @@ void ShowThisTool::click(const PointerEvent& event) {
   session::edit(mDocument, session::ShowThis{*place, hide, add});
   QString unit = QString::fromStdString(volume->unit);
   mMessages.showNote((hide ? tr("Hidden: values around %1 %2") : tr("Shown: values around %1 %2"))
-                         .arg(QString::fromStdString(tidyNumber(tissue->value)), unit)
+                         .arg(localNumber(tidyNumber(tissue->value)), unit)
                          .trimmed());
 }
 

@@ -1,11 +1,13 @@
 // What a transfer function looks like; the hand on it is in TransferCanvasMouse.cpp.
 #include "gui/look/TransferCanvas.h"
 
+#include <QLocale>
 #include <QPainter>
 #include <QPainterPath>
 #include <algorithm>
 #include <cmath>
 
+#include "gui/kit/Words.h"
 #include "scene/Scene.h"
 
 namespace velum::gui {
@@ -21,7 +23,7 @@ QColor qColor(glm::dvec3 color) {
 
 QString percent(double share) {
   double value = 100.0 * share;
-  return QString::number(value, 'f', value > 0 && value < 9.95 ? 1 : 0) + " %";
+  return QLocale().toString(value, 'f', value > 0 && value < 9.95 ? 1 : 0) + " %";
 }
 
 /// The colours along the axis, a pixel each, left to right: gradients of Qt have bands.
@@ -187,9 +189,9 @@ void TransferCanvas::paintReadings(QPainter& painter) const {
   if (hover() && mDrag != Drag::Axis && hover()->y() < bottom + kBarHeight + kStopHeight)
     value = session::valueAtX(f, hover()->x());
   if (!value || curve().empty()) return;
-  QString text = QString("%1%2   %3")
-                     .arg(QString::fromStdString(session::axisNumber(*value, view())), name,
-                          percent(scene::opacityAt(curve(), *value)));
+  QString text =
+      QString("%1%2   %3")
+          .arg(localNumber(session::axisNumber(*value, view())), name, percent(scene::opacityAt(curve(), *value)));
   QRectF box(f.topLeft.x + 1, top + 3, QFontMetricsF(painter.font()).horizontalAdvance(text) + 8, 16);
   painter.setPen(Qt::NoPen);
   painter.setBrush(faded(palette().color(QPalette::Base), 0.72));

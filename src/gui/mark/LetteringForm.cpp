@@ -8,6 +8,7 @@
 
 #include "core/Error.h"
 #include "gui/kit/Text.h"
+#include "gui/kit/Words.h"
 #include "gui/rows/ListParts.h"
 #include "scene/PlateStyles.h"
 #include "scene/Scene.h"
@@ -110,8 +111,8 @@ QComboBox* LetteringForm::makeStyles(QWidget* parent) {
   styles->setAccessibleName(tr("Style of the lettering"));
   styles->setToolTip(tr("Typeface, sizes, colour and halo of all that is written over the picture"));
   for (const scene::PlateStyle& style : scene::plateStyles()) {
-    styles->addItem(toText(style.title), toText(style.name));
-    styles->setItemData(styles->count() - 1, toText(style.tip), Qt::ToolTipRole);
+    styles->addItem(wordsOf(style.title), toText(style.name));
+    styles->setItemData(styles->count() - 1, wordsOf(style.tip), Qt::ToolTipRole);
   }
   connect(styles, &QComboBox::activated, this, [this, styles](int row) {
     session::edit(mDocument, session::ChooseLetteringStyle{styles->itemData(row).toString().toStdString()});
@@ -211,13 +212,13 @@ QWidget* LetteringForm::makeCorners() {
 void LetteringForm::addCorner(const char* part, const char* corner, bool scene::Lettering::*isOn, const QString& title,
                               const QString& tip, const std::function<bool()>& canBe) {
   std::string root = "lettering.";
-  QString name = tr("Corner of the %1").arg(title.toLower());
+  QString name = tr("Corner of the %1").arg(inSentence(title));
   mForm.add(root + part, title, {.object = part, .tip = tip, .step = title, .isEnabled = canBe});
   mForm.add(root + corner, tr("Stands"),
             {.object = corner,
-             .tip = tr("The corner in which the %1 stands").arg(title.toLower()),
+             .tip = tr("The corner in which the %1 stands").arg(inSentence(title)),
              .name = name,
-             .step = tr("Move %1").arg(title.toLower()),
+             .step = tr("Move %1").arg(inSentence(title)),
              .choices = {tr("Top left"), tr("Top right"), tr("Bottom left"), tr("Bottom right")},
              .isEnabled = [this, isOn, canBe] { return mDocument.shown().lettering.*isOn && canBe(); }});
 }

@@ -4,6 +4,7 @@
 
 #include "gui/kit/Points.h"
 #include "gui/kit/Theme.h"
+#include "gui/kit/Words.h"
 #include "gui/mark/MarkTool.h"
 #include "gui/tool/HandlePaint.h"
 #include "session/command/Command.h"
@@ -229,7 +230,7 @@ void MarkGrips::paint(ViewPainter& over) const {
     over.painter.setOpacity(1.0);
   }
   if (&over.view != mView || !mHasMoved || mHeld.part == MarkPart::Words || !selected()) return;
-  drawTag(over.painter, mPointer, over.size, QString::fromStdString(session::markValue(scene, *selected())));
+  drawTag(over.painter, mPointer, over.size, localNumber(session::markValue(scene, *selected())));
 }
 
 }  // namespace velum::gui

@@ -7,6 +7,7 @@
 
 #include "gui/kit/Icons.h"
 #include "gui/kit/Text.h"
+#include "gui/kit/Words.h"
 #include "gui/mark/MarkKinds.h"
 #include "gui/rows/ListParts.h"
 #include "scene/Scene.h"
@@ -72,13 +73,13 @@ QWidget* MarkPanel::makeTools() {
   for (const MarkKindRow& row : markKinds()) {
     if (!row.id) continue;
     auto* button = new QToolButton(tools);
-    QString title = QCoreApplication::translate("MarkRoom", row.menu).remove('&');
+    QString title = wordsOf(row.menu).remove('&');
     button->setObjectName(QString(row.id) + "Tool");
     button->setText(title);
     button->setIcon(makeIcon(row.id));
     button->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
     button->setAccessibleName(title);
-    button->setToolTip(QCoreApplication::translate("MarkRoom", row.tip));
+    button->setToolTip(wordsOf(row.tip));
     button->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);  // all of one width
     int count = int(mTools.size());
     grid->addWidget(button, count / kToolsInRow, count % kToolsInRow);
@@ -189,11 +190,11 @@ void MarkPanel::setHidden(std::set<int> marks) {
 
 /// In one line; of what is still being measured three dots.
 QString MarkPanel::valueOf(const scene::Mark& mark) const {
-  if (session::isMeasuredAtOnce(mark)) return toText(session::markValue(mDocument.shown(), mark));
+  if (session::isMeasuredAtOnce(mark)) return localNumber(session::markValue(mDocument.shown(), mark));
   auto found = mMeasured.find(mark.id);
   if (found == mMeasured.end()) return QString::fromUtf8("\u2026");
   const session::Measured& measured = found->second;
-  return toText(measured.text.empty() ? measured.problem : measured.text).section('\n', 0, 0);
+  return (measured.text.empty() ? wordsOf(measured.problem) : localNumber(measured.text)).section('\n', 0, 0);
 }
 
 void MarkPanel::showList() {

@@ -8,6 +8,7 @@
 
 #include "core/FileName.h"
 #include "core/ReplaceFile.h"
+#include "gui/kit/Words.h"
 #include "gui/mark/MarkKinds.h"
 #include "gui/service/SavePath.h"
 #include "session/command/Command.h"
@@ -29,7 +30,8 @@ MarkRoom::MarkRoom(const WindowParts& parts, LetteringOverlay& lettering)
       mMenu(parts.document(), nullptr),
       mPanel(new MarkPanel(parts.document(), parts.selection, mMenu, &parts.tabs)),
       mGrips(parts.document(), parts.selection, parts.toolbox, lettering, nullptr) {
-  parts.tabs.addPage(mPanel, tr("Marks"), tr("Measures, arrows, labels, and all that is written over the picture"));
+  parts.tabs.addPage(mPanel, QT_TRANSLATE_NOOP("Words", "Marks"),
+                     tr("Measures, arrows, labels, and all that is written over the picture"));
   parts.toolbox.add(mGrips);
   QMenu* menu = parts.menu(MenuId::Mark);
   addTools(menu);
@@ -59,7 +61,7 @@ void MarkRoom::addTools(QMenu* menu) {
   for (const MarkKindRow& row : markKinds()) {
     if (!row.id) continue;
     MarkTool& tool = *mTools.emplace_back(std::make_unique<MarkTool>(row.kind, mParts, mGrips));
-    QAction* action = mParts.actions.addForScene(menu, row.id, tr(row.menu), tr(row.tip), [] {});
+    QAction* action = mParts.actions.addForScene(menu, row.id, wordsOf(row.menu), wordsOf(row.tip), [] {});
     if (row.kind == scene::MarkKind::Distance) action->setIconText(tr("Measure"));
     mParts.toolbox.bind(tool, *action);
     mParts.toolbox.bind(tool, mPanel->toolButton(row.kind));

@@ -4,6 +4,7 @@
 
 #include "core/Error.h"
 #include "gui/kit/Theme.h"
+#include "gui/kit/Words.h"
 #include "gui/mark/MarkGrips.h"
 #include "gui/tool/HandlePaint.h"
 #include "scene/ModelLayer.h"
@@ -168,7 +169,7 @@ void MarkTool::add(scene::Mark mark) {
   call.pointInstances = mark.pointInstances;
   call.normal = mark.normal;
   if (mark.structure != 0) call.structure = session::structureNames(scene, {mark.structure})[0];
-  if (mKind == MarkKind::Label) call.text = tr("Label").toStdString();
+  if (mKind == MarkKind::Label) call.text = "Label";
   try {
     session::edit(mDocument, call);
   } catch (const Error& error) {
@@ -218,7 +219,7 @@ void MarkTool::paint(ViewPainter& over) const {
   const scene::Scene& scene = mDocument.shown();
   scene::Mark mark{.kind = mKind, .points = mPoints};
   if (mNext) mark.points.push_back(*mNext);
-  QString value = QString::fromStdString(session::markValue(scene, mark));
+  QString value = localNumber(session::markValue(scene, mark));
   scene::Mark lines = mark;
   lines.kind = mark.points.size() < scene::markPoints(mKind).least ? MarkKind::Path : mKind;
   for (const auto& line : session::markLines(over.space, lines, scene::sectionStep(scene))) {

@@ -4,6 +4,7 @@
 #include <QLocale>
 #include <QVBoxLayout>
 
+#include "gui/kit/Words.h"
 #include "session/membrane/FirstPlace.h"
 
 namespace velum::gui {
@@ -23,7 +24,7 @@ QString textOf(const session::MembraneStatus& status, bool attracts) {
   if (!fate.isOfSomething) return KeptBar::tr("This membrane protects nothing: say what is to stay with Protect this.");
   QString what = KeptBar::tr("Of what the membrane protects %1 % is kept, %2 % is removed whole, %3 % is cut off.")
                      .arg(shareText(fate.kept), shareText(fate.removed), shareText(fate.cutOff));
-  if (!status.advice.empty()) return what + " " + KeptBar::tr(session::reasonOf(status.advice.front().step).data());
+  if (!status.advice.empty()) return what + " " + wordsOf(session::reasonOf(status.advice.front().step));
   if (status.wantsAdvice && fate.kept < session::kEnoughKept)
     return what + " " + KeptBar::tr("No place along its axis, and no reach, keeps more.");
   return what;

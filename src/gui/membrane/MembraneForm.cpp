@@ -251,7 +251,7 @@ void MembraneForm::showStatus(const std::optional<session::MembraneStatus>& stat
   if (volume && volume->finer)
     kernels += "\n" + tr("Forces and figures come from level %1 (0 is the finest)").arg(status->voxels.level);
   mDoing->setToolTip(kernels + "\n" +
-                     tr("Forces took %1 ms, a step takes %2 ms; largest speed %3 %4/s")
+                     tr("Forces took %1 ms, a step takes %L2 ms; largest speed %L3 %4/s")
                          .arg(status->forcesMs, 0, 'f', 0)
                          .arg(status->stepMs, 0, 'f', 1)
                          .arg(status->speed, 0, 'g', 3)

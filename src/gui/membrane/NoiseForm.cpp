@@ -78,7 +78,7 @@ void NoiseForm::showLeftOut(const membrane::LeftOut& leftOut, double voxelSize, 
       tr("Leaves out %1 specks under %2 voxels, %3 % of what is protected by value.")
           .arg(QLocale().toString(qulonglong(leftOut.pieces)))
           .arg(QLocale().toString(leftOut.leastPiece), QLocale().toString(percent, 'f', percent < 9.95 ? 1 : 0)));
-  mText->setToolTip(tr("%1 voxels are %2 %3")
+  mText->setToolTip(tr("%1 voxels are %L2 %3")
                         .arg(leftOut.leastPiece)
                         .arg(leftOut.leastPiece * voxelSize, 0, 'g', 3)
                         .arg(length.unit() + QChar(0x00b3)));

@@ -2,6 +2,7 @@
 
 #include "core/Text.h"
 #include "gui/kit/Text.h"
+#include "gui/kit/Words.h"
 #include "gui/service/SelectedCut.h"
 #include "session/command/Command.h"
 #include "session/command/CutCommands.h"
@@ -51,7 +52,7 @@ void ProtectTool::click(const PointerEvent& event) {
   else if (isStructure)
     what = QString::fromStdString(session::structureName(scene, structure));
   else if (tissue)
-    what = tr("values around %1").arg(QString::fromStdString(tidyNumber(tissue->value)));
+    what = tr("values around %1").arg(localNumber(tidyNumber(tissue->value)));
   if (what.isEmpty()) return mMessages.showNote(tr("Nothing stands out here; click well inside of what you mean"));
   mMessages.showNote((mLetThrough ? tr("Let through: %1") : tr("Protected: %1")).arg(what));
   if (!(event.keys & Qt::ShiftModifier)) mToolbox.stop(*this);

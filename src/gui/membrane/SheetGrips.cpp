@@ -3,6 +3,7 @@
 #include <QMenu>
 #include <utility>
 
+#include "gui/kit/Words.h"
 #include "gui/service/SelectedCut.h"
 #include "gui/tool/HandlePaint.h"
 #include "session/cut/CutEdit.h"
@@ -128,7 +129,7 @@ void SheetGrips::drag(const PointerEvent& event) {
         m.field.kernels = now.field.kernels;
       },
       true);
-  mTag = QString::fromStdString(
+  mTag = localNumber(
       session::handText(scene::lengthFormat(mDocument.shown()), *selectedMembrane(mDocument, mSelection), shown));
   mToolbox.repaint();
 }

@@ -45,7 +45,7 @@ SketchForm::SketchForm(QWidget* parent)
       mAvoid(makeButton(this, "sketchAvoid", tr("Let through"),
                         tr("Stroke over what the sheet may cut: its values are taken out of the curve"))),
       mRemove(makeButton(this, "sketchRemove", tr("Remove stroke"), tr("Remove the selected stroke (Del)"))),
-      mRadius(new NumberRow(0.0, 0.0, 1, {}, this)),
+      mRadius(new NumberRow(0.0, 0.0, 1, QString(), this)),
       mList(new QListWidget(this)) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gui/kit/Words.h"
 #include "scene/Scene.h"
 #include "scene/json/FieldFacts.h"
 
@@ -200,7 +201,7 @@ void StrengthCanvas::paintPlot(QPainter& painter) const {
   painter.setPen(palette().color(QPalette::Text));
   painter.drawText(p, Qt::AlignRight | Qt::AlignTop,
                    QString("%1 %2   %3")
-                       .arg(QString::fromStdString(session::axisNumber(shown->value, view())), unit())
+                       .arg(localNumber(session::axisNumber(shown->value, view())), unit())
                        .arg(shown->strength, 0, 'f', 0));
 }
 

@@ -12,6 +12,7 @@
 #include "core/Text.h"
 #include "gui/kit/NumberField.h"
 #include "gui/kit/Widgets.h"
+#include "gui/kit/Words.h"
 #include "gui/membrane/StrengthCanvas.h"
 #include "gui/rows/RowPaint.h"
 #include "scene/Scene.h"
@@ -30,7 +31,7 @@ class StrengthDelegate : public QStyledItemDelegate {
   using QStyledItemDelegate::QStyledItemDelegate;
   QString displayText(const QVariant& value, const QLocale&) const override {
     double number = value.toDouble();
-    return (number > 0 ? "+" : "") + QString::fromStdString(tidyNumber(number));
+    return (number > 0 ? "+" : "") + localNumber(tidyNumber(number));
   }
   QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem&, const QModelIndex&) const override {
     auto* spin = new NumberField(parent);

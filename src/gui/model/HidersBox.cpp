@@ -86,7 +86,7 @@ void HidersBox::addRow(const session::Hider& hider, const scene::ModelLayer& lay
     color = QColor::fromRgbF(c.r, c.g, c.b);
   }
   line->addWidget(new ShareLabel(hider.share, color, row));
-  auto* share = new QLabel(tr("%1 %").arg(100.0 * hider.share, 0, 'f', hider.share < 0.0995 ? 1 : 0), row);
+  auto* share = new QLabel(tr("%L1 %").arg(100.0 * hider.share, 0, 'f', hider.share < 0.0995 ? 1 : 0), row);
   share->setMinimumWidth(44);
   share->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   share->setToolTip(tr("Of the pixels that it would take, %1 are taken by this").arg(hider.pixels));

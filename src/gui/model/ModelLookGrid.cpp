@@ -2,6 +2,7 @@
 
 #include "gui/kit/Text.h"
 #include "gui/kit/Widgets.h"
+#include "gui/kit/Words.h"
 #include "scene/ModelLooks.h"
 #include "session/command/Command.h"
 #include "session/command/LookCommands.h"
@@ -17,7 +18,7 @@ ModelLookGrid::ModelLookGrid(session::Document& document, QWidget* parent)
   list().setAccessibleName(tr("Look of the model"));
   list().setToolTip(tr("Palette, light, outlines and background that go together"));
   for (const scene::NamedModelLook& look : scene::modelLooks())
-    list().add(textOf(look.name), textOf(look.title), textOf(look.tip), {});
+    list().add(textOf(look.name), wordsOf(look.title), wordsOf(look.tip), {});
   connect(&list(), &PictureList::chosen, this, [this](const QString& name) {
     session::edit(this->document(), session::ChooseModelLook{name.toStdString()});
   });

@@ -5,6 +5,7 @@
 #include <bit>
 
 #include "gui/kit/Text.h"
+#include "gui/kit/Words.h"
 #include "gui/rows/CountKey.h"
 #include "session/command/Command.h"
 #include "session/command/ModelCommands.h"
@@ -128,7 +129,7 @@ void ModelPanel::fillOrders(const ListSearch& search) {
   std::vector<std::pair<QString, Key>> orders = {
       {tr("By number of instances"), Key::Count}, {tr("By name"), Key::Name}, {tr("By mass"), Key::Mass}};
   for (std::size_t i = 0; i < kCountKinds.size(); ++i)
-    orders.emplace_back(tr("By share that is %1").arg(toText(kCountKinds[i].adjective)), TypeOrder::keyOf(CountOf(i)));
+    orders.emplace_back(tr("By share that is %1").arg(wordsOf(kCountKinds[i].adjective)), TypeOrder::keyOf(CountOf(i)));
   for (const auto& [name, key] : orders)
     connect(search.addChoice(keys, name, key == Key::Count), &QAction::triggered, this,
             [this, key = key] { mList->order().setKey(key); });

@@ -23,7 +23,7 @@ ModelRoom::ModelRoom(const WindowParts& parts)
       mPanel(new ModelPanel(*mCommands, *mEqualizer, &parts.tabs)),
       mLettering(parts.document(), parts.views.viewport()),
       mHighlight(parts.views.viewport()) {
-  parts.tabs.addPage(mPanel, tr("Model"), tr("Compartments and types of the model, its look"));
+  parts.tabs.addPage(mPanel, QT_TRANSLATE_NOOP("Words", "Model"), tr("Compartments and types of the model, its look"));
   parts.tabs.setPageShown(mPanel, false);
   connect(mPanel, &ModelPanel::legendAsked, this, &ModelRoom::showLegend);
   connect(mPanel, &ModelPanel::cutAsked, this, [this] {

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "gui/kit/Text.h"
+#include "gui/kit/Words.h"
 #include "gui/rows/CountBar.h"
 #include "scene/Shown.h"
 #include "session/model/InstanceNumber.h"
@@ -115,12 +116,12 @@ std::optional<double> ModelTree::readNumber(const QString& text, double total) {
 
 QString ModelTree::describe(const Counts& count) const {
   auto share = [&](std::uint64_t part) {
-    return tr("%1 (%2 %)").arg(numberText(part)).arg(100.0 * double(part) / double(count.total()), 0, 'f', 1);
+    return tr("%1 (%L2 %)").arg(numberText(part)).arg(100.0 * double(part) / double(count.total()), 0, 'f', 1);
   };
   QString about = mEqualizer.counts().isExact() ? QString() : tr(", about, while the picture is coarse");
   QStringList lines;
   for (std::size_t i = 0; i < kCountKinds.size(); ++i)
-    lines << tr("%1: %2%3").arg(toText(kCountKinds[i].instances), share(count.parts[i]), i == 0 ? about : QString());
+    lines << tr("%1: %2%3").arg(wordsOf(kCountKinds[i].instances), share(count.parts[i]), i == 0 ? about : QString());
   return lines.join("\n");
 }
 

@@ -1,5 +1,6 @@
 #include "gui/rows/Amounts.h"
 
+#include <QLocale>
 #include <cmath>
 #include <span>
 
@@ -13,15 +14,22 @@ struct Measure {
   const char* symbol;
 };
 
+/// Without marks between thousands.
+QString plainNumber(double number, char form, int digits) {
+  QLocale locale;
+  locale.setNumberOptions(QLocale::OmitGroupSeparator);
+  return locale.toString(number, form, digits);
+}
+
 /// Three digits that matter.
 QString amountText(double amount, std::span<const Measure> units) {
   std::size_t i = 0;
   while (i + 1 < units.size() && amount < units[i].least) ++i;
   double number = amount / units[i].size;
-  QString digits = number >= 100.0  ? QString::number(number, 'f', 0)
-                   : number >= 10.0 ? QString::number(number, 'f', 1)
-                   : number >= 1.0  ? QString::number(number, 'f', 2)
-                                    : QString::number(number, 'g', 3);
+  QString digits = number >= 100.0  ? plainNumber(number, 'f', 0)
+                   : number >= 10.0 ? plainNumber(number, 'f', 1)
+                   : number >= 1.0  ? plainNumber(number, 'f', 2)
+                                    : plainNumber(number, 'g', 3);
   return digits + " " + QString::fromUtf8(units[i].symbol);
 }
 

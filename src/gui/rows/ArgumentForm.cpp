@@ -11,6 +11,7 @@
 
 #include "core/Text.h"
 #include "gui/kit/Widgets.h"
+#include "gui/kit/Words.h"
 #include "gui/rows/FieldForm.h"
 
 namespace velum::gui {
@@ -19,11 +20,11 @@ namespace {
 
 constexpr int kArgumentNameWidth = 82, kNumberWidth = 92;
 
-/// "Top left" of "topLeft".
-QString wordsOf(const std::string& name) {
+/// "Top left" of "topLeft", in the window's language.
+QString spelled(const std::string& name) {
   static const QRegularExpression capital("([A-Z])");
   QString text = QString::fromStdString(name).replace(capital, " \\1").toLower();
-  return text.left(1).toUpper() + text.mid(1);
+  return wordsOf((text.left(1).toUpper() + text.mid(1)).toStdString());
 }
 
 std::string inQuotes(const QString& text) {
@@ -44,7 +45,7 @@ ArgumentForm::Choices namesIn(const std::string& type) {
   static const QRegularExpression name("`([^`]+)`");
   for (auto found = name.globalMatch(QString::fromStdString(type)); found.hasNext();) {
     std::string one = found.next().captured(1).toStdString();
-    names.emplace_back(wordsOf(one), one);
+    names.emplace_back(spelled(one), one);
   }
   return names;
 }
@@ -56,7 +57,7 @@ ArgumentForm::ArgumentForm(const session::Command& command, const Extra& extra, 
   QGridLayout* grid = makeFieldGrid(this, kArgumentNameWidth);
   for (const scene::FieldRow& argument : command.arguments()) {
     Row row = makeRow(argument, extra);
-    QString title = wordsOf(argument.path), meaning = QString::fromStdString(argument.doc);
+    QString title = spelled(argument.path), meaning = wordsOf(argument.doc);
     row.control->setObjectName(QString::fromStdString(argument.path));
     row.control->setToolTip(meaning.endsWith('.') ? meaning.chopped(1) : meaning);
     auto* box = qobject_cast<QCheckBox*>(row.control);

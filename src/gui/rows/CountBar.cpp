@@ -6,6 +6,7 @@
 
 #include "gui/kit/Text.h"
 #include "gui/kit/Theme.h"
+#include "gui/kit/Words.h"
 
 namespace velum::gui {
 
@@ -17,7 +18,7 @@ constexpr int kMargin = 6, kHeight = 9, kKnob = 3;
 
 QString countTitle() {
   QStringList words;
-  for (const CountKind& kind : kCountKinds) words << toText(kind.adjective);
+  for (const CountKind& kind : kCountKinds) words << wordsOf(kind.adjective);
   QString title = words.join(", ");
   return title.left(1).toUpper() + title.mid(1);
 }

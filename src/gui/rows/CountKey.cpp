@@ -5,6 +5,7 @@
 #include <QPainter>
 
 #include "gui/kit/Text.h"
+#include "gui/kit/Words.h"
 #include "gui/rows/CountBar.h"
 
 namespace velum::gui {
@@ -39,7 +40,7 @@ CountKey::CountKey(Of of, QWidget* parent) : QWidget(parent) {
   row->setContentsMargins(2, 0, 2, 0);
   row->setSpacing(5);
   for (std::size_t i = 0; i < kCountKinds.size(); ++i) {
-    auto* word = new QLabel(toText(kCountKinds[i].adjective), this);
+    auto* word = new QLabel(wordsOf(kCountKinds[i].adjective), this);
     word->setProperty("role", "muted");
     if (i > 0) row->addSpacing(9);
     row->addWidget(new KeyPatch(countColor(CountOf(i)), this));

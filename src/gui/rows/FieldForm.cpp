@@ -10,6 +10,7 @@
 #include "core/Assert.h"
 #include "core/Text.h"
 #include "gui/kit/Text.h"
+#include "gui/kit/Words.h"
 #include "scene/json/Paths.h"
 #include "session/command/DocumentCommands.h"
 
@@ -60,7 +61,7 @@ QString suffixOf(const scene::FieldFacts& facts, const FieldText& text) {
 
 /// What the field means, with a unit that the control does not show.
 QString tipOf(const scene::FieldFacts& facts) {
-  QString tip = QString::fromStdString(facts.meaning);
+  QString tip = wordsOf(facts.meaning);
   if (tip.endsWith('.')) tip.chop(1);
   bool isShown = facts.unit.empty() || facts.unit == kLength || !symbolOf(facts.unit).isEmpty();
   return isShown ? tip : tip + ", " + QString::fromStdString(facts.unit).replace("^2", "\u00b2");
@@ -113,7 +114,7 @@ FieldForm::Row& FieldForm::makeRow(QWidget* parent, const std::string& path, con
   if (row.text.name.isEmpty()) row.text.name = title;
   // A colour says by itself what a click does.
   if (row.text.tip.isEmpty() && row.facts.kind != FieldKind::Color) row.text.tip = tipOf(row.facts);
-  if (row.text.step.isEmpty() && !row.text.call) row.text.step = mSteps.arg(row.text.name.toLower());
+  if (row.text.step.isEmpty() && !row.text.call) row.text.step = mSteps.arg(inSentence(row.text.name));
   row.control = makeControl(row, title, parent);
   row.control->setObjectName(row.text.object);
   if (!row.text.tip.isEmpty()) row.control->setToolTip(row.text.tip);
@@ -156,7 +157,7 @@ QWidget* FieldForm::makeChoice(const Row& row, QWidget* parent) {
   box->setAccessibleName(row.text.name);
   box->addItems(row.text.choices);
   if (row.text.choices.isEmpty())
-    for (const std::string& name : row.facts.names) box->addItem(capitalised(name));
+    for (const std::string& name : row.facts.names) box->addItem(wordsOf(capitalised(name).toStdString()));
   VELUM_ASSERT(std::size_t(box->count()) <= row.facts.names.size(), "choices are values of the field");
   connect(box, &QComboBox::activated, this, [this, &row](int index) { set(row, row.facts.names[std::size_t(index)]); });
   return box;

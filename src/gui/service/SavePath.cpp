@@ -49,7 +49,8 @@ class SaveDialog : public QFileDialog {
     mTyped = directory().absoluteFilePath(text);
     bool mayWrite =
         !QFileInfo::exists(path()) ||
-        QMessageBox::question(this, windowTitle(), tr("%1 already exists.\nReplace it?").arg(text)) == QMessageBox::Yes;
+        QMessageBox::question(this, windowTitle(), QFileDialog::tr("%1 already exists.\nReplace it?").arg(text)) ==
+            QMessageBox::Yes;
     if (mayWrite) QDialog::accept();
   }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 
+#include "gui/kit/Words.h"
 #include "gui/rows/FieldKey.h"
 #include "gui/rows/PictureList.h"
 #include "scene/LitSpheres.h"
@@ -187,8 +188,7 @@ void StructureCommands::fillSphereMenu(QMenu& menu, const Ids& ids) {
   add({}, tr("As the finish"), {});
   spheres->addSeparator();
   for (const scene::LitSphereName& sphere : scene::litSpheres())
-    add(QString::fromUtf8(sphere.name.data(), int(sphere.name.size())),
-        QString::fromUtf8(sphere.title.data(), int(sphere.title.size())),
+    add(QString::fromUtf8(sphere.name.data(), int(sphere.name.size())), wordsOf(sphere.title),
         iconOf(scene::makeLitSphere(sphere.name, 32)));
   for (const scene::LitSphere& own : mDocument.shown().finish.spheres)
     add(QString::fromStdString(own.name), QString::fromStdString(own.name), own.data ? iconOf(*own.data) : QIcon());

@@ -8,6 +8,7 @@
 
 #include "core/Text.h"
 #include "gui/kit/Text.h"
+#include "gui/kit/Words.h"
 #include "gui/rows/Amounts.h"
 
 namespace velum::gui {
@@ -79,14 +80,14 @@ QString StructureModel::sizeText(int id) const {
 QString StructureModel::valueText(int id, Column column) const {
   const session::StructureValues* values = mMeter.findValues(id);
   if (!values) return mMeter.isMeasuringValues() ? QString() : QString::fromUtf8("\u2013");
-  return QString::fromStdString(tidyNumber(column == Mean ? values->mean : values->most));
+  return localNumber(tidyNumber(column == Mean ? values->mean : values->most));
 }
 
 /// The tip with the scan's values in a structure; empty where they have not been measured.
 QString StructureModel::valuesTip(int id) const {
   const session::StructureValues* values = mMeter.findValues(id);
   if (!values) return {};
-  auto number = [](double value) { return QString::fromStdString(tidyNumber(value)); };
+  auto number = [](double value) { return localNumber(tidyNumber(value)); };
   QString unit = mMeter.valueUnit().isEmpty() ? QString() : " " + mMeter.valueUnit();
   return "\n" + tr("Values: mean %1%5, deviation %2%5, from %3%5 to %4%5, of %6 voxels of the scan")
                     .arg(number(values->mean), number(values->deviation), number(values->least), number(values->most),
@@ -108,7 +109,8 @@ QString StructureModel::tipOf(const scene::Structure& structure, int column) con
         return tr("How much of it is seen, hidden and removed: it is not in the picture");
       QStringList shares;
       for (std::size_t i = 0; i < kCountKinds.size(); ++i)
-        shares << toText(kCountKinds[i].pixels).arg(100.0 * double(area->parts[i]) / double(area->total()), 0, 'f', 1);
+        shares << wordsOf(kCountKinds[i].pixels)
+                      .arg(QLocale().toString(100.0 * double(area->parts[i]) / double(area->total()), 'f', 1));
       return tr("Of where it would be in the picture, %1.\nDrag the knob to pull it out of the cuts (Ctrl+Right, "
                 "Ctrl+Left)")
           .arg(shares.join(", "));

@@ -12,7 +12,8 @@ StructureRoom::StructureRoom(const WindowParts& parts)
   // Before the panel hears of it: a list that is not shown cannot be edited.
   connect(mCommands, &StructureCommands::renameAsked, this, [this] { mParts.tabs.showPage(mPanel); });
   mPanel = new StructurePanel(*mCommands, *mAreas, parts.selection, &parts.tabs);
-  parts.tabs.addPage(mPanel, tr("Structures"), tr("Labelled structures: name, colour, opacity, what is shown"));
+  parts.tabs.addPage(mPanel, QT_TRANSLATE_NOOP("Words", "Structures"),
+                     tr("Labelled structures: name, colour, opacity, what is shown"));
   connect(mPanel, &StructurePanel::openLabelsAsked, this, &StructureRoom::openLabelsAsked);
   connect(mPanel, &StructurePanel::smoothingAsked, this, &StructureRoom::smooth);
   connectViews();

@@ -4,6 +4,7 @@
 #include <QPainter>
 #include <QPixmap>
 
+#include "gui/kit/Words.h"
 #include "scene/Scene.h"
 #include "scene/timeline/SceneAt.h"
 #include "scene/timeline/Tracks.h"
@@ -16,15 +17,14 @@ struct EaseRow {
   const char *name, *meaning;
 };
 /// In the order of scene::Ease.
-constexpr EaseRow kEases[] = {{"Hold", "Stays until the next key"},
-                              {"Linear", "Goes evenly to the next key"},
-                              {"In", "Begins slowly"},
-                              {"Out", "Ends slowly"},
-                              {"Both", "Begins and ends slowly, at rest in each key"},
-                              {"Smooth", "Passes the keys between without a stop"}};
+constexpr EaseRow kEases[] = {
+    {QT_TRANSLATE_NOOP("Words", "Hold"), QT_TRANSLATE_NOOP("Words", "Stays until the next key")},
+    {QT_TRANSLATE_NOOP("Words", "Linear"), QT_TRANSLATE_NOOP("Words", "Goes evenly to the next key")},
+    {QT_TRANSLATE_NOOP("Words", "In"), QT_TRANSLATE_NOOP("Words", "Begins slowly")},
+    {QT_TRANSLATE_NOOP("Words", "Out"), QT_TRANSLATE_NOOP("Words", "Ends slowly")},
+    {QT_TRANSLATE_NOOP("Words", "Both"), QT_TRANSLATE_NOOP("Words", "Begins and ends slowly, at rest in each key")},
+    {QT_TRANSLATE_NOOP("Words", "Smooth"), QT_TRANSLATE_NOOP("Words", "Passes the keys between without a stop")}};
 static_assert(std::size(kEases) == std::size(EnumNames<scene::Ease>::kNames), "each ease has its row");
-
-QString sayOfEase(const char* text) { return QCoreApplication::translate("KeyPaint", text); }
 
 /// The keys of a picture: smooth passes one.
 std::vector<double> keysOf(scene::Ease ease) {
@@ -90,7 +90,7 @@ QIcon easeIcon(scene::Ease ease, const QPalette& palette) {
   return picture;
 }
 
-QString easeName(scene::Ease ease) { return sayOfEase(kEases[std::size_t(ease)].name); }
-QString easeMeaning(scene::Ease ease) { return sayOfEase(kEases[std::size_t(ease)].meaning); }
+QString easeName(scene::Ease ease) { return wordsOf(kEases[std::size_t(ease)].name); }
+QString easeMeaning(scene::Ease ease) { return wordsOf(kEases[std::size_t(ease)].meaning); }
 
 }  // namespace velum::gui

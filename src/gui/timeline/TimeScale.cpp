@@ -1,5 +1,6 @@
 #include "gui/timeline/TimeScale.h"
 
+#include <QLocale>
 #include <algorithm>
 #include <cmath>
 
@@ -28,7 +29,7 @@ QString rulerText(double time, double step) {
     return QString("%1:%2").arg(seconds / 60).arg(seconds % 60, 2, 10, QChar('0'));
   }
   int decimals = std::clamp(int(std::ceil(-std::log10(step) - 1e-9)), 0, 3);
-  return QString::number(time, 'f', decimals);
+  return QLocale().toString(time, 'f', decimals);
 }
 
 TimeScale fitted(double from, double to, double left, double width) {

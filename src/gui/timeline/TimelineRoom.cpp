@@ -7,6 +7,7 @@
 #include "gui/kit/Icons.h"
 #include "gui/kit/Preferences.h"
 #include "gui/kit/Text.h"
+#include "gui/kit/Words.h"
 #include "gui/service/CallLater.h"
 #include "scene/timeline/SceneAt.h"
 #include "scene/timeline/Tracks.h"
@@ -164,13 +165,14 @@ void TimelineRoom::tellRecorded() {
   for (const scene::Track& track : tracks) {
     auto before = std::ranges::find(*mSeen, track.path, &scene::Track::path);
     if (before == mSeen->end() || !(before->keys == track.keys))
-      titles << toText(scene::trackTitle(mParts.document().scene(), track.path));
+      titles << wordsOf(scene::trackTitle(mParts.document().scene(), track.path));
   }
   mSeen = tracks;
   auto* window = qobject_cast<QMainWindow*>(&mParts.window);
   if (!titles.isEmpty() && window)
     window->statusBar()->showMessage(
-        tr("Recorded at %1 s: %2").arg(mParts.document().playhead().value_or(0.0)).arg(titles.join(", ")), kRecordedMs);
+        tr("Recorded at %L1 s: %2").arg(mParts.document().playhead().value_or(0.0)).arg(titles.join(", ")),
+        kRecordedMs);
 }
 
 void TimelineRoom::refresh(const session::Session& session) {

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "gui/kit/Text.h"
+#include "gui/kit/Words.h"
 #include "gui/service/CallLater.h"
 #include "gui/timeline/KeyPaint.h"
 #include "gui/timeline/TrackCanvasSizes.h"
@@ -235,7 +236,7 @@ QString TrackCanvas::tipOf(const Hit& hit) const {
   }
   const scene::Track& track = tracks()[hit.row];
   const scene::Key& key = track.keys[*scene::keyAt(track, hit.key.time)];
-  return QString("%1 s, %2: %3").arg(key.time).arg(easeName(key.ease), easeMeaning(key.ease).toLower());
+  return QString("%L1 s, %2: %3").arg(key.time).arg(easeName(key.ease), inSentence(easeMeaning(key.ease)));
 }
 
 bool TrackCanvas::viewportEvent(QEvent* event) {

@@ -9,6 +9,7 @@
 #include "gui/kit/CurveCanvas.h"
 #include "gui/kit/Text.h"
 #include "gui/kit/Theme.h"
+#include "gui/kit/Words.h"
 #include "gui/timeline/KeyPaint.h"
 #include "gui/timeline/RecordFrame.h"
 #include "gui/timeline/TrackCanvasSizes.h"
@@ -158,7 +159,7 @@ void TrackCanvas::paintTitle(QPainter& painter, std::size_t row) const {
     painter.drawEllipse(eye, 1.8, 1.8);
   }
   QRectF room = line.adjusted(32, 0, -8, 0);
-  QString title = toText(scene::trackTitle(mDocument.scene(), track.path));
+  QString title = wordsOf(scene::trackTitle(mDocument.scene(), track.path));
   painter.setPen(text);
   painter.drawText(room, Qt::AlignVCenter | Qt::AlignLeft,
                    QFontMetricsF(painter.font()).elidedText(title, Qt::ElideMiddle, room.width()));

@@ -6,6 +6,7 @@
 
 #include "core/Assert.h"
 #include "gui/kit/Theme.h"
+#include "gui/kit/Words.h"
 #include "session/command/Command.h"
 #include "session/command/LookCommands.h"
 #include "session/section/TypedWindow.h"
@@ -22,7 +23,7 @@ constexpr QSize kAround(10, 6);  ///< pixels about the words, which can be click
 
 QString greyWindowTitle(const scene::GreyWindow& window) {
   return GreyWindowCorner::tr("%1: W %2  L %3 %4")
-      .arg(GreyWindowCorner::tr(window.title.data()))
+      .arg(wordsOf(window.title))
       .arg(window.width)
       .arg(window.level)
       .arg(QString::fromUtf8(window.unit.data(), int(window.unit.size())));

@@ -9,6 +9,7 @@
 #include "gui/kit/Length.h"
 #include "gui/kit/Points.h"
 #include "gui/kit/Theme.h"
+#include "gui/kit/Words.h"
 #include "gui/view/GreyWindowCorner.h"
 #include "gui/view/SideNames.h"
 #include "render/section/SectionImage.h"
@@ -24,8 +25,6 @@ const QColor kGapColor(0xe0, 0x4a, 0x3a, 200);
 constexpr double kGap = 9.0;
 /// Views smaller than this keep title, letters and lines only.
 constexpr double kSmallWidth = 230.0, kSmallHeight = 150.0;
-
-QString tr(const char* text) { return QCoreApplication::translate("SectionView", text); }
 
 void drawTwice(QPainter& painter, const QPainterPath& path, QColor color, double width) {
   painter.setBrush(Qt::NoBrush);
@@ -97,7 +96,7 @@ QStringList positionTexts(const scene::Scene& scene, scene::SectionKind kind, co
   if (scene::isOblique(scene.sections, kind)) {
     scene::Bounds bounds = scene::computeBounds(scene);
     double off = -scene::heightOverSection(plane, (bounds.min + bounds.max) * 0.5);
-    parts << tr("%1 off the middle").arg(length.text(off));
+    parts << QCoreApplication::translate("velum::gui::SectionOverlay", "%1 off the middle").arg(length.text(off));
   } else {
     int axis = std::abs(plane.normal.x) > 0.9 ? 0 : std::abs(plane.normal.y) > 0.9 ? 1 : 2;
     double at = scene.sections.crosshair[axis];
@@ -148,7 +147,8 @@ void drawGaps(QPainter& painter, const Volume& volume, const scene::SectionPlane
 void drawTitle(QPainter& painter, const scene::Scene& scene, scene::SectionKind kind, bool hasFocus) {
   QColor color = kSectionColors[static_cast<int>(kind)];
   QString name = planeName(scene, kind);
-  if (scene::isOblique(scene.sections, kind)) name += tr(" (turned)");
+  if (scene::isOblique(scene.sections, kind))
+    name += QCoreApplication::translate("velum::gui::SectionOverlay", " (turned)");
   double width = painter.fontMetrics().horizontalAdvance(name) + 30.0;
   QRectF chip(kMargin - 2, kMargin - 2, width, painter.fontMetrics().height() + 6.0);
   painter.setPen(hasFocus ? QPen(color, 1.0) : QPen(Qt::NoPen));
@@ -171,10 +171,9 @@ double cornerRoom(glm::dvec2 size) {
 QPointF lowerRight(glm::dvec2 size) { return {size.x - kMargin, size.y - kMargin}; }
 
 QString sectionName(scene::SectionKind kind) {
-  static constexpr const char* kNames[] = {QT_TRANSLATE_NOOP("SectionView", "Axial"),
-                                           QT_TRANSLATE_NOOP("SectionView", "Coronal"),
-                                           QT_TRANSLATE_NOOP("SectionView", "Sagittal")};
-  return tr(kNames[static_cast<int>(kind)]);
+  static constexpr const char* kNames[] = {QT_TRANSLATE_NOOP("Words", "Axial"), QT_TRANSLATE_NOOP("Words", "Coronal"),
+                                           QT_TRANSLATE_NOOP("Words", "Sagittal")};
+  return wordsOf(kNames[static_cast<int>(kind)]);
 }
 
 void paintSectionOverlay(QPainter& painter, const scene::Scene& scene, scene::SectionKind kind,

@@ -9,6 +9,7 @@
 
 #include "gui/kit/Icons.h"
 #include "gui/kit/Length.h"
+#include "gui/kit/Text.h"
 #include "gui/kit/Theme.h"
 #include "gui/kit/Widgets.h"
 #include "gui/view/GreyWindowCorner.h"
@@ -53,7 +54,7 @@ void addWindowMenu(QMenu& menu, SectionView& view, session::Document& document) 
 SectionView::SectionView(session::Document& document, Selection& selection, Toolbox& toolbox, scene::SectionKind kind,
                          QWidget* parent)
     : QWidget(parent), mDocument(document), mKind(kind), mSelection(selection), mToolbox(toolbox) {
-  setObjectName(QString("section.%1").arg(sectionName(kind).toLower()));
+  setObjectName(QString("section.%1").arg(toText(enumName(kind))));
   setAccessibleName(tr("%1 section").arg(sectionName(kind)));
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);

@@ -7,6 +7,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "gui/kit/Words.h"
 #include "gui/rows/RowPaint.h"
 #include "session/command/Command.h"
 
@@ -174,7 +175,7 @@ bool CommandFinder::addTyped() {
   try {
     session::parseCall(line.toStdString());
     item->setText(tr("Run > %1").arg(line));
-    item->setToolTip(QString::fromUtf8(session::findCommand(name).doc.data()));
+    item->setToolTip(wordsOf(session::findCommand(name).doc));
   } catch (const std::exception& error) {
     item->setText(QString::fromUtf8(error.what()));
     item->setFlags(Qt::NoItemFlags);

@@ -6,6 +6,7 @@
 #include <QScrollArea>
 #include <QVBoxLayout>
 
+#include "gui/kit/Words.h"
 #include "gui/rows/PictureCard.h"
 #include "gui/service/RecentFiles.h"
 #include "session/document/Showcase.h"
@@ -83,7 +84,7 @@ void EmptyState::addSamples(QLayout* layout) {
   for (const session::Showcase& sample : session::showcases()) {
     QString name = QString::fromUtf8(sample.name.data(), int(sample.name.size()));
     QPixmap picture(QString(":/velum/samples/%1.jpg").arg(name));
-    QString text = tr(sample.title.data()), what = tr(sample.what.data());
+    QString text = wordsOf(sample.title), what = wordsOf(sample.what);
     auto* card = new PictureCard(
         text, what, picture.scaled(PictureCard::kPicture, Qt::KeepAspectRatioByExpanding, Qt::SmoothTransformation),
         this);

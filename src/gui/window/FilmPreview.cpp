@@ -109,7 +109,7 @@ void FilmPreview::draw(const Asked& asked, glm::ivec2 size, int turn, Progress& 
 void FilmPreview::take(int turn, int place, const QImage& picture, double time) {
   if (turn != mTurn) return;
   mPictures[std::size_t(place)]->setPixmap(QPixmap::fromImage(picture));
-  mTimes[std::size_t(place)]->setText(tr("%1 s").arg(time, 0, 'f', 1));
+  mTimes[std::size_t(place)]->setText(tr("%L1 s").arg(time, 0, 'f', 1));
 }
 
 }  // namespace velum::gui

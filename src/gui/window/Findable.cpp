@@ -5,6 +5,7 @@
 
 #include "gui/kit/NumberField.h"
 #include "gui/kit/Text.h"
+#include "gui/kit/Words.h"
 #include "gui/look/PresetGrid.h"
 #include "gui/rows/PictureList.h"
 #include "scene/Presets.h"
@@ -53,7 +54,7 @@ void addPresets(const WindowParts& parts, Findables& found) {
   if (!grid) return;
   bool isOn = grid->isEnabled();
   for (const auto& preset : scene::presets())
-    found.push_back({PresetGrid::tr("Preset") + " > " + toText(preset.title),
+    found.push_back({PresetGrid::tr("Preset") + " > " + wordsOf(preset.title),
                      {},
                      {},
                      isOn,

@@ -4,6 +4,7 @@
 #include <QGuiApplication>
 #include <algorithm>
 
+#include "gui/kit/Words.h"
 #include "gui/window/PreferencesDialog.h"
 #include "session/command/PythonLines.h"
 
@@ -14,7 +15,7 @@ namespace {
 constexpr int kHistoryRows = 30, kNoteLength = 90;
 
 /// A label in a menu, where & is a mark.
-QString menuText(const std::string& label) { return QString::fromStdString(label).replace('&', "&&"); }
+QString menuText(const std::string& label) { return stepText(label).replace('&', "&&"); }
 
 }  // namespace
 
@@ -37,7 +38,7 @@ HistoryCommands::HistoryCommands(const WindowParts& parts) : Room(parts) {
   mRedo->setIconText(tr("Redo"));
   menu->addSeparator();
   parts.actions.add(menu, "edit.preferences", tr("&Preferences..."),
-                    tr("Appearance, units, mouse and wheel, keys, memory"), [this] { askPreferences(); });
+                    tr("Appearance, language, units, mouse and wheel, keys, memory"), [this] { askPreferences(); });
 }
 
 void HistoryCommands::askPreferences() {
@@ -72,7 +73,7 @@ void HistoryCommands::refresh(const session::Session& session) {
   mCopy->setEnabled(session.document().canUndo());
   const session::Document& document = session.document();
   auto name = [](const QString& verb, const std::string& label) {
-    return label.empty() ? verb : QString("%1 \"%2\"").arg(verb, QString::fromStdString(label));
+    return label.empty() ? verb : tr("%1 \"%2\"").arg(verb, stepText(label));
   };
   mUndo->setEnabled(document.canUndo());
   mUndo->setText(name(tr("&Undo"), document.undoLabel()));

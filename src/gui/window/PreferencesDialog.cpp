@@ -10,6 +10,7 @@
 #include <algorithm>
 
 #include "core/Memory.h"
+#include "gui/kit/Language.h"
 #include "gui/kit/Preferences.h"
 #include "gui/window/KeysPage.h"
 
@@ -83,6 +84,15 @@ QWidget* PreferencesDialog::makeGeneral() {
     applyTheme(*qApp, kind);
   });
   form->addRow(tr("&Appearance"), theme);
+  QStringList codes = {""}, names = {tr("As the system's")};
+  for (const Language& language : languages()) {
+    codes << language.code;
+    names << language.name;
+  }
+  auto* spoken = makeChoice(page, "language", names, std::max(0, int(codes.indexOf(Preferences().language()))),
+                            tr("Of the window, from the next start on; files and scripts stay as they are"));
+  connect(spoken, &QComboBox::activated, this, [codes](int index) { Preferences().setLanguage(codes[index]); });
+  form->addRow(tr("Lang&uage"), spoken);
   // The names are scene::Layout's.
   static const QStringList kLayouts = {"", "four-up", "volume", "volume-and-section", "section"};
   auto* first =

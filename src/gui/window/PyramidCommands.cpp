@@ -20,13 +20,13 @@ const char* const kOffered = "volumes/pyramidOffered";
 
 QString sayBytes(double bytes) {
   return bytes < kGiB ? PyramidCommands::tr("%1 MiB").arg(std::ceil(bytes / (1 << 20)), 0, 'f', 0)
-                      : PyramidCommands::tr("%1 GiB").arg(bytes / kGiB, 0, 'f', 1);
+                      : PyramidCommands::tr("%L1 GiB").arg(bytes / kGiB, 0, 'f', 1);
 }
 
 QString sayDuration(double seconds) {
   if (seconds < 90) return PyramidCommands::tr("%1 s").arg(std::max(1.0, std::round(seconds)));
   if (seconds < 5400) return PyramidCommands::tr("%1 min").arg(std::round(seconds / 60));
-  return PyramidCommands::tr("%1 h").arg(seconds / 3600, 0, 'f', 1);
+  return PyramidCommands::tr("%L1 h").arg(seconds / 3600, 0, 'f', 1);
 }
 
 QString nameOf(const std::filesystem::path& path) { return toText(path.filename().string()); }

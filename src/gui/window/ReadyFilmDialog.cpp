@@ -6,6 +6,7 @@
 
 #include "gui/kit/CutTitle.h"
 #include "gui/kit/Widgets.h"
+#include "gui/kit/Words.h"
 #include "session/structure/StructureEdit.h"
 
 namespace velum::gui {
@@ -19,15 +20,17 @@ struct ReadyText {
   const char *title, *tip;
 };
 constexpr ReadyText kReadyTexts[] = {
-    {"&Turntable", "The eye goes round the data"},
-    {"&Cuts come in", "Cuts come in from where the data ends"},
-    {"&Membranes sink in", "Membranes sink into the data"},
-    {"&Pull out", "Structures come out of the cuts one after the other"},
-    {"&Equalize", "A model from whole, over all that its cuts can take, to what they leave"},
-    {"&Fly to a structure", "The eye goes to a structure"},
-    {"Time &steps", "The volume goes through its time steps"},
-    {"&Before and after", "Whole, then cut open"},
-    {"T&itle", "Words over the picture come and go"}};
+    {QT_TRANSLATE_NOOP("Words", "&Turntable"), QT_TRANSLATE_NOOP("Words", "The eye goes round the data")},
+    {QT_TRANSLATE_NOOP("Words", "&Cuts come in"), QT_TRANSLATE_NOOP("Words", "Cuts come in from where the data ends")},
+    {QT_TRANSLATE_NOOP("Words", "&Membranes sink in"), QT_TRANSLATE_NOOP("Words", "Membranes sink into the data")},
+    {QT_TRANSLATE_NOOP("Words", "&Pull out"),
+     QT_TRANSLATE_NOOP("Words", "Structures come out of the cuts one after the other")},
+    {QT_TRANSLATE_NOOP("Words", "&Equalize"),
+     QT_TRANSLATE_NOOP("Words", "A model from whole, over all that its cuts can take, to what they leave")},
+    {QT_TRANSLATE_NOOP("Words", "&Fly to a structure"), QT_TRANSLATE_NOOP("Words", "The eye goes to a structure")},
+    {QT_TRANSLATE_NOOP("Words", "Time &steps"), QT_TRANSLATE_NOOP("Words", "The volume goes through its time steps")},
+    {QT_TRANSLATE_NOOP("Words", "&Before and after"), QT_TRANSLATE_NOOP("Words", "Whole, then cut open")},
+    {QT_TRANSLATE_NOOP("Words", "T&itle"), QT_TRANSLATE_NOOP("Words", "Words over the picture come and go")}};
 static_assert(std::size(kReadyTexts) == std::size(EnumNames<ReadyFilm>::kNames));
 
 const session::Command& commandOf(ReadyFilm film) {
@@ -41,13 +44,9 @@ bool comesIn(const scene::Cut& cut, ReadyFilm film) {
 
 }  // namespace
 
-QString readyFilmTitle(ReadyFilm film) {
-  return QCoreApplication::translate("ReadyFilm", kReadyTexts[std::size_t(film)].title);
-}
+QString readyFilmTitle(ReadyFilm film) { return wordsOf(kReadyTexts[std::size_t(film)].title); }
 
-QString readyFilmTip(ReadyFilm film) {
-  return QCoreApplication::translate("ReadyFilm", kReadyTexts[std::size_t(film)].tip);
-}
+QString readyFilmTip(ReadyFilm film) { return wordsOf(kReadyTexts[std::size_t(film)].tip); }
 
 ReadyFilmDialog::ReadyFilmDialog(const scene::Scene& scene, ReadyFilm film, double start, QWidget* parent)
     : FilmDialog(readyFilmTitle(film).remove('&'), 138, parent), mScene(scene), mSaid(new QLabel(this)) {
@@ -102,7 +101,7 @@ void ReadyFilmDialog::showFilm() {
 
 void ReadyFilmDialog::tell(const QString& why) {
   double end = mForm->number("start") + mForm->number("seconds");
-  QString text = why.isEmpty() ? tr("Its keys stand from %1 s to %2 s of the film; undo takes them back.")
+  QString text = why.isEmpty() ? tr("Its keys stand from %L1 s to %L2 s of the film; undo takes them back.")
                                      .arg(mForm->number("start"), 0, 'f', 1)
                                      .arg(end, 0, 'f', 1)
                                : why;

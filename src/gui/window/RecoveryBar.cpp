@@ -3,6 +3,7 @@
 #include <QHBoxLayout>
 #include <QVBoxLayout>
 
+#include "gui/kit/Words.h"
 #include "gui/service/SayTime.h"
 #include "scene/Scene.h"
 
@@ -20,8 +21,7 @@ QString sayText(const session::LostWork& work) {
   QString whyNot = QString::fromStdString(work.whyNot), time = sayTime(work.when);
   if (!work.isReadable)
     return RecoveryBar::tr("From %1. %2 (%3)").arg(time, QString::fromStdString(work.folder.string()), whyNot);
-  QString last =
-      work.label.empty() ? QString() : RecoveryBar::tr(", last change: %1").arg(QString::fromStdString(work.label));
+  QString last = work.label.empty() ? QString() : RecoveryBar::tr(", last change: %1").arg(stepText(work.label));
   QString where = work.scenePath.empty() ? RecoveryBar::tr("Never saved") : QString::fromStdString(work.scenePath);
   QString damage = work.isWhole ? QString() : RecoveryBar::tr(". What came later cannot be read (%1)").arg(whyNot);
   return RecoveryBar::tr("From %1%2. %3%4").arg(time, last, where, damage);

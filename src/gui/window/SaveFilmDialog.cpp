@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "gui/kit/Preferences.h"
+#include "gui/kit/Words.h"
 #include "gui/rows/FieldForm.h"
 
 namespace velum::gui {
@@ -13,7 +14,9 @@ namespace velum::gui {
 namespace {
 
 /// By SaveFilmDialog::Format.
-constexpr const char* kFormats[] = {"MP4 video (H.264)", "WebM video (VP9)", "GIF", "PNG frames", "EXR frames"};
+constexpr const char* kFormats[] = {QT_TRANSLATE_NOOP("Words", "MP4 video (H.264)"),
+                                    QT_TRANSLATE_NOOP("Words", "WebM video (VP9)"), QT_TRANSLATE_NOOP("Words", "GIF"),
+                                    QT_TRANSLATE_NOOP("Words", "PNG frames"), QT_TRANSLATE_NOOP("Words", "EXR frames")};
 constexpr int kMostFilmPixels = 16384, kFilmNameWidth = 96;
 constexpr const char *kFormatKey = "film/format", *kSizeKey = "film/size", *kBlurKey = "film/blur",
                      *kVideoQualityKey = "film/quality", *kSixteenBitsKey = "film/sixteenBits",
@@ -94,7 +97,7 @@ QGridLayout* SaveFilmDialog::makeFile(const QString& name) {
   row->addWidget(mPath, 1);
   row->addWidget(browsing);
   mFormat = named(new QComboBox(this), "filmFormat", tr("A video, or a picture for each frame"));
-  for (const char* format : kFormats) mFormat->addItem(tr(format));
+  for (const char* format : kFormats) mFormat->addItem(wordsOf(format));
   addTo(grid, tr("Format"), mFormat);
   addTo(grid, tr("File"), file);
   mPath->setAccessibleName(tr("File"));
@@ -144,7 +147,7 @@ void SaveFilmDialog::makeRate(QGridLayout* grid) {
   mRange->addItem(tr("Whole film"));
   bool hasPart = !film.tracks.empty() && (film.rangeStart > 0.0 || film.rangeEnd > 0.0);
   double end = film.rangeEnd > 0.0 ? film.rangeEnd : film.duration;
-  if (hasPart) mRange->addItem(tr("From %1 s to %2 s").arg(film.rangeStart, 0, 'f', 1).arg(end, 0, 'f', 1));
+  if (hasPart) mRange->addItem(tr("From %L1 s to %L2 s").arg(film.rangeStart, 0, 'f', 1).arg(end, 0, 'f', 1));
   mRange->setCurrentIndex(hasPart ? 1 : 0);
   mRange->setEnabled(hasPart);
   addTo(grid, tr("Frames a second"), mRate);

@@ -260,11 +260,11 @@ void SavePictureDialog::takeHeight() {
 void SavePictureDialog::updateText() {
   if (!mFacts || !mSamples) return;
   double megapixels = double(mPixels.x) * mPixels.y / 1e6;
-  QString paper = tr("%1 x %2 cm at %3 dpi")
+  QString paper = tr("%L1 x %L2 cm at %3 dpi")
                       .arg(mPixels.x * 2.54 / mDpi->value(), 0, 'f', 1)
                       .arg(mPixels.y * 2.54 / mDpi->value(), 0, 'f', 1)
                       .arg(mDpi->value());
-  mFacts->setText(tr("%1 x %2 pixels (%3 megapixels), %4.\nThe picture carries the scene: drop it on the "
+  mFacts->setText(tr("%1 x %2 pixels (%L3 megapixels), %4.\nThe picture carries the scene: drop it on the "
                      "window to go on with it.")
                       .arg(mPixels.x)
                       .arg(mPixels.y)

@@ -47,7 +47,7 @@ Script::Script(MainWindow& window, QString name, const QString& text)
 void Script::start() {
   mWindow.setUnattended(true);
   // The files that the command line names are read first.
-  waitFor([this] { return !mWindow.isBusy() && !mWindow.isLookingForWork(); }, kMostMs, tr("the files"));
+  waitFor([this] { return !mWindow.isBusy() && !mWindow.isLookingForWork(); }, kMostMs, "the files");
 }
 
 void Script::stop() {
@@ -122,16 +122,16 @@ void Script::waitFor(std::function<bool()> ready, int mostMs, const QString& wha
 void Script::run(const QString& command, const QString& rest) {
   if (runAction(command, rest) || runFile(command, rest)) return;
   if (command == "wait") {
-    int ms = wholeNumber(rest, 0, kLongestWaitMs, tr("milliseconds"));
+    int ms = wholeNumber(rest, 0, kLongestWaitMs, "milliseconds");
     waitFor([this, ms] { return mWaited.elapsed() >= ms; }, kLongestWaitMs + 1000, {});
   } else if (command == "settle") {
-    waitFor([this] { return mWindow.isSettled(); }, kMostMs, tr("the picture"));
+    waitFor([this] { return mWindow.isSettled(); }, kMostMs, "the picture");
   } else if (command == "page") {
     if (!mWindow.tabs().showPage(rest))
       throw ArgumentError(fmt::format("'{}' is no page of the side panel", rest.toStdString()));
   } else if (command == "size") {
-    mWindow.resize(wholeNumber(rest.section(' ', 0, 0), 200, 16384, tr("a width")),
-                   wholeNumber(rest.section(' ', 1), 200, 16384, tr("a height")));
+    mWindow.resize(wholeNumber(rest.section(' ', 0, 0), 200, 16384, "a width"),
+                   wholeNumber(rest.section(' ', 1), 200, 16384, "a height"));
   } else if (command == "quit") {
     mWindow.leave(0);
   } else {
@@ -189,7 +189,7 @@ bool Script::runFile(const QString& command, const QString& rest) {
     open(file.path, true);
   } else if (command == "recover") {
     if (!mWindow.restoreWork()) throw InputError("no unsaved work was left behind");
-    waitForJob(tr("the recovered work"));
+    waitForJob("the recovered work");
   } else if (command == "save") {
     mWindow.saveSceneTo(wholePath(QString::fromStdString(argumentsOf(session::SaveScene{}).path)));
   } else if (command == "picture") {

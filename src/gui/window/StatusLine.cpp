@@ -7,6 +7,7 @@
 #include "core/Text.h"
 #include "gui/kit/Length.h"
 #include "gui/kit/Text.h"
+#include "gui/kit/Words.h"
 #include "scene/Crowd.h"
 #include "scene/GreyWindows.h"
 #include "session/model/ModelEdit.h"
@@ -34,7 +35,7 @@ QString instanceText(const scene::Scene& scene, const render::Pick& pick) {
   return text + StatusLine::tr(", %1 of %2").arg(place->ofType + 1).arg(type.instanceCount);
 }
 
-QString shortNumber(double value) { return QString::fromStdString(tidyNumber(value)); }
+QString shortNumber(double value) { return localNumber(tidyNumber(value)); }
 
 }  // namespace
 
@@ -106,7 +107,7 @@ void StatusLine::showStreaming(const render::Streaming& streaming) {
                     .arg(mebibytes(double(volume->finer->bricks->mostBytes())));
   if (streaming.coarser > 1.0)
     tip += "\n" +
-           tr("They have no room: all is shown %1 times coarser than pixels. Edit > Preferences > Memory gives more.")
+           tr("They have no room: all is shown %L1 times coarser than pixels. Edit > Preferences > Memory gives more.")
                .arg(streaming.coarser, 0, 'f', 1);
   mStreaming->setToolTip(tip);
 }
@@ -133,9 +134,9 @@ void StatusLine::refresh(const session::Session& session) {
     }
     QString text = dims.join(times) + "    ";
     text += v->isSpacingKnown ? spacing.join(times) + Length(scene).suffix() : tr("spacing unknown");
-    text += QString("    %1    %2 to %3%4")
-                .arg(QString::fromUtf8(type.data(), int(type.size())), shortNumber(v->range.x), shortNumber(v->range.y),
-                     unit);
+    text += "    " + tr("%1    %2 to %3%4")
+                         .arg(QString::fromUtf8(type.data(), int(type.size())), shortNumber(v->range.x),
+                              shortNumber(v->range.y), unit);
     mData->setText(text);
     mData->setToolTip(
         tr("Voxels, spacing, sample type and range of values of %1").arg(QString::fromStdString(v->name)));

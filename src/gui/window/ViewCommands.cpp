@@ -5,6 +5,7 @@
 #include "core/Assert.h"
 #include "gui/kit/Length.h"
 #include "gui/kit/Preferences.h"
+#include "gui/kit/Words.h"
 #include "gui/view/GreyWindowCorner.h"
 #include "gui/view/SideNames.h"
 #include "gui/view/ViewChange.h"
@@ -17,19 +18,26 @@ namespace velum::gui {
 namespace {
 
 constexpr const char* kCubeKey = "view/cube";
-constexpr const char* kFourViews = "&Four views";
+constexpr const char* kFourViews = QT_TRANSLATE_NOOP("Words", "&Four views");
 
 struct DirectionRow {
   const char *id, *ofPatient, *ofThing;
   scene::StandardView view;
 };
-constexpr DirectionRow kDirections[] = {{"view.anterior", "&Anterior", "Fr&ont", scene::StandardView::Anterior},
-                                        {"view.posterior", "P&osterior", "B&ack", scene::StandardView::Posterior},
-                                        {"view.left", "&Left", "&Left", scene::StandardView::Left},
-                                        {"view.right", "Ri&ght", "Ri&ght", scene::StandardView::Right},
-                                        {"view.superior", "&Superior", "Top", scene::StandardView::Superior},
-                                        {"view.inferior", "&Inferior", "Botto&m", scene::StandardView::Inferior},
-                                        {"view.oblique", "O&blique", "O&blique", scene::StandardView::Oblique}};
+constexpr DirectionRow kDirections[] = {
+    {"view.anterior", QT_TRANSLATE_NOOP("Words", "&Anterior"), QT_TRANSLATE_NOOP("Words", "Fr&ont"),
+     scene::StandardView::Anterior},
+    {"view.posterior", QT_TRANSLATE_NOOP("Words", "P&osterior"), QT_TRANSLATE_NOOP("Words", "B&ack"),
+     scene::StandardView::Posterior},
+    {"view.left", QT_TRANSLATE_NOOP("Words", "&Left"), QT_TRANSLATE_NOOP("Words", "&Left"), scene::StandardView::Left},
+    {"view.right", QT_TRANSLATE_NOOP("Words", "Ri&ght"), QT_TRANSLATE_NOOP("Words", "Ri&ght"),
+     scene::StandardView::Right},
+    {"view.superior", QT_TRANSLATE_NOOP("Words", "&Superior"), QT_TRANSLATE_NOOP("Words", "Top"),
+     scene::StandardView::Superior},
+    {"view.inferior", QT_TRANSLATE_NOOP("Words", "&Inferior"), QT_TRANSLATE_NOOP("Words", "Botto&m"),
+     scene::StandardView::Inferior},
+    {"view.oblique", QT_TRANSLATE_NOOP("Words", "O&blique"), QT_TRANSLATE_NOOP("Words", "O&blique"),
+     scene::StandardView::Oblique}};
 
 void resetCamera(session::Document& document, const QWidget& view) {
   double aspect = double(std::max(1, view.width())) / std::max(1, view.height());
@@ -79,7 +87,7 @@ ViewCommands::ViewCommands(const WindowParts& parts)
 
 void ViewCommands::addDirections(QMenu* menu) {
   for (const DirectionRow& row : kDirections)
-    mDirections << mParts.actions.addForScene(menu, row.id, tr(row.ofPatient), {},
+    mDirections << mParts.actions.addForScene(menu, row.id, wordsOf(row.ofPatient), {},
                                               [this, view = row.view] { mParts.views.viewport().lookFrom(view); });
 }
 
@@ -89,10 +97,10 @@ void ViewCommands::nameSides(const scene::Scene& scene) {
   ActionTable& actions = mParts.actions;
   for (std::size_t i = 0; i < std::size(kDirections); ++i) {
     const DirectionRow& row = kDirections[i];
-    actions.rename(mDirections[qsizetype(i)], isPatient ? tr(row.ofPatient) : tr(row.ofThing),
+    actions.rename(mDirections[qsizetype(i)], isPatient ? wordsOf(row.ofPatient) : wordsOf(row.ofThing),
                    tr("Look from: %1").arg(viewName(scene, row.view)));
   }
-  actions.rename(mLayouts->actions()[int(scene::Layout::FourUp)], tr(kFourViews),
+  actions.rename(mLayouts->actions()[int(scene::Layout::FourUp)], wordsOf(kFourViews),
                  isPatient ? tr("Axial, coronal, sagittal and 3D") : tr("Three sections and 3D"));
   actions.rename(mAxes, isPatient ? tr("Sections along the patient's a&xes") : tr("Sections along the a&xes"),
                  isPatient ? tr("Axial, coronal and sagittal again, crosshair in the middle")
@@ -105,14 +113,17 @@ void ViewCommands::addLayouts(QMenu* menu) {
     const char *id, *name, *tip;
   };
   // In the order of scene::Layout.
-  static constexpr Row kRows[] = {{"layout.four", kFourViews, "Three sections and 3D"},
-                                  {"layout.volume", "3&D only", "The 3D view alone"},
-                                  {"layout.beside", "3D and one s&ection", "The 3D view and the current section"},
-                                  {"layout.section", "One se&ction", "The current section alone"}};
+  static constexpr Row kRows[] = {
+      {"layout.four", kFourViews, QT_TRANSLATE_NOOP("Words", "Three sections and 3D")},
+      {"layout.volume", QT_TRANSLATE_NOOP("Words", "3&D only"), QT_TRANSLATE_NOOP("Words", "The 3D view alone")},
+      {"layout.beside", QT_TRANSLATE_NOOP("Words", "3D and one s&ection"),
+       QT_TRANSLATE_NOOP("Words", "The 3D view and the current section")},
+      {"layout.section", QT_TRANSLATE_NOOP("Words", "One se&ction"),
+       QT_TRANSLATE_NOOP("Words", "The current section alone")}};
   static_assert(std::size(kRows) == std::size(EnumNames<Layout>::kNames), "each layout has its row");
   for (const Row& row : kRows) {
     auto layout = static_cast<Layout>(&row - kRows);
-    QAction* action = mParts.actions.addForScene(menu, row.id, tr(row.name), tr(row.tip),
+    QAction* action = mParts.actions.addForScene(menu, row.id, wordsOf(row.name), wordsOf(row.tip),
                                                  [this, layout] { mParts.views.setLayout(layout); });
     action->setCheckable(true);
     mLayouts->addAction(action);
@@ -132,14 +143,18 @@ void ViewCommands::addSections(QMenu* menu) {
 /// Each by its name, on while the values are of its unit.
 void ViewCommands::addGreyWindows(QMenu* menu) {
   menu->setToolTipsVisible(true);
-  static constexpr const char* kNames[] = {"&Soft tissue", "&Abdomen",    "&Lung",        "&Bone",       "B&rain",
-                                           "An&giography", "SUV 0 to &5", "SUV 0 to 1&0", "SUV 0 to &20"};
+  static constexpr const char* kNames[] = {
+      QT_TRANSLATE_NOOP("Words", "&Soft tissue"), QT_TRANSLATE_NOOP("Words", "&Abdomen"),
+      QT_TRANSLATE_NOOP("Words", "&Lung"),        QT_TRANSLATE_NOOP("Words", "&Bone"),
+      QT_TRANSLATE_NOOP("Words", "B&rain"),       QT_TRANSLATE_NOOP("Words", "An&giography"),
+      QT_TRANSLATE_NOOP("Words", "SUV 0 to &5"),  QT_TRANSLATE_NOOP("Words", "SUV 0 to 1&0"),
+      QT_TRANSLATE_NOOP("Words", "SUV 0 to &20")};
   auto windows = scene::greyWindows();
   VELUM_ASSERT(std::size(kNames) == windows.size(), "each grey window has its letter");
   for (std::size_t i = 0; i < windows.size(); ++i) {
     const scene::GreyWindow& window = windows[i];
     QString id = "sections.window." + QString::fromUtf8(window.name.data(), int(window.name.size()));
-    mWindows << mParts.actions.addForScene(menu, id, tr(kNames[i]),
+    mWindows << mParts.actions.addForScene(menu, id, wordsOf(kNames[i]),
                                            tr("Grey window of sections: %1").arg(greyWindowTitle(window)),
                                            [this, name = window.name] { setGreyWindow(mParts.document(), name); });
   }

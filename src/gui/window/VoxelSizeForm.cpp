@@ -1,10 +1,12 @@
 #include "gui/window/VoxelSizeForm.h"
 
+#include <QLocale>
 #include <QSignalBlocker>
 #include <algorithm>
 #include <cmath>
 
 #include "gui/kit/Preferences.h"
+#include "gui/kit/Words.h"
 #include "scene/Scene.h"
 #include "scene/Source.h"
 
@@ -26,18 +28,14 @@ struct Usual {
   glm::dvec3 millimetres;
 };
 constexpr Usual kUsual[] = {
-    {QT_TRANSLATE_NOOP("VoxelSizeForm", "CT of a trunk, 0.7 \u00d7 0.7 \u00d7 1 mm"), {0.7, 0.7, 1.0}},
-    {QT_TRANSLATE_NOOP("VoxelSizeForm", "MR of a head, 1 mm"), {1, 1, 1}},
-    {QT_TRANSLATE_NOOP("VoxelSizeForm", "Micro-CT, 10 \u00b5m"), {0.01, 0.01, 0.01}},
-    {QT_TRANSLATE_NOOP("VoxelSizeForm", "Light sheet 5\u00d7, 1.3 \u00d7 1.3 \u00d7 5 \u00b5m"),
-     {0.0013, 0.0013, 0.005}},
-    {QT_TRANSLATE_NOOP("VoxelSizeForm", "Confocal 20\u00d7, 0.62 \u00d7 0.62 \u00d7 2 \u00b5m"),
-     {0.00062, 0.00062, 0.002}},
-    {QT_TRANSLATE_NOOP("VoxelSizeForm", "Confocal 40\u00d7, 0.31 \u00d7 0.31 \u00d7 1 \u00b5m"),
-     {0.00031, 0.00031, 0.001}},
-    {QT_TRANSLATE_NOOP("VoxelSizeForm", "Confocal 63\u00d7, 0.2 \u00d7 0.2 \u00d7 0.5 \u00b5m"),
-     {0.0002, 0.0002, 0.0005}},
-    {QT_TRANSLATE_NOOP("VoxelSizeForm", "Electron microscope, 10 nm"), {1e-5, 1e-5, 1e-5}}};
+    {QT_TRANSLATE_NOOP("Words", "CT of a trunk, 0.7 \u00d7 0.7 \u00d7 1 mm"), {0.7, 0.7, 1.0}},
+    {QT_TRANSLATE_NOOP("Words", "MR of a head, 1 mm"), {1, 1, 1}},
+    {QT_TRANSLATE_NOOP("Words", "Micro-CT, 10 \u00b5m"), {0.01, 0.01, 0.01}},
+    {QT_TRANSLATE_NOOP("Words", "Light sheet 5\u00d7, 1.3 \u00d7 1.3 \u00d7 5 \u00b5m"), {0.0013, 0.0013, 0.005}},
+    {QT_TRANSLATE_NOOP("Words", "Confocal 20\u00d7, 0.62 \u00d7 0.62 \u00d7 2 \u00b5m"), {0.00062, 0.00062, 0.002}},
+    {QT_TRANSLATE_NOOP("Words", "Confocal 40\u00d7, 0.31 \u00d7 0.31 \u00d7 1 \u00b5m"), {0.00031, 0.00031, 0.001}},
+    {QT_TRANSLATE_NOOP("Words", "Confocal 63\u00d7, 0.2 \u00d7 0.2 \u00d7 0.5 \u00b5m"), {0.0002, 0.0002, 0.0005}},
+    {QT_TRANSLATE_NOOP("Words", "Electron microscope, 10 nm"), {1e-5, 1e-5, 1e-5}}};
 
 /// The largest unit in which the least edge is one or more.
 int unitFor(glm::dvec3 millimetres) {
@@ -107,8 +105,9 @@ void VoxelSizeForm::addEdges(QGridLayout& grid) {
     mEdges[i] = new EdgeField(this);
     mEdges[i]->setObjectName(QString("voxelSize%1").arg(kAxes[i]));
     mEdges[i]->setAccessibleName(tr("Voxel size along %1").arg(kAxes[i]));
-    mEdges[i]->setToolTip(
-        tr("Edge of a voxel along %1; other units may be typed, as \u201c0.3 um\u201d").arg(kAxes[i]));
+    mEdges[i]->setToolTip(tr("Edge of a voxel along %1; other units may be typed, as \u201c"
+                             "0.3 um\u201d")
+                              .arg(kAxes[i]));
     mEdges[i]->setAlignment(Qt::AlignRight);
     mEdges[i]->setMinimumWidth(96);
     grid.addWidget(mEdges[i], 0, i);
@@ -131,12 +130,12 @@ void VoxelSizeForm::addUsual() {
   mUsual->setFocusPolicy(Qt::StrongFocus);
   if (auto last = lastAnswer()) {
     const Unit& unit = kUnits[unitFor(*last)];
-    auto number = [&](double edge) { return QString::number(edge / unit.millimetres, 'g', 4); };
+    auto number = [&](double edge) { return QLocale().toString(edge / unit.millimetres, 'g', 4); };
     mUsual->addItem(tr("The last answer, %1 \u00d7 %2 \u00d7 %3 %4")
                         .arg(number(last->x), number(last->y), number(last->z), QString::fromUtf8(unit.name)),
                     toVariant(*last));
   }
-  for (const Usual& usual : kUsual) mUsual->addItem(tr(usual.name), toVariant(usual.millimetres));
+  for (const Usual& usual : kUsual) mUsual->addItem(wordsOf(usual.name), toVariant(usual.millimetres));
   mUsual->setCurrentIndex(-1);
   connect(mUsual, &QComboBox::activated, this, [this](int index) {
     glm::dvec3 size = fromVariant(mUsual->itemData(index)).value_or(glm::dvec3(1.0));

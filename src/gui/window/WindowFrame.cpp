@@ -3,6 +3,7 @@
 #include <QMenuBar>
 #include <QVBoxLayout>
 
+#include "gui/kit/Words.h"
 #include "gui/service/RecentFiles.h"
 
 namespace velum::gui {
@@ -31,10 +32,13 @@ WindowFrame::WindowFrame(QMainWindow& window, session::Document& document, Playe
   buildSide(window);
   bar = new ToolStrip(&window);
   window.addToolBar(bar);
-  const char* titles[] = {"&File",       "&Edit",  "&View", "&Look", "&Cut",
-                          "&Structures", "Mar&ks", "&Time", "Fil&m", "&Help"};
+  const char* titles[] = {QT_TRANSLATE_NOOP("Words", "&File"),  QT_TRANSLATE_NOOP("Words", "&Edit"),
+                          QT_TRANSLATE_NOOP("Words", "&View"),  QT_TRANSLATE_NOOP("Words", "&Look"),
+                          QT_TRANSLATE_NOOP("Words", "&Cut"),   QT_TRANSLATE_NOOP("Words", "&Structures"),
+                          QT_TRANSLATE_NOOP("Words", "Mar&ks"), QT_TRANSLATE_NOOP("Words", "&Time"),
+                          QT_TRANSLATE_NOOP("Words", "Fil&m"),  QT_TRANSLATE_NOOP("Words", "&Help")};
   static_assert(std::size(titles) == std::tuple_size_v<Menus>, "each menu has its title");
-  for (std::size_t i = 0; i < menus.size(); ++i) menus[i] = window.menuBar()->addMenu(QMainWindow::tr(titles[i]));
+  for (std::size_t i = 0; i < menus.size(); ++i) menus[i] = window.menuBar()->addMenu(wordsOf(titles[i]));
 }
 
 void WindowFrame::buildSide(QMainWindow& window) {

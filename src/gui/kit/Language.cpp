@@ -1,0 +1,50 @@
+#include "gui/kit/Language.h"
+
+#include <fmt/format.h>
+
+#include <QApplication>
+#include <QLibraryInfo>
+#include <QLocale>
+#include <QTranslator>
+#include <algorithm>
+
+#include "core/Error.h"
+
+namespace velum::gui {
+
+namespace {
+
+constexpr Language kLanguages[] = {{"en", "English"}, {"de", "Deutsch"}};
+
+QString systemCode() {
+  QString code = QLocale::system().name().section('_', 0, 0);
+  bool isOurs = std::ranges::any_of(kLanguages, [&](const Language& one) { return code == one.code; });
+  return isOurs ? code : QString("en");
+}
+
+void installWords(const QString& name, const QString& folder) {
+  auto* words = new QTranslator(qApp);
+  if (words->load(name, folder))
+    QCoreApplication::installTranslator(words);
+  else
+    delete words;
+}
+
+}  // namespace
+
+std::span<const Language> languages() { return kLanguages; }
+
+void speak(const QString& code) {
+  bool isOurs = std::ranges::any_of(kLanguages, [&](const Language& one) { return code == one.code; });
+  if (!code.isEmpty() && !isOurs)
+    throw ArgumentError(fmt::format("'{}' is no language of Velum; it speaks en and de", code.toStdString()));
+  QString spoken = code.isEmpty() ? systemCode() : code;
+  QString ofSystem = QLocale::system().name().section('_', 0, 0);
+  if (!code.isEmpty() && code != ofSystem) QLocale::setDefault(QLocale(code));
+  if (spoken == "en") return;
+  // Qt's own words, of dialogs and menus of fields, are where Qt is; ours go before them.
+  installWords("qtbase_" + spoken, QLibraryInfo::path(QLibraryInfo::TranslationsPath));
+  installWords("velum_" + spoken, ":/velum/translations");
+}
+
+}  // namespace velum::gui

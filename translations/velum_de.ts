@@ -3559,6 +3559,10 @@ BigDataViewer; Zellmodelle; dazu Labels und Oberflächen; eine Velum-Szene oder 
         <source>Change %1</source>
         <translation>Ändern: %1</translation>
     </message>
+    <message>
+        <source> pt</source>
+        <translation> pt</translation>
+    </message>
 </context>
 <context>
     <name>velum::gui::FieldKey</name>
@@ -4470,6 +4474,18 @@ Nützlich, wo sich zwei Strukturen ähnlicher Werte berühren</translation>
         <source>Nothing yet</source>
         <translation>Noch nichts</translation>
     </message>
+    <message>
+        <source>Copy as Pyth&amp;on</source>
+        <translation>Als Pyth&amp;on kopieren</translation>
+    </message>
+    <message>
+        <source>Copy all that was done to what is open as a program in Python</source>
+        <translation>Alles, was mit dem Geöffneten getan wurde, als Programm in Python kopieren</translation>
+    </message>
+    <message>
+        <source>Copied all that was done as a program in Python</source>
+        <translation>Alles Getane als Programm in Python kopiert</translation>
+    </message>
 </context>
 <context>
     <name>velum::gui::InsideLine</name>
@@ -4898,6 +4914,10 @@ In den Ansichten sagt es Strg+Umschalt+Klick jederzeit</translation>
         <source>Own</source>
         <translation>Eigene</translation>
     </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
 </context>
 <context>
     <name>velum::gui::LitSphereGrid</name>
@@ -5179,6 +5199,22 @@ In den Ansichten sagt es Strg+Umschalt+Klick jederzeit</translation>
         <source>Take it away</source>
         <translation>Wegnehmen</translation>
     </message>
+    <message>
+        <source>Its points stay where they are now</source>
+        <translation>Die Punkte bleiben, wo sie jetzt sind</translation>
+    </message>
+    <message>
+        <source>Its points go to the middles of the molecules or structures in which they lie, and follow them</source>
+        <translation>Die Punkte gehen zur Mitte der Moleküle oder Strukturen, in denen sie liegen, und folgen ihnen</translation>
+    </message>
+    <message>
+        <source>Let go</source>
+        <translation>Loslassen</translation>
+    </message>
+    <message>
+        <source>Follow what is there</source>
+        <translation>Folgen, was dort ist</translation>
+    </message>
 </context>
 <context>
     <name>velum::gui::MarkPanel</name>
@@ -5257,6 +5293,38 @@ In den Ansichten sagt es Strg+Umschalt+Klick jederzeit</translation>
     <message>
         <source>Change colour of mark</source>
         <translation>Farbe der Marke ändern</translation>
+    </message>
+    <message>
+        <source>Shown at</source>
+        <translation>Gezeigt zu</translation>
+    </message>
+    <message>
+        <source>Time steps at which the mark is shown</source>
+        <translation>Zeitschritte, zu denen die Marke gezeigt wird</translation>
+    </message>
+    <message>
+        <source>A mark is shown and listed at all time steps of a series, or drawn at one of them alone</source>
+        <translation>Eine Marke wird zu allen Zeitschritten einer Serie gezeigt, oder nur zu einem gezeichnet</translation>
+    </message>
+    <message>
+        <source>Change time step of mark</source>
+        <translation>Zeitschritt der Marke ändern</translation>
+    </message>
+    <message>
+        <source>All time steps</source>
+        <translation>Alle Zeitschritte</translation>
+    </message>
+    <message>
+        <source>This time step (%1)</source>
+        <translation>Dieser Zeitschritt (%1)</translation>
+    </message>
+    <message>
+        <source>Time step %1</source>
+        <translation>Zeitschritt %1</translation>
+    </message>
+    <message>
+        <source>Hidden here: the picture shows nothing of what it points at</source>
+        <translation>Hier verdeckt: Das Bild zeigt nichts von dem, worauf sie weist</translation>
     </message>
 </context>
 <context>
@@ -7712,14 +7780,14 @@ Von einem Inlay auch, was davor steht, sein Bild und was dahinter liegt, zum Zus
         <translation>%L1 x %L2 cm bei %3 dpi</translation>
     </message>
     <message>
-        <source>%1 x %2 pixels (%L3 megapixels), %4.
-PNG, EXR and TIFF carry the scene: drop the picture on the window to go on with it.</source>
-        <translation>%1 x %2 Pixel (%L3 Megapixel), %4.
-PNG, EXR und TIFF tragen die Szene: das Bild auf dem Fenster ablegen, um mit ihr weiterzuarbeiten.</translation>
-    </message>
-    <message>
         <source>Copied: %1</source>
         <translation>Kopiert: %1</translation>
+    </message>
+    <message>
+        <source>%1 x %2 pixels (%L3 megapixels), %4.
+The picture carries the scene: drop it on the window to go on with it.</source>
+        <translation>%1 x %2 Pixel (%L3 Megapixel), %4.
+Das Bild trägt die Szene in sich: auf das Fenster ziehen, um damit weiterzuarbeiten.</translation>
     </message>
 </context>
 <context>

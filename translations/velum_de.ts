@@ -6523,10 +6523,6 @@ Automatisch: so viele, wie Rauschen nicht erklärt. 1: alles zählt.</translatio
         <translation>Des Fensters, ab dem nächsten Start; Dateien und Skripte bleiben, wie sie sind</translation>
     </message>
     <message>
-        <source>Lang&amp;uage</source>
-        <translation>Sp&amp;rache</translation>
-    </message>
-    <message>
         <source>As it was last</source>
         <translation>Wie zuletzt</translation>
     </message>
@@ -6689,6 +6685,10 @@ Automatisch: so viele, wie Rauschen nicht erklärt. 1: alles zählt.</translatio
     <message>
         <source>Level of &amp;detail</source>
         <translation>Detailst&amp;ufe</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Sprache</translation>
     </message>
 </context>
 <context>

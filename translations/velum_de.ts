@@ -1341,10 +1341,6 @@ Ersetzen?</translation>
         <translation>K&amp;ugel hinzufügen</translation>
     </message>
     <message>
-        <source>⌀ </source>
-        <translation>⌀ </translation>
-    </message>
-    <message>
         <source>Diameter</source>
         <translation>Durchmesser</translation>
     </message>
@@ -1471,14 +1467,6 @@ Ersetzen?</translation>
     <message>
         <source>Time step</source>
         <translation>Zeitschritt</translation>
-    </message>
-    <message>
-        <source>there is no surface under both points</source>
-        <translation>unter beiden Punkten ist keine Oberfläche</translation>
-    </message>
-    <message>
-        <source>the points lie outside of the volume</source>
-        <translation>die Punkte liegen außerhalb des Volumens</translation>
     </message>
     <message>
         <source>Particles along the rest plane&apos;s width and height.</source>
@@ -2287,6 +2275,10 @@ Ersetzen?</translation>
     <message>
         <source>Use gradient opacity</source>
         <translation>Deckkraft nach Gradient einschalten</translation>
+    </message>
+    <message>
+        <source>Share of the time that whole and cut are seen, each.</source>
+        <translation>Anteil der Zeit, in der das Ganze und das Geschnittene je zu sehen sind.</translation>
     </message>
 </context>
 <context>
@@ -6599,10 +6591,6 @@ Automatisch: so viele, wie Rauschen nicht erklärt. 1: alles zählt.</translatio
         <translation>Des Fensters, ab dem nächsten Start; Dateien und Skripte bleiben, wie sie sind</translation>
     </message>
     <message>
-        <source>Lang&amp;uage</source>
-        <translation>Sp&amp;rache</translation>
-    </message>
-    <message>
         <source>As it was last</source>
         <translation>Wie zuletzt</translation>
     </message>
@@ -6765,6 +6753,10 @@ Automatisch: so viele, wie Rauschen nicht erklärt. 1: alles zählt.</translatio
     <message>
         <source>Level of &amp;detail</source>
         <translation>Detailst&amp;ufe</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Sprache</translation>
     </message>
 </context>
 <context>

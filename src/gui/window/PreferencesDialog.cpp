@@ -92,7 +92,7 @@ QWidget* PreferencesDialog::makeGeneral() {
   auto* spoken = makeChoice(page, "language", names, std::max(0, int(codes.indexOf(Preferences().language()))),
                             tr("Of the window, from the next start on; files and scripts stay as they are"));
   connect(spoken, &QComboBox::activated, this, [codes](int index) { Preferences().setLanguage(codes[index]); });
-  form->addRow(tr("Lang&uage"), spoken);
+  form->addRow(tr("Language"), spoken);
   // The names are scene::Layout's.
   static const QStringList kLayouts = {"", "four-up", "volume", "volume-and-section", "section"};
   auto* first =

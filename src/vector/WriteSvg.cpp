@@ -80,32 +80,63 @@ std::string strokeText(const Pen& pen) {
                      dashes.empty() ? "" : " stroke-dasharray=\"" + dashes + "\"");
 }
 
-/// Outlines as the attribute d of a path.
-std::string pathText(const std::vector<Outline>& outlines) {
-  std::string path;
-  auto add = [&](char letter, std::initializer_list<glm::dvec2> places) {
-    path += letter;
-    for (glm::dvec2 place : places)
-      for (double value : {place.x, place.y}) {
-        std::string number = numberText(value);
-        if (path.back() != letter && number[0] != '-') path += ' ';
-        path += number;
-      }
-  };
-  for (const Outline& outline : outlines) {
-    add('M', {outline.start});
+constexpr double kPerPixel = 100.0;  // steps of numbers in paths
+
+/// The attribute d of a path: as ways from place to place, which are short, and each from where rounding has led, so
+/// that errors do not add up.
+class PathText {
+ public:
+  void add(const Outline& outline) {
+    begin('M', outline.start);
     glm::dvec2 from = outline.start;
     for (const Curve& curve : outline.curves) {
       bool isLast = &curve == &outline.curves.back();
       if (!isStraight(from, curve))
-        add('C', {curve.control1, curve.control2, curve.end});
+        go('c', {curve.control1, curve.control2, curve.end});
       else if (!isLast || !outline.isClosed || curve.end != outline.start)  // Z draws that
-        add('L', {curve.end});
+        go('l', {curve.end});
       from = curve.end;
     }
-    if (outline.isClosed) path += 'Z';
+    if (outline.isClosed) command('Z');
   }
-  return path;
+  std::string text() && { return std::move(mText); }
+
+ private:
+  static glm::dvec2 rounded(glm::dvec2 place) { return glm::round(place * kPerPixel) / kPerPixel; }
+  void command(char letter) {
+    if (letter != mCommand || letter == 'M') mText += letter;
+    mCommand = letter;
+  }
+  void begin(char letter, glm::dvec2 place) {
+    command(letter);
+    mAt = rounded(place);
+    put(mAt);
+  }
+  void go(char letter, std::initializer_list<glm::dvec2> places) {
+    command(letter);
+    for (glm::dvec2 place : places) put(rounded(place) - mAt);
+    mAt = rounded(*(places.end() - 1));
+  }
+  void put(glm::dvec2 numbers) {
+    for (double value : {numbers.x, numbers.y}) {
+      std::string number = numberText(value);
+      if (number.starts_with("0.")) number.erase(0, 1);
+      if (number.starts_with("-0.")) number.erase(1, 1);
+      bool isApart = number[0] == '-' || mText.back() == mCommand;
+      mText += isApart ? number : ' ' + number;
+    }
+  }
+
+  std::string mText;
+  char mCommand = 0;
+  glm::dvec2 mAt{0.0};
+};
+
+/// Outlines as the attribute d of a path.
+std::string pathText(const std::vector<Outline>& outlines) {
+  PathText path;
+  for (const Outline& outline : outlines) path.add(outline);
+  return std::move(path).text();
 }
 
 /// A drawing on its way into a text.

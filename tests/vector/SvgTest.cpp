@@ -1,5 +1,9 @@
 #include "vector/WriteSvg.h"
 
+#include <algorithm>
+#include <cstdlib>
+#include <random>
+
 #include "Programs.h"
 #include "vector/Paint.h"
 
@@ -18,16 +22,53 @@ TEST(Svg, ThePageHasItsSizeInMillimetres) {
   EXPECT_EQ(svg, svgOf(plate())) << "the same drawing has the same bytes";
 }
 
+TEST(Svg, PlacesOfLongPathsAreWhereTheyWereSinceErrorsDoNotAddUp) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> step(-3.0, 3.1);
+  Outline outline{{0.123, 4.567}, {}, false};
+  for (glm::dvec2 at = outline.start; outline.curves.size() < 3000; at = outline.curves.back().end) {
+    auto near = [&] { return at + glm::dvec2(step(random), step(random)); };
+    outline.curves.push_back({near(), near(), near()});
+  }
+  std::string svg = svgOf({{100, 100}, 300.0, "", {{"lines", {stroked({outline}, Pen{})}}}});
+  std::size_t begin = svg.find("d=\"M") + 4;
+  std::string path = svg.substr(begin, svg.find('"', begin) - begin);
+  EXPECT_EQ(path.find_first_of("CLl"), path.npos);
+  // As readers of SVG have it: a number ends where it cannot go on.
+  std::vector<double> numbers;
+  for (const char* c = path.c_str() + 1; *c;) {
+    if (*c == ' ' || *c == 'c') {
+      ++c;
+      continue;
+    }
+    char* end = nullptr;
+    numbers.push_back(std::strtod(c, &end));
+    c = end;
+  }
+  ASSERT_EQ(numbers.size(), 2 + 6 * outline.curves.size());
+  glm::dvec2 at(numbers[0], numbers[1]);
+  double worst = 0.0;
+  for (std::size_t i = 0; i < outline.curves.size(); ++i) {
+    auto place = [&](std::size_t k) { return at + glm::dvec2(numbers[2 + 6 * i + 2 * k], numbers[3 + 6 * i + 2 * k]); };
+    const Curve& curve = outline.curves[i];
+    for (auto [k, wanted] : {std::pair(0u, curve.control1), {1u, curve.control2}, {2u, curve.end}})
+      worst = std::max({worst, std::abs(place(k).x - wanted.x), std::abs(place(k).y - wanted.y)});
+    at = place(2);
+  }
+  EXPECT_LT(worst, 0.00501);
+  EXPECT_LT(double(path.size()) / double(outline.curves.size()), 36.0) << "bytes a curve";
+}
+
 TEST(Svg, LinesAreShortAndExact) {
   Drawing drawing{
       {100, 100}, 300.0, "", {{"a", {stroked({outlineThrough({{0, -0.001}, {10.126, 5}, {3, 7}}, true)}, Pen{})}}}};
   std::string svg = svgOf(drawing);
-  EXPECT_NE(svg.find("d=\"M0 0L10.13 5L3 7Z\""), std::string::npos) << svg;
+  EXPECT_NE(svg.find("d=\"M0 0l10.13 5-7.13 2Z\""), std::string::npos) << svg;
   drawing.layers[0].items = {
       stroked({Outline{{1, 2}, {straight({1, 2}, {5, 6}), straight({5, 6}, {9, 2})}, true}}, Pen{})};
-  EXPECT_NE(svgOf(drawing).find("d=\"M1 2L5 6L9 2Z\""), std::string::npos) << svgOf(drawing);
+  EXPECT_NE(svgOf(drawing).find("d=\"M1 2l4 4 4-4Z\""), std::string::npos) << svgOf(drawing);
   drawing.layers[0].items = {stroked({Outline{{1, 2}, {{{-3, 4}, {5, -6.5}, {7, 8}}}, false}}, Pen{})};
-  EXPECT_NE(svgOf(drawing).find("d=\"M1 2C-3 4 5-6.5 7 8\""), std::string::npos) << svgOf(drawing);
+  EXPECT_NE(svgOf(drawing).find("d=\"M1 2c-4 2 4-8.5 6 6\""), std::string::npos) << svgOf(drawing);
 }
 
 TEST(Svg, NamesAreIdsOnceEach) {

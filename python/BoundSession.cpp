@@ -50,7 +50,8 @@ void expectFiles(const scene::Scene& scene) {
                       what));
   };
   expect(bool(scene.volume.data), scene.volume.source, "volume");
-  expect(scene.labels.data && scene.labels.growths.empty(), scene.labels.source, "labels");
+  bool areGrown = !scene.labels.growths.empty() && !scene.labels.given;
+  expect(scene.labels.data && !areGrown, scene.labels.source, "labels");
 }
 
 Json countsOf(const Counts& counts) {
@@ -107,8 +108,16 @@ BoundSession::Told BoundSession::run(const std::string& line) {
   in([&](session::Session& session, Progress& progress) {
     session::Call call = session::parseCall(line);
     if (call.command().name == session::SaveScene::kName) expectFiles(session.scene());
+    std::size_t steps = session.document().undoLabels().size();
     told = {call.command().answers, session::run(session, call, progress)};
-    session.settle(progress);
+    try {
+      session.settle(progress);
+      progress.throwIfCancelled();
+    } catch (...) {
+      // What was stopped before it has come to rest has not been done.
+      if (session.document().undoLabels().size() > steps) session.document().undo();
+      throw;
+    }
   });
   return told;
 }
@@ -139,7 +148,7 @@ void BoundSession::openVolume(const Shared<Volume>& volume) {
 
 void BoundSession::putLabels(const Shared<LabelVolume>& labels) {
   in([&](session::Session& session, Progress& progress) {
-    session.document().edit("Add data",
+    session.document().edit("Put labels that are in no file",
                             [&](scene::Scene& scene) { session::takeLabels(scene, {}, *labels, progress); });
     session.settle(progress);
   });

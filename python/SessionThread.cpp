@@ -1,7 +1,5 @@
 #include "SessionThread.h"
 
-#include <unistd.h>
-
 #include <chrono>
 #include <exception>
 #include <optional>
@@ -32,20 +30,24 @@ struct SessionThread::Task {
   bool isDone = false;
 };
 
-SessionThread::SessionThread(gpu::ContextKind context)
-    : mProcess(::getpid()), mThread(std::make_unique<std::thread>([this, context] { live(context); })) {}
+SessionThread::SessionThread(gpu::ContextKind context) : mProcess(::getpid()), mState(std::make_unique<State>()) {
+  mState->thread = std::thread([state = mState.get(), context] { live(*state, context); });
+}
 
-SessionThread::~SessionThread() { close(); }
+SessionThread::~SessionThread() {
+  close();
+  if (isForked()) static_cast<void>(mState.release());
+}
 
-void SessionThread::live(gpu::ContextKind context) {
+void SessionThread::live(State& state, gpu::ContextKind context) {
   {
     session::Session session;
     session.setContextKind(context);
-    std::unique_lock lock(mMutex);
+    std::unique_lock lock(state.mutex);
     for (;;) {
-      mCalled.wait(lock, [this] { return mIsClosed || !mTasks.empty(); });
-      if (mTasks.empty()) break;
-      Task& task = *mTasks.front();
+      state.called.wait(lock, [&] { return state.isClosed || !state.tasks.empty(); });
+      if (state.tasks.empty()) break;
+      Task& task = *state.tasks.front();
       lock.unlock();
       std::exception_ptr error;
       try {
@@ -57,24 +59,23 @@ void SessionThread::live(gpu::ContextKind context) {
       lock.lock();
       task.error = error;
       task.isDone = true;
-      mTasks.pop_front();
-      mDone.notify_all();
+      state.tasks.pop_front();
+      state.done.notify_all();
     }
   }
   releaseFreeMemory();
 }
 
 void SessionThread::run(const Work& work, const Pulse& pulse) {
-  if (::getpid() != mProcess)
-    throw ArgumentError("a session belongs to the process that made it; make another one after a fork");
-  Task task(work, mMutex);
+  if (isForked()) throw ArgumentError("a session belongs to the process that made it; make another one after a fork");
+  Task task(work, mState->mutex);
   std::exception_ptr stop;
-  std::unique_lock lock(mMutex);
-  if (mIsClosed) throw ArgumentError("the session is closed");
-  mTasks.push_back(&task);
-  mCalled.notify_all();
+  std::unique_lock lock(mState->mutex);
+  if (mState->isClosed) throw ArgumentError("the session is closed");
+  mState->tasks.push_back(&task);
+  mState->called.notify_all();
   auto isDone = [&] { return task.isDone; };
-  while (!mDone.wait_for(lock, kPulse, isDone)) {
+  while (!mState->done.wait_for(lock, kPulse, isDone)) {
     std::optional<News> news = std::exchange(task.news, {});
     lock.unlock();
     try {
@@ -92,23 +93,22 @@ void SessionThread::run(const Work& work, const Pulse& pulse) {
 }
 
 void SessionThread::cancel() {
-  std::lock_guard lock(mMutex);
-  if (!mTasks.empty()) mTasks.front()->progress.cancel();
+  if (isForked()) return;
+  std::lock_guard lock(mState->mutex);
+  if (!mState->tasks.empty()) mState->tasks.front()->progress.cancel();
 }
 
 void SessionThread::close() {
-  std::unique_ptr<std::thread> thread;
+  if (isForked()) return;
+  std::thread thread;
   {
-    std::lock_guard lock(mMutex);
-    mIsClosed = true;
-    for (Task* task : mTasks) task->progress.cancel();
-    thread = std::move(mThread);
+    std::lock_guard lock(mState->mutex);
+    mState->isClosed = true;
+    for (Task* task : mState->tasks) task->progress.cancel();
+    thread = std::move(mState->thread);
   }
-  mCalled.notify_all();
-  if (::getpid() != mProcess)
-    static_cast<void>(thread.release());  // a fork has no such thread
-  else if (thread)
-    thread->join();
+  mState->called.notify_all();
+  if (thread.joinable()) thread.join();
 }
 
 }  // namespace velum::python

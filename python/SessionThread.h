@@ -1,5 +1,6 @@
 #pragma once
 #include <sys/types.h>
+#include <unistd.h>
 
 #include <condition_variable>
 #include <deque>
@@ -41,14 +42,19 @@ class SessionThread {
 
  private:
   struct Task;
-  void live(gpu::ContextKind context);
+  struct State {
+    std::mutex mutex;  ///< of all that follows
+    std::condition_variable called, done;
+    std::deque<Task*> tasks;  ///< The first one is being done.
+    bool isClosed = false;
+    std::thread thread;
+  };
+  /// A fork has a copy of the state, and no such thread: what waits there for it would wait for ever.
+  bool isForked() const { return ::getpid() != mProcess; }
+  static void live(State& state, gpu::ContextKind context);
 
   pid_t mProcess;
-  std::mutex mMutex;  ///< of all that follows
-  std::condition_variable mCalled, mDone;
-  std::deque<Task*> mTasks;  ///< The first one is being done.
-  bool mIsClosed = false;
-  std::unique_ptr<std::thread> mThread;
+  std::unique_ptr<State> mState;
 };
 
 }  // namespace velum::python

@@ -249,6 +249,7 @@ inline constexpr const char* kTableWords[] = {
     QT_TRANSLATE_NOOP("Words", "Removes a caption."),
     QT_TRANSLATE_NOOP("Words", "Adds a mark: a measure, an arrow, or words beside a place; its fields are set as any other: set lettering.marks[#1].wordsAt 0.1,0."),
     QT_TRANSLATE_NOOP("Words", "Removes marks."),
+    QT_TRANSLATE_NOOP("Words", "Lets each point of marks follow what is there: the instance of the model that holds it, or the structure in which it lies, in its middle."),
     QT_TRANSLATE_NOOP("Words", "Adds a copy of each mark."),
     QT_TRANSLATE_NOOP("Words", "Shows or hides marks."),
     QT_TRANSLATE_NOOP("Words", "Gives all lettering a style by name: typeface, sizes on the page, colour, halo."),

@@ -2280,6 +2280,10 @@ Ersetzen?</translation>
         <source>Share of the time that whole and cut are seen, each.</source>
         <translation>Anteil der Zeit, in der das Ganze und das Geschnittene je zu sehen sind.</translation>
     </message>
+    <message>
+        <source>Lets each point of marks follow what is there: the instance of the model that holds it, or the structure in which it lies, in its middle.</source>
+        <translation>Jeden Punkt von Marken dem folgen lassen, was dort ist: der Instanz des Modells, die ihn enthält, oder der Struktur, in der er liegt, in ihrer Mitte.</translation>
+    </message>
 </context>
 <context>
     <name>velum::gui::ActionTable</name>
@@ -4905,10 +4909,6 @@ In den Ansichten sagt es Strg+Umschalt+Klick jederzeit</translation>
     <message>
         <source>Own</source>
         <translation>Eigene</translation>
-    </message>
-    <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
     </message>
 </context>
 <context>

@@ -57,7 +57,8 @@ class Session(_velum.Session):
 
     def run(self, script: str) -> list[str]:
         """Does the lines of a script, and gives what they answer. Lines that are empty or begin with # are passed over."""
-        lines = [line for line in map(str.strip, script.splitlines()) if line and not line.startswith("#")]
+        # As scripts are read: a caption may have other characters at which Python would part lines.
+        lines = [line for line in (line.strip(" \t\r") for line in script.split("\n")) if line and not line.startswith("#")]
         return [answer for line in lines for answer in self._do(line) or []]
 
     def __getitem__(self, path: str) -> Any:

@@ -43,8 +43,9 @@ std::optional<session::FilmPart> partOfTask() {
        count = numberFrom("SLURM_ARRAY_TASK_COUNT");
   if (!id || !first || !count) return std::nullopt;
   int step = std::max(1, numberFrom("SLURM_ARRAY_TASK_STEP").value_or(1));
-  int number = (*id - *first) / step + 1;
-  if (number < 1 || number > *count || (*id - *first) % step != 0)
+  int number = (*id - *first) / step + 1, last = numberFrom("SLURM_ARRAY_TASK_MAX").value_or(*id);
+  bool isWhole = (last - *first) / step + 1 <= *count;
+  if (number < 1 || number > *count || (*id - *first) % step != 0 || !isWhole)
     throw ArgumentError(
         fmt::format("task {} of an array of {} tasks from {} is no part of its own where indices are left out; give "
                     "--part, as --part $SLURM_ARRAY_TASK_ID/60 for tasks 1 to 60",
@@ -67,9 +68,10 @@ std::string textOfFile(const std::string& path) {
 session::FilmIdentity commonIdentity(const EachVerb& options) {
   session::FilmIdentity identity{{"version", VELUM_VERSION},
                                  {"words", fmt::format("{}", fmt::join(options.words, " "))}};
-  if (!options.scene.empty()) {
-    std::string text = textOfFile(options.scene);
-    identity.emplace_back("scene", fmt::format("{:08x}", io::crc32c(std::as_bytes(std::span(text)))));
+  for (const auto& [name, path] : {std::pair("scene", options.scene), {"transfer", options.input.transfer}}) {
+    if (path.empty()) continue;
+    std::string text = textOfFile(path);
+    identity.emplace_back(name, fmt::format("{:08x}", io::crc32c(std::as_bytes(std::span(text)))));
   }
   return identity;
 }
@@ -126,10 +128,6 @@ void makeAndRecord(const EachVerb& options, const session::Piece& piece, const s
   } catch (const Cancelled&) {
     record.stopped();
     throw;
-  } catch (const ArgumentError&) {
-    // The command line is wrong, for this piece as for all.
-    record.stopped();
-    throw;
   } catch (const std::exception& error) {
     std::string why = dynamic_cast<const std::bad_alloc*>(&error) ? "the machine has no memory left" : error.what();
     record.failed(msSince(start), why);
@@ -137,6 +135,13 @@ void makeAndRecord(const EachVerb& options, const session::Piece& piece, const s
   }
   ++tally.done;
   tell(options, piece, "done", msSince(start), {});
+}
+
+bool hasDied(const session::PieceState& state) {
+  return state.is == session::PieceState::Is::Begun && state.begun >= kMostDeaths;
+}
+std::string whyDied(const session::PieceState& state) {
+  return fmt::format("{} processes have ended while they made this; --retry tries once more", state.begun);
 }
 
 void workAt(const EachVerb& options, const session::FilmIdentity& common, const session::Piece& piece, Tally& tally) {
@@ -157,16 +162,20 @@ void workAt(const EachVerb& options, const session::FilmIdentity& common, const 
     ++tally.kept;
     return tell(options, piece, "kept", state.ms, {});
   }
-  if (!options.again && state.is == Begun && state.begun >= kMostDeaths)
-    return fail(options, piece, tally, 0.0,
-                fmt::format("{} processes have ended while they made this; --again tries once more", state.begun));
+  if (!options.again && !options.retry && hasDied(state)) return fail(options, piece, tally, 0.0, whyDied(state));
   makeAndRecord(options, piece, wanted, *record, tally);
 }
 
 void list(const EachVerb& options, const session::FilmIdentity& common, const std::vector<session::Piece>& pieces) {
   constexpr const char* kNames[] = {"missing", "begun", "failed", "done"};
   for (const session::Piece& piece : pieces) {
-    session::PieceState state = session::stateOf(piece.record, identityOf(common, piece), piece.outputs);
+    session::PieceState state;
+    try {
+      state = session::stateOf(piece.record, identityOf(common, piece), piece.outputs);
+    } catch (const InputError& error) {
+      state = {session::PieceState::Is::Failed, 0, error.what(), 0.0};
+    }
+    if (hasDied(state)) state = {session::PieceState::Is::Failed, 0, whyDied(state), 0.0};
     tell(options, piece, kNames[int(state.is)], state.ms, state.error);
   }
 }
@@ -183,6 +192,15 @@ void expectEach(const EachVerb& options) {
     throw ArgumentError("--by: a structure is found in labels; give those of each data set with --labels");
 }
 
+/// A machine without a driver is not the fault of the first piece, nor of any other.
+void expectDriver(const EachVerb& options) {
+  bool draws = std::ranges::any_of(options.names.outputs, [](const std::string& output) { return !isTable(output); });
+  if (!draws || !options.drawn.section.empty()) return;
+  session::Session session;
+  session.setContextKind(options.common.context);
+  session.renderer();
+}
+
 int run(EachVerb options) {
   expectEach(options);
   options.names.data = options.input.inputs;
@@ -194,6 +212,7 @@ int run(EachVerb options) {
   for (std::size_t i = std::size_t(part.number) - 1; i < pieces.size(); i += std::size_t(part.parts))
     mine.push_back(pieces[i]);
   if (options.list) return list(options, common, mine), 0;
+  expectDriver(options);
   Tally tally;
   for (std::size_t i = 0; i < mine.size(); ++i) {
     consoleProgress().throwIfCancelled();
@@ -214,8 +233,8 @@ std::vector<std::string> wordsOf(const CLI::App& verb) {
   for (const CLI::Option* option : verb.get_options()) {
     std::string name = option->get_name();
     bool isOfRun = name == "input" || name == "--output" || name == "--part" || name == "--records" ||
-                   name == "--again" || name == "--list" || name == "--json" || name == "--verbose" ||
-                   name == "--timeout" || name == "--scene";
+                   name == "--again" || name == "--retry" || name == "--list" || name == "--json" ||
+                   name == "--verbose" || name == "--timeout" || name == "--scene";
     if (isOfRun || option->count() == 0) continue;
     words.push_back(name);
     for (const std::string& value : option->results()) words.push_back(value);
@@ -246,6 +265,7 @@ Run registerEach(CLI::App& verb) {
   verb.add_option("--records", options->names.records,
                   "folder for what became of each piece; default: pieces, beside the outputs");
   verb.add_flag("--again", options->again, "make all anew, also what is done");
+  verb.add_flag("--retry", options->retry, "try once more what has ended its process three times");
   verb.add_flag("--list", options->list,
                 "make nothing: say of each piece whether it is done, failed and why, or missing");
   verb.add_flag("--structures", options->structures, "tables hold what the cuts leave of each structure, too");

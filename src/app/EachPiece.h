@@ -16,7 +16,7 @@ struct EachVerb {
   DrawnOptions drawn;
   session::PiecePatterns names;
   std::string scene, by, part;
-  bool again = false, list = false, structures = false, faces = false;
+  bool again = false, retry = false, list = false, structures = false, faces = false;
   std::vector<std::string> words;  ///< of the command line, on which pieces depend
 };
 

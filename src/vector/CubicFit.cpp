@@ -185,13 +185,12 @@ std::optional<Curve> fitCubic(const Track& track, int first, int end, const Curv
   return curve;
 }
 
-double farthestOff(const Track& track, int first, int end, glm::dvec2 from, const Curve& curve) {
+bool liesWithin(const Track& track, int first, int end, glm::dvec2 from, const Curve& curve, double most) {
   constexpr double kPerPixel = 20.0;
   int low = std::max(first - 1, 0), high = std::min(end + 1, int(track.points.size()));
   double length = glm::distance(from, curve.control1) + glm::distance(curve.control1, curve.control2) +
                   glm::distance(curve.control2, curve.end);
   int steps = std::max(6, int(kPerPixel * length)), at = low;
-  double farthest = 0.0;
   for (int i = 0; i <= steps; ++i) {
     glm::dvec2 place = placeOn(from, curve, double(i) / steps);
     double least = 1e9;
@@ -203,9 +202,9 @@ double farthestOff(const Track& track, int first, int end, glm::dvec2 from, cons
       nearest = k;
     }
     at = nearest;
-    farthest = std::max(farthest, least);
+    if (least > most) return false;
   }
-  return farthest;
+  return true;
 }
 
 std::optional<Curve> holdCubic(const Track& track, int first, int end, const CurveEnd& from, const CurveEnd& to,
@@ -223,7 +222,7 @@ std::optional<Curve> holdCubic(const Track& track, int first, int end, const Cur
       sum += glm::distance(placeOn(from.place, *curve, a.t), a.point);
     }
     bool isWell = round > 1 && isSimple(from, *curve, to, length);
-    if (isWell && farthestOff(track, first, end, from.place, *curve) <= most) return curve;
+    if (isWell && liesWithin(track, first, end, from.place, *curve, most)) return curve;
     double mean = std::max(sum / double(asked.size()), 1e-6), weights = 0.0;
     for (Asked& a : asked) {
       a.weight *= 0.3 + glm::distance(placeOn(from.place, *curve, a.t), a.point) / mean;

@@ -39,8 +39,9 @@ double nearer(glm::dvec2 from, const Curve& curve, glm::dvec2 point, double t);
 std::optional<Curve> fitCubic(const Track& track, int first, int end, const CurveEnd& from, const CurveEnd& to,
                               const Nearness& nearness);
 
-/// How far the farthest place of a curve is from the fence along which it goes, pixels. @param first, end  as above
-double farthestOff(const Track& track, int first, int end, glm::dvec2 from, const Curve& curve);
+/// Whether no place of a curve is farther than so many pixels from the fence along which it goes. @param first, end  as
+/// above
+bool liesWithin(const Track& track, int first, int end, glm::dvec2 from, const Curve& curve, double most);
 
 /// The curve between two ends that is nearest to all points at its farthest, nearly: least squares again and again, in
 /// which those count for more that are far off [LAWSON]; nothing where it comes no nearer than `most` to the fence.

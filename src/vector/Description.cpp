@@ -16,6 +16,7 @@ namespace {
 
 constexpr std::string_view kSvgBegin = "<velum:scene", kSvgEnd = "</velum:scene";
 constexpr std::size_t kPiece = 1u << 20, kAround = 4096;  // bytes; the second of a PDF's dictionary
+constexpr std::size_t kLongestBase64 = kLongestDescription / 3 * 4 + kLongestDescription / 50;  // with ends of lines
 
 /// A part of a file that moves on to its end.
 class Window {
@@ -84,10 +85,11 @@ std::string readSvg(Window& file) {
   std::size_t begin = file.find(kSvgBegin);
   if (begin == std::string::npos) return {};
   std::size_t from = file.expect(">", begin, kAround) + 1;
-  std::size_t end = file.expect(kSvgEnd, from, kLongestDescription / 2 * 3);
+  std::size_t end = file.expect(kSvgEnd, from, kLongestBase64);
   std::string bytes;
   if (!decodeBase64(std::string_view(file.text()).substr(from, end - from), bytes))
     file.refuse("the scene inside it is damaged");
+  if (bytes.size() > kLongestDescription) file.refuse("the scene inside it is too long");
   return bytes;
 }
 
@@ -110,7 +112,7 @@ std::string unpacked(Window& file, std::size_t from) {
     answer = inflate(&stream, Z_NO_FLUSH);
     if (answer != Z_OK && answer != Z_STREAM_END) file.refuse("the scene inside it is damaged");
     from += given - stream.avail_in;
-    if (from > 2 * kLongestDescription) file.refuse("the scene inside it is too long");
+    if (from > kLongestDescription) file.refuse("the scene inside it is too long");
     bytes.append(piece.data(), piece.size() - stream.avail_out);
     if (bytes.size() > kLongestDescription) file.refuse("the scene inside it is too long");
   }

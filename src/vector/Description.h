@@ -19,8 +19,9 @@ std::string svgDescription(std::string_view text);
 inline constexpr const char* kPdfDescription = "/VelumScene";
 
 /// The text that writeSvg() or writePdf() have put into a file, also after programs that edit such files have written
-/// it anew, where they have kept it; empty: there is none. Reads the file up to its end, no more of it at a time than a
-/// text may be long, and asks no parser of XML or PDF, so that no file grows on the way. Any thread.
+/// it anew, where they have kept it; empty: there is none. Reads the file up to its end, holds of it no more than such
+/// a text takes at most, packed and unpacked, and asks no parser of XML or PDF, so that no file grows on the way. Any
+/// thread.
 /// @throw InputError when the file cannot be read or the text is damaged
 std::string readDescription(const std::filesystem::path& path);
 

@@ -26,7 +26,7 @@ class CurveHolder {
     for (std::size_t i = 0; i < line.curves.size(); ++i) {
       const Curve& curve = line.curves[i];
       const FittedPiece& piece = mPieces[i];
-      if (farthestOff(mTrack, piece.first, piece.end, from, curve) <= mMost + kGrace)
+      if (liesWithin(mTrack, piece.first, piece.end, from, curve, mMost + kGrace))
         mLine.curves.push_back(curve);
       else
         holdBetween(piece.first, piece.end, {from, wayOf(from, curve.control1, piece.isFreeBefore)},

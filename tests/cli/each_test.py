@@ -56,6 +56,7 @@ class Each(CliTest):
         said = self.run_batch("each", PATTERN, *FAST, "-o", "out/{name}.png", "--list").stdout.decode()
         self.assertIn("failed   studies/p1/ct.nrrd: is not a NRRD file\n", said)
         self.assertEqual(said.count("done "), 5)
+        self.each("-o", "by/{name}.png", "--set", "labels.structures[none].visible=false", code=2)
         (self.folder / "studies/p1/ct.nrrd").write_bytes(good)
         states = self.each("-o", "out/{name}.png")
         self.assertEqual([name for name, state in states.items() if state == "done"], ["p1"])
@@ -94,7 +95,11 @@ class Each(CliTest):
         begun = record.read_text().splitlines()[0]
         record.write_text(f"{begun}\n" * 3 + '{"half a li')
         self.assertEqual(self.each("-o", "out/{name}.png", code=2)["p0"], "failed")
-        self.assertEqual(self.each("-o", "out/{name}.png", "--again", "--part", "1/6")["p0"], "done")
+        self.assertEqual(self.each("-o", "out/{name}.png", "--retry", "--part", "1/6")["p0"], "done")
+        # Half a line is no attempt at all, whatever follows it.
+        record.write_text(f'{begun}\n{{"half a li')
+        self.each("-o", "out/{name}.png", "--part", "1/6", "--view", "left")
+        self.assertEqual(self.each("-o", "out/{name}.png", "--part", "1/6")["p0"], "done", "that was of another view")
 
     def test_a_scene_is_carried_over_and_tables_are_made(self):
         script = self.folder / "cut.velum"
@@ -110,6 +115,7 @@ class Each(CliTest):
     def test_refusals(self):
         self.refuse("each", "nowhere/*.nrrd", "-o", "out/{name}.png", code=2, words=["there are no such files"])
         self.refuse("each", PATTERN, "-o", "out.png", code=1, words=["would both become out.png"])
+        self.refuse("each", "studies/*", "-o", "studies/{name}/view.png", code=1, words=["lies in the data's folder"])
         self.refuse("each", PATTERN, "-o", "out/{name}.xyz", code=2)
         self.refuse("each", PATTERN, "-o", "out/{name}.png", "--part", "7/6", code=1, words=["K/N"])
         self.refuse("each", PATTERN, "-o", "out/{name}.png", "--scene", "none.json", code=2, words=["none.json"])

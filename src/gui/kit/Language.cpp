@@ -7,6 +7,7 @@
 #include <QLocale>
 #include <QTranslator>
 #include <algorithm>
+#include <memory>
 
 #include "core/Error.h"
 
@@ -22,12 +23,12 @@ QString systemCode() {
   return isOurs ? code : QString("en");
 }
 
-void installWords(const QString& name, const QString& folder) {
-  auto* words = new QTranslator(qApp);
-  if (words->load(name, folder))
-    QCoreApplication::installTranslator(words);
-  else
-    delete words;
+/// @return false where the folder has no such words
+bool installWords(const QString& name, const QString& folder) {
+  auto words = std::make_unique<QTranslator>(qApp);
+  if (!words->load(name, folder)) return false;
+  QCoreApplication::installTranslator(words.release());
+  return true;
 }
 
 }  // namespace
@@ -42,8 +43,10 @@ void speak(const QString& code) {
   QString ofSystem = QLocale::system().name().section('_', 0, 0);
   if (!code.isEmpty() && code != ofSystem) QLocale::setDefault(QLocale(code));
   if (spoken == "en") return;
-  // Qt's own words, of dialogs and menus of fields, are where Qt is; ours go before them.
-  installWords("qtbase_" + spoken, QLibraryInfo::path(QLibraryInfo::TranslationsPath));
+  // Qt's own words, of dialogs and menus of fields, are embedded where the build had them, else where Qt is; ours go
+  // before them.
+  if (!installWords("qtbase_" + spoken, ":/velum/translations"))
+    installWords("qtbase_" + spoken, QLibraryInfo::path(QLibraryInfo::TranslationsPath));
   installWords("velum_" + spoken, ":/velum/translations");
 }
 

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <QHBoxLayout>
+#include <QLabel>
 #include <QSignalBlocker>
 
 #include "core/Error.h"
@@ -127,7 +128,7 @@ QWidget* LetteringForm::makeWidths(QWidget* parent) {
   row->setSpacing(0);
   for (int width : kPageWidths) {
     QPushButton* button =
-        makeQuiet(tr("%1 mm").arg(width), "", tr("A width that journals ask for: %1 mm").arg(width), widths);
+        makeQuiet(QString::number(width), "", tr("A width that journals ask for: %1 mm").arg(width), widths);
     button->setAccessibleName(tr("Page of %1 mm").arg(width));
     connect(button, &QPushButton::clicked, this, [this, width] {
       session::edit(mDocument, session::SetField{"lettering.pageWidth", std::to_string(width)}, false,
@@ -135,6 +136,7 @@ QWidget* LetteringForm::makeWidths(QWidget* parent) {
     });
     row->addWidget(button);
   }
+  row->addWidget(new QLabel("mm", widths));
   row->addStretch(1);
   return widths;
 }

@@ -60,6 +60,23 @@ void follow(PieceState& state, const PieceJson& line, const std::vector<fs::path
   }
 }
 
+/// The files of a data set: all of a folder; beside a header those of its name, where voxels lie that it tells of.
+std::vector<fs::path> filesOf(const fs::path& path) {
+  std::vector<fs::path> files;
+  auto add = [&](const fs::directory_entry& entry) {
+    if (entry.is_regular_file()) files.push_back(entry.path());
+  };
+  if (fs::is_directory(path)) {
+    for (const auto& entry : fs::recursive_directory_iterator(path)) add(entry);
+    return files;
+  }
+  std::string extension = path.extension().string();
+  if (extension != ".mhd" && extension != ".nhdr" && extension != ".hdr") return {path};
+  for (const auto& entry : fs::directory_iterator(path.has_parent_path() ? path.parent_path() : fs::path(".")))
+    if (entry.path().stem() == path.stem()) add(entry);
+  return files;
+}
+
 }  // namespace
 
 std::optional<PieceRecord> PieceRecord::take(const fs::path& file) {
@@ -85,7 +102,10 @@ void PieceRecord::append(const std::string& line) {
     throw InputError(fmt::format("{}: cannot be written; check the free space", mPath.string()));
 }
 
-void PieceRecord::begin(const FilmIdentity& wanted) { append(pieceLine({{"begun", identityJson(wanted)}})); }
+void PieceRecord::begin(const FilmIdentity& wanted) {
+  // What a killed process has begun to write is a line of its own.
+  append("\n" + pieceLine({{"begun", identityJson(wanted)}}));
+}
 
 void PieceRecord::done(double ms, const std::vector<fs::path>& outputs) {
   PieceJson files = PieceJson::array();
@@ -107,12 +127,13 @@ PieceState stateOf(const fs::path& record, const FilmIdentity& wanted, const std
   PieceState state;
   bool isWanted = false;
   for (std::string line; std::getline(file, line);) {
+    if (line.empty()) continue;
     try {
       PieceJson json = PieceJson::parse(line);
       if (json.contains("begun")) isWanted = json.at("begun") == identity;
       if (isWanted) follow(state, json, outputs);
     } catch (const PieceJson::exception&) {
-      // The last line of a process that was killed.
+      isWanted = false;  // the last line of a process that was killed
     }
   }
   return state;
@@ -120,18 +141,14 @@ PieceState stateOf(const fs::path& record, const FilmIdentity& wanted, const std
 
 std::string dataStamp(const fs::path& path) {
   try {
-    std::uintmax_t bytes = 0, files = 0;
+    std::uintmax_t bytes = 0;
     fs::file_time_type latest = fs::last_write_time(path);
-    auto add = [&](const fs::path& file) {
-      bytes += fs::file_size(file), ++files;
+    const std::vector<fs::path> files = filesOf(path);
+    for (const fs::path& file : files) {
+      bytes += fs::file_size(file);
       latest = std::max(latest, fs::last_write_time(file));
-    };
-    if (!fs::is_directory(path))
-      add(path);
-    else
-      for (const auto& entry : fs::recursive_directory_iterator(path))
-        if (entry.is_regular_file()) add(entry.path());
-    return fmt::format("{} bytes in {}, {}", bytes, files == 1 ? "1 file" : fmt::format("{} files", files),
+    }
+    return fmt::format("{} bytes in {} file{}, {}", bytes, files.size(), files.size() == 1 ? "" : "s",
                        latest.time_since_epoch().count());
   } catch (const fs::filesystem_error& error) {
     throw InputError(fmt::format("{}: {}", path.string(), error.code().message()));

@@ -48,8 +48,8 @@ class PieceRecord {
 PieceState stateOf(const std::filesystem::path& record, const FilmIdentity& wanted,
                    const std::vector<std::filesystem::path>& outputs);
 
-/// A file or folder as identities tell it: its bytes and the time of its last change. @throw InputError where it
-/// cannot be read
+/// A file or folder as identities tell it: its bytes and the time of its last change, with those of files of voxels
+/// beside a header (.mhd, .nhdr, .hdr) that have its name. @throw InputError where it cannot be read
 std::string dataStamp(const std::filesystem::path& path);
 
 }  // namespace velum::session

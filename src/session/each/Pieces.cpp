@@ -82,6 +82,13 @@ std::string filled(std::string text, const Piece& piece) {
   return text;
 }
 
+/// A file lies in a folder, or is the folder.
+bool isWithin(const fs::path& file, const std::string& folder) {
+  if (!fs::is_directory(folder)) return false;
+  std::string way = fs::absolute(file).lexically_normal().lexically_relative(fs::absolute(folder).lexically_normal());
+  return !way.empty() && !way.starts_with("..");
+}
+
 bool hasName(const std::string& text) { return text.find("{name}") != text.npos || text.find("{dir}") != text.npos; }
 
 /// The folder of an output's pattern in which all of the outputs lie.
@@ -97,18 +104,22 @@ fs::path folderOfAll(const std::string& output) {
 }  // namespace
 
 std::vector<Piece> findPieces(const PiecePatterns& patterns) {
+  fs::path records =
+      patterns.records.empty() ? folderOfAll(patterns.outputs.at(0)) / kDefaultRecords : fs::path(patterns.records);
   std::map<std::string, Piece> byPath;
   for (const std::string& pattern : patterns.data)
     for (const std::string& path : pathsOf(pattern))
-      byPath.try_emplace(path, Piece{nameIn(path, pattern), path, {}, {}, {}});
-  fs::path records =
-      patterns.records.empty() ? folderOfAll(patterns.outputs.at(0)) / kDefaultRecords : fs::path(patterns.records);
+      if (!isWithin(path, records.string())) byPath.try_emplace(path, Piece{nameIn(path, pattern), path, {}, {}, {}});
   std::vector<Piece> pieces;
   std::map<fs::path, std::string> makers;
   for (auto& [path, piece] : byPath) {
     if (!patterns.labels.empty()) piece.labels = filled(patterns.labels, piece);
     for (const std::string& output : patterns.outputs) {
       fs::path file = fs::path(filled(output, piece)).lexically_normal();
+      if (isWithin(file, path))
+        throw ArgumentError(
+            fmt::format("{} lies in the data's folder {}; have it elsewhere, as it would be data the next time",
+                        file.string(), path));
       auto [maker, isNew] = makers.try_emplace(file, path);
       if (!isNew)
         throw ArgumentError(

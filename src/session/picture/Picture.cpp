@@ -152,10 +152,11 @@ Image imageOf(const render::SectionImage& section) {
 
 Image drawSectionPicture(const scene::Scene& scene, scene::SectionKind kind, const PictureOptions& options,
                          Progress& progress, const Seen* known) {
-  scene::SectionPlane plane = scene::makeSectionPlane(scene, kind, glm::dvec2(options.size));
-  render::SectionImage section = render::drawSection(sceneForPicture(scene, options), plane);
+  const scene::Scene drawn = sceneForPicture(scene, options);
+  scene::SectionPlane plane = scene::makeSectionPlane(drawn, kind, glm::dvec2(options.size));
+  render::SectionImage section = render::drawSection(drawn, plane);
   Image image = imageOf(section);
-  layOver(letteringBlocks(scene, kind, options.size, seenInSection(section, plane, scene, progress, known)), image);
+  layOver(letteringBlocks(drawn, kind, options.size, seenInSection(section, plane, drawn, progress, known)), image);
   return image;
 }
 

@@ -20,7 +20,8 @@ double plateDpi(const scene::Scene& scene, const PictureOptions& options);
 /// Draws a scene in the GL context that is current, as drawPicture() does, in layers from back to front: "paper",
 /// "plate" (the picture alone, before nothing), "hatching", "contours", "cut lines", and those of the lettering.
 /// Contours, hatching and cut lines are traced from what each pixel shows, with the widths of the finish; where
-/// the finish has no contours those layers are hidden. @param scene  settled: with the shapes of its sheets
+/// the finish has no contours those layers are hidden, and left out where they are large. Models have no faces of cuts.
+/// @param scene  settled: with the shapes of its sheets
 /// @throw Cancelled, gpu::GpuError
 vector::Drawing drawPlate(render::Renderer& renderer, const scene::Scene& scene, const PictureOptions& options,
                           const gpu::Limits& limits, Progress& progress);

@@ -194,6 +194,7 @@ void Viewport::startAnew() {
 void Viewport::begin(Stage stage) {
   mStage = stage;
   if (stage == Stage::Idle) return;
+  ++mPictureNumber;
   mPending = false;
   mHasPicture = false;
   double scale = stage == Stage::Coarse ? mCoarseScale : stage == Stage::Half ? 2.0 : 1.0;

@@ -173,17 +173,21 @@ PixelIds Gbuffer::idsOfPixels(const FrameData& data, bool withDistances) const {
   std::vector<glm::uvec2> ids(std::size_t(size().x) * std::size_t(size().y));
   mIds.read(ids.data(), ids.size() * sizeof(ids[0]));
   PixelIds out;
+  bool hasModel = bool(data.frame.scene.model.data);
+  out.structures.reserve(ids.size());
+  if (hasModel) out.types.reserve(ids.size()), out.instances.reserve(ids.size());
   for (const glm::uvec2& id : ids) {
     Texel texel{glm::vec4(0.0f), id};
     int type = typeOf(data, texel);
     out.structures.push_back(texel.isEmpty() ? -1 : type < 0 ? std::int32_t(texel.ids.x) : 0);
-    if (!data.frame.scene.model.data) continue;
+    if (!hasModel) continue;
     out.types.push_back(type);
     out.instances.push_back(type < 0 ? -1 : std::int32_t(texel.ids.y - 1 - firstModelInstance(data.frame.scene)));
   }
   if (!withDistances) return out;
   std::vector<glm::vec4> surfaces(ids.size());
   mSurface.read(surfaces.data(), surfaces.size() * sizeof(surfaces[0]));
+  out.distances.reserve(ids.size());
   for (std::size_t i = 0; i < ids.size(); ++i) {
     bool isEmpty = Texel{surfaces[i], ids[i]}.isEmpty();
     out.distances.push_back(isEmpty ? std::numeric_limits<float>::infinity()

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 
 #include "makeVolume.h"
@@ -128,6 +129,35 @@ TEST(SectionNames, AMarkWithoutAPlaceIsBesideItsStructure) {
   scene::addMark(scene.lettering.marks, {.kind = scene::MarkKind::Name, .structure = 2});
   scene::addMark(scene.lettering.marks, {.kind = scene::MarkKind::Name, .structure = 4});
   EXPECT_EQ(namedIn(scene).words, Words{"ulna"});
+}
+
+TEST(SectionNames, TheMapOfASectionIsThatOfItsPicture) {
+  scene::Scene scene = columns();
+  for (glm::ivec2 size : {kSectionSize, glm::ivec2(2301, 901)}) {
+    scene::SectionPlane plane = scene::makeSectionPlane(scene, kAxial, glm::dvec2(size));
+    render::SectionImage section = render::drawSection(scene, plane);
+    SectionMap own(section, scene.background.bottom);
+    ImageMap wanted(scene, seenOfSection(section, plane, scene.background.bottom));
+    EXPECT_EQ(own.map().size, wanted.map().size);
+    EXPECT_EQ(own.map().step, wanted.map().step);
+    EXPECT_TRUE(std::ranges::equal(own.map().structures, wanted.map().structures));
+    EXPECT_TRUE(own.map().types.empty());
+  }
+}
+
+TEST(SectionNames, NamesGoByWhetherMarksHavePointsNotWhereThoseAre) {
+  scene::Scene scene = columns();
+  scene::addMark(scene.lettering.marks, {.kind = scene::MarkKind::Name, .points = {{1, 2, 3}}, .structure = 2});
+  scene::addMark(scene.lettering.marks, {.kind = scene::MarkKind::Label, .points = {{1, 2, 3}}, .text = "x"});
+  const scene::Lettering before = namingOf(scene.lettering);
+  for (scene::Mark& mark : scene.lettering.marks) mark.points = {{4, 5, 6}}, mark.wordsAt = glm::dvec2(0.1, 0.2);
+  scene.lettering.textSize = 30.0;
+  EXPECT_EQ(namingOf(scene.lettering), before);
+  scene.lettering.marks[0].points.clear();
+  EXPECT_NE(namingOf(scene.lettering), before);
+  scene.lettering.marks[0].points = {{1, 2, 3}};
+  scene.lettering.marks[0].structure = 3;
+  EXPECT_NE(namingOf(scene.lettering), before);
 }
 
 TEST(SectionNames, PictureAndPlateHaveThem) {

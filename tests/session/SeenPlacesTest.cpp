@@ -87,6 +87,23 @@ TEST(SeenPlaces, ALeaderGoesToTheNearestPixelThatShowsTheStructure) {
   }
 }
 
+TEST(SeenPlaces, ManyMarksFindWhatEachWouldFindAlone) {
+  std::mt19937 random(11);
+  Seeing seeing;
+  for (int y = 0; y < kLooked.y; ++y)
+    for (int x = 0; x < kLooked.x; ++x) seeing.at(x, y) = x / 30 % 2 == y / 40 % 2 ? 1 + x / 30 % 3 : -1;
+  scene::Scene scene = labelled({20, 20, 20}, 2);
+  std::vector<SeenPlace> alone;
+  scene.lettering.marks.clear();
+  for (int i = 0; i < 20; ++i) {
+    glm::dvec3 place(random() % 40, random() % 40, random() % 40);
+    scene::Scene one = labelled(place, int(random() % 4));
+    one.lettering.marks[0].id = scene::addMark(scene.lettering.marks, one.lettering.marks[0]);
+    alone.push_back(placeIn(one, seeing));
+  }
+  EXPECT_EQ(seenPlaces(scene, seeing.map()), alone);
+}
+
 TEST(SeenPlaces, APlaceThatIsSeenKeepsItsLeader) {
   scene::Scene scene = labelled({20, 0, 20}, 1);
   Seeing seeing;

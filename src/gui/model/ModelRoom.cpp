@@ -122,7 +122,7 @@ void ModelRoom::connectViews() {
       if (mHighlight.takeAway()) mParts.toolbox.repaint(viewport);
       return;
     }
-    bool isOther = mLettering.count(mParts.session.membranes().withShapes(mParts.session.shown()));
+    bool isOther = mLettering.count();
     if (mHighlight.look() || isOther) mParts.toolbox.repaint(viewport);
     if (mParts.session.shown().model.data) mPanel->looks().drawPictures();
   });
@@ -206,7 +206,7 @@ void ModelRoom::refreshLettering(const scene::Scene& scene) {
   if (scene.lettering == mWritten && scene.model.types == mNamed) return;
   mWritten = scene.lettering, mNamed = scene.model.types;
   mLegendAction->setChecked(scene.lettering.legend);
-  mLettering.count(mParts.session.membranes().withShapes(scene));
+  mLettering.recount();
   mParts.toolbox.repaint(mParts.views.viewport());
 }
 

@@ -27,6 +27,7 @@ class ToolView {
     const render::SectionImage& image;
     scene::SectionPlane plane;  ///< in pixels of the screen
     int number = 0;             ///< another one for each image
+    bool isMoving = false;      ///< the section has moved a moment ago: another image may come soon
   };
   /// Nothing in the 3D picture, and while a section is drawn or coarse.
   virtual std::optional<ShownSection> shownSection() const { return std::nullopt; }

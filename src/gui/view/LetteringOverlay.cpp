@@ -35,6 +35,17 @@ session::ViewSpace finer(const session::ViewSpace& space, glm::dvec2 size, doubl
   return session::ViewSpace(plane);
 }
 
+/// Leaves of a picture's pixels each so-manieth along x and y.
+template <class T>
+void makeCoarser(std::vector<T>& pixels, glm::ivec2 size, int step) {
+  if (pixels.empty() || step == 1) return;
+  std::size_t to = 0;
+  for (int y = 0; y < size.y; y += step)
+    for (int x = 0; x < size.x; x += step) pixels[to++] = pixels[std::size_t(y) * std::size_t(size.x) + std::size_t(x)];
+  pixels.resize(to);
+  pixels.shrink_to_fit();
+}
+
 /// What stands over a view and is no part of its picture, such as the cube and buttons: pixels of the screen.
 std::vector<session::Rectangle> takenIn(ToolView& view, double ratio) {
   std::vector<session::Rectangle> taken;
@@ -50,39 +61,125 @@ std::vector<session::Rectangle> takenIn(ToolView& view, double ratio) {
 
 }  // namespace
 
-bool LetteringOverlay::count(const scene::Scene& settled) {
+bool LetteringOverlay::count() { return countIn(true); }
+
+bool LetteringOverlay::recount() { return countIn(false); }
+
+/// Makes sure that what the picture shows has been read. @return false: there is no picture of the scene as it stands
+bool LetteringOverlay::look(bool isComplete, bool withDistances) {
+  bool isOther = mLooked && isComplete && (!mLooked->isComplete || mLooked->picture != mViewport.pictureNumber());
+  if (isOther || (mLooked && withDistances && !mLooked->hasDistances)) mLooked.reset();
+  if (!mLooked && !read(isComplete, withDistances)) return false;
   const scene::Scene& scene = mDocument.shown();
-  bool hasLegend = scene.lettering.legend && scene.model.data, hasNames = session::needsSeenNames(scene.lettering),
-       hasPlaces = session::needsSeenPlaces(scene.lettering);
-  if (!hasNames && !hasPlaces) mSeen = {}, mAnchors.clear();
-  if (!hasLegend && !hasNames && !hasPlaces) return false;
-  Viewport::PixelIds picture = mViewport.idsOfPixels(hasPlaces);
-  if (picture.structures.empty()) return false;
-  std::vector<QString> before = names();
-  if (hasLegend) {
-    mPixels = session::countPixels(picture.types, scene.model.data->types.size());
+  return mLooked->camera == scene.camera && mLooked->model == scene.model.data;
+}
+
+bool LetteringOverlay::read(bool isComplete, bool withDistances) {
+  Viewport::PixelIds ids = mViewport.idsOfPixels(withDistances);
+  if (ids.structures.empty()) return false;
+  const scene::Scene& scene = mDocument.shown();
+  if (scene.model.data) {
+    mPixels = session::countPixels(ids.types, scene.model.data->types.size());
     mModel = scene.model.data;
   }
-  if (!hasNames && !hasPlaces) return names() != before;
-  session::SeenMap map{picture.size, picture.structures, picture.types, 1, picture.instances, picture.distances};
-  session::SeenNames old = mSize == picture.size ? namesFrom(mViewport.space()) : session::SeenNames();
-  mSeen = hasNames ? session::seenNames(scene, map, old) : session::SeenNames();
-  if (hasPlaces) mSeen.places = session::seenPlaces(settled, map);
-  mSize = picture.size;
-  keepAnchors();
-  session::Seen seen{pixels(), mMeasured, mSeen};
-  seen.taken = takenIn(mViewport, mViewport.devicePixelRatioF());
-  if (hasNames)
-    mPlaces = settledNames(std::move(mPlaces), std::move(seen), kSettleMs,
-                           [&](const session::Seen& of) { return session::layLettering(scene, mSize, of); });
+  int step = session::mapStep(ids.size.x);
+  makeCoarser(ids.structures, ids.size, step);
+  makeCoarser(ids.types, ids.size, step);
+  makeCoarser(ids.instances, ids.size, step);
+  makeCoarser(ids.distances, ids.size, step);
+  ++mReadings;
+  mLooked = {std::move(ids), step,         mViewport.pictureNumber(), isComplete,
+             withDistances,  scene.camera, scene.model.data};
   return true;
 }
 
-/// Places in the world, by which names follow a camera that moves.
-void LetteringOverlay::keepAnchors() {
+bool LetteringOverlay::countIn(bool isComplete) {
+  const scene::Scene& scene = mDocument.shown();
+  bool hasLegend = scene.lettering.legend && scene.model.data, hasNames = session::needsSeenNames(scene.lettering),
+       hasPlaces = session::needsSeenPlaces(scene.lettering);
+  if (!hasNames && !hasPlaces) mSeen = {}, mAnchors.clear(), mNaming.reset();
+  if (!hasLegend && !hasNames && !hasPlaces) {
+    if (isComplete) mLooked.reset();
+    return false;
+  }
+  std::vector<QString> before = names();
+  if (!look(isComplete, hasPlaces)) return false;
+  if (!hasNames && !hasPlaces) return names() != before;
+  lookForNames(hasNames, hasPlaces);
+  return true;
+}
+
+/// Finds what names and leaders point at, in what was read.
+void LetteringOverlay::lookForNames(bool hasNames, bool hasPlaces) {
+  const Viewport::PixelIds& ids = mLooked->ids;
+  session::SeenMap map{session::mapSize(ids.size, mLooked->step),
+                       ids.structures,
+                       ids.types,
+                       mLooked->step,
+                       ids.instances,
+                       ids.distances};
+  bool isSame = mSeenReading == mReadings;
+  Anchors known = isSame ? anchors() : Anchors();
+  if (hasNames)
+    findNames(map, isSame);
+  else
+    mSeen = {}, mNaming.reset();
+  mSeen.places.clear();
+  if (hasPlaces) findPlaces(map);
+  mSize = ids.size;
+  mSeenReading = mReadings;
+  keepAnchors(known);
+  session::Seen seen{pixels(), mMeasured, mSeen};
+  seen.taken = takenIn(mViewport, mViewport.devicePixelRatioF());
+  if (hasNames)
+    mPlaces = settledNames(std::move(mPlaces), std::move(seen), kSettleMs, [&](const session::Seen& of) {
+      return session::layLettering(mDocument.shown(), mSize, of);
+    });
+}
+
+/// Looks for names, unless the picture and what is named are as they were.
+void LetteringOverlay::findNames(const session::SeenMap& map, bool isSame) {
+  const scene::Scene& scene = mDocument.shown();
+  scene::Lettering naming = session::namingOf(scene.lettering);
+  if (isSame && mNaming == naming && mNamedStructures == scene.labels.structures && mNamedTypes == scene.model.types)
+    return;
+  session::SeenNames old = mSize == mLooked->ids.size ? namesFrom(mViewport.space()) : session::SeenNames();
+  mSeen = session::seenNames(scene, map, old);
+  mNaming = std::move(naming);
+  mNamedStructures = scene.labels.structures;
+  mNamedTypes = scene.model.types;
+}
+
+void LetteringOverlay::findPlaces(const session::SeenMap& map) {
+  const scene::Scene& scene = mDocument.shown();
+  render::SheetIndices sheets = mViewport.membranes().indices();
+  bool isMissing = std::ranges::any_of(scene.cuts, [&](const scene::Cut& cut) {
+    auto sheet = sheets.find(cut.id);
+    return cut.enabled && scene::isMembrane(cut) && (sheet == sheets.end() || !sheet->second);
+  });
+  mSeen.places = isMissing ? session::seenPlaces(mViewport.membranes().withShapes(scene), map, sheets)
+                           : session::seenPlaces(scene, map, sheets);
+}
+
+LetteringOverlay::Anchors LetteringOverlay::anchors() const {
+  Anchors all;
+  auto add = [&](glm::dvec2 anchor) {
+    if (all.size() < mAnchors.size()) all.emplace_back(anchor, mAnchors[all.size()]);
+  };
+  for (const session::SeenName& name : mSeen.names) add(name.anchor);
+  for (const auto& [mark, name] : mSeen.marks) add(name.anchor);
+  for (const session::SeenPlace& place : mSeen.places)
+    if (place.at) add(*place.at);
+  return all;
+}
+
+/// Places in the world, by which names follow a camera that moves. @param known  of the same reading
+void LetteringOverlay::keepAnchors(const Anchors& known) {
   mAnchors.clear();
   glm::dvec2 pixel = mViewport.space().size() / glm::dvec2(mSize);
   auto keep = [&](glm::dvec2 anchor) {
+    auto found = std::ranges::find(known, anchor, &Anchors::value_type::first);
+    if (found != known.end()) return mAnchors.push_back(found->second);
     glm::dvec2 at = anchor * pixel;
     auto pick = mViewport.pickAt({at.x, at.y});
     mAnchors.push_back(pick && pick->hit ? pick->world : mDocument.shown().camera.target);

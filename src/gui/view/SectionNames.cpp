@@ -1,5 +1,7 @@
 #include "gui/view/SectionNames.h"
 
+#include <QGuiApplication>
+
 #include "gui/view/SettleNames.h"
 #include "session/lettering/SeenSection.h"
 
@@ -9,6 +11,16 @@ namespace {
 
 constexpr qint64 kSectionSettleMs = 12;
 
+scene::Lettering exceptMarks(scene::Lettering lettering) {
+  lettering.marks.clear();
+  return lettering;
+}
+
+/// A mark may be dragged: names find their places when it is let go, which paints anew.
+bool isMarkHeld(const scene::Lettering& before, const scene::Lettering& now) {
+  return QGuiApplication::mouseButtons() != Qt::NoButton && exceptMarks(before) == exceptMarks(now);
+}
+
 }  // namespace
 
 void SectionNames::look(const scene::Scene& scene, const ToolView& view, const session::Seen& beside) {
@@ -17,20 +29,24 @@ void SectionNames::look(const scene::Scene& scene, const ToolView& view, const s
     return;
   }
   auto shown = view.shownSection();
-  bool isKnown =
-      shown && shown->number == mNumber && mLettering == scene.lettering && mStructures == scene.labels.structures;
-  if (!shown || isKnown) return;
-  bool isFirst = mNumber == 0;
-  mNumber = shown->number;
-  mLettering = scene.lettering;
-  mStructures = scene.labels.structures;
+  if (!shown) return;
+  scene::Lettering naming = session::namingOf(scene.lettering);
+  bool isOther = shown->number != mNumber || mStructures != scene.labels.structures;
+  bool isNew = mNumber == 0 || naming != mNaming || (isOther && !shown->isMoving);
+  if (!isNew && (mLettering == scene.lettering || isMarkHeld(mLettering, scene.lettering))) return;
   session::ViewSpace space(shown->plane);
-  Image image = session::seenOfSection(shown->image, shown->plane, scene.background.bottom);
-  session::SeenNames before = isFirst ? session::SeenNames() : seenFrom(space);
-  mSpace = space;
-  mSeen = session::seenNames(scene, image, before);
+  if (isNew) {
+    session::SeenNames before = mNumber == 0 ? session::SeenNames() : seenFrom(space);
+    session::SectionMap map(shown->image, scene.background.bottom);
+    mSeen = session::seenNames(scene, map.map(), before);
+    mSpace = space;
+    mNumber = shown->number;
+    mNaming = std::move(naming);
+    mStructures = scene.labels.structures;
+  }
+  mLettering = scene.lettering;
   session::Seen seen = beside;
-  seen.names = mSeen;
+  seen.names = seenFrom(space);
   mPlaces = settledNames(std::move(mPlaces), std::move(seen), kSectionSettleMs,
                          [&](const session::Seen& of) { return session::layMarks(scene, space, of); });
 }

@@ -10,7 +10,8 @@ namespace velum::gui {
 /// The names over one section view: of the structures that the section cuts.
 class SectionNames {
  public:
-  /// Looks at the section that a view shows, where that or what is named is new, and finds its names their places.
+  /// Looks at the section that a view shows, once for each image that stays and where what is named is new, and finds
+  /// its names their places. While the section or a mark moves, names are kept.
   /// @param beside  what else stands in the view
   void look(const scene::Scene& scene, const ToolView& view, const session::Seen& beside);
   /// What was seen last, where a space shows it now.
@@ -19,7 +20,8 @@ class SectionNames {
 
  private:
   int mNumber = 0;
-  scene::Lettering mLettering;
+  scene::Lettering mNaming;     ///< of the lettering when it was seen, see session::namingOf()
+  scene::Lettering mLettering;  ///< for which the names have their places
   std::vector<scene::Structure> mStructures;
   session::SeenNames mSeen;
   session::ViewSpace mSpace;  ///< in which it was seen

@@ -17,6 +17,7 @@
 #include "gui/view/ViewChange.h"
 #include "session/command/Command.h"
 #include "session/command/LookCommands.h"
+#include "session/lettering/SeenNames.h"
 #include "session/section/InstanceOutlines.h"
 
 namespace velum::gui {
@@ -72,7 +73,10 @@ SectionView::SectionView(session::Document& document, Selection& selection, Tool
   mRestTimer.setSingleShot(true);
   mRestTimer.setInterval(kRestMs);
   connect(&mRestTimer, &QTimer::timeout, this, [this] {
-    if (mDrawnCoarse == 1 && mOutlinesMissing == 0) return;
+    if (mDrawnCoarse == 1 && mOutlinesMissing == 0) {
+      if (session::needsSeenNames(mDocument.shown().lettering)) mToolbox.repaint(*this);  // they wait for a rest
+      return;
+    }
     mOutlinesPlane = {};  // with all circles
     mStale = mStale || mDrawnCoarse != 1;
     update();
@@ -150,7 +154,7 @@ void SectionView::drawImage() {
 
 std::optional<ToolView::ShownSection> SectionView::shownSection() const {
   if (mStale || mDrawnCoarse != 1) return std::nullopt;
-  return ShownSection{mImage, mWantedPlane, mDrawnCount};
+  return ShownSection{mImage, mWantedPlane, mDrawnCount, mRestTimer.isActive()};
 }
 
 /// The circles in which the section meets the instances of the model, in their types' colours.

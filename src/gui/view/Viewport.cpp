@@ -194,8 +194,8 @@ void Viewport::startAnew() {
 void Viewport::begin(Stage stage) {
   mStage = stage;
   if (stage == Stage::Idle) return;
-  mPending = false;
-  mHasPicture = false;
+  ++mPictureNumber;
+  mPending = mHasPicture = false;
   double scale = stage == Stage::Coarse ? mCoarseScale : stage == Stage::Half ? 2.0 : 1.0;
   mFrame = mSession.frame(glm::max(glm::ivec2(glm::round(glm::dvec2(deviceSize()) / scale)), glm::ivec2(1)));
   mFrame.scene = drawnScene();

@@ -60,6 +60,8 @@ class Viewport : public QOpenGLWidget, public ToolView {
     glm::ivec2 size{0};  ///< 0: there is no picture
   };
   PixelIds idsOfPixels(bool withDistances = false);
+  /// Another one for each picture that is drawn, coarse or full.
+  int pictureNumber() const { return mPictureNumber; }
   bool showsHandles() const override { return true; }
   Qt::CursorShape restCursor() const override { return Qt::ArrowCursor; }
 
@@ -153,7 +155,7 @@ class Viewport : public QOpenGLWidget, public ToolView {
   QElapsedTimer mSinceShown, mSinceTold;
   Stage mToldStage = Stage::Idle;
   bool mIsFresh = false;  ///< The next paint puts a new picture on the screen.
-  int mShownCount = 0;
+  int mShownCount = 0, mPictureNumber = 0;
   // Pointer.
   Drag mDrag = Drag::None;
   glm::dvec2 mDragStart{0.0}, mDragLast{0.0};

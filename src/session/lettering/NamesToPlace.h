@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <span>
@@ -18,6 +19,14 @@ struct SeenMap {
   std::span<const std::int32_t> instances = {};  ///< of the model, over all copies; below 0: none; or empty
   std::span<const float> distances = {};         ///< from the eye along the ray; infinity: nothing; or empty: not known
 };
+
+/// The step of the map of a picture that is so wide: as fine as names need it.
+constexpr int mapStep(int width) {
+  constexpr int kColumns = 1000;
+  return std::max(1, width / kColumns);
+}
+/// The size of the map of a picture.
+inline glm::ivec2 mapSize(glm::ivec2 picture, int step) { return (picture + (step - 1)) / step; }
 
 /// A name for something that a picture shows.
 struct SeenName {

@@ -15,8 +15,6 @@ namespace velum::session {
 
 namespace {
 
-constexpr int kPixelsAcross = 1000;  // of a map that is looked at: finer pictures by each second pixel, or fewer
-
 /// What a mark names, as scene::Lettering::named says it; empty: nothing.
 std::string entryOf(const scene::Scene& scene, const scene::Mark& mark) {
   return mark.structure > 0 ? structureName(scene, mark.structure) : mark.type;
@@ -52,6 +50,25 @@ bool needsSeenNames(const scene::Lettering& lettering) {
          });
 }
 
+scene::Lettering namingOf(const scene::Lettering& lettering) {
+  scene::Lettering out;
+  out.names = lettering.names;
+  out.named = lettering.named;
+  out.mostNames = lettering.mostNames;
+  for (const scene::Mark& mark : lettering.marks) {
+    bool names = mark.kind == scene::MarkKind::Name || mark.kind == scene::MarkKind::Region;
+    if (!mark.visible || !names) continue;
+    scene::Mark& kept = out.marks.emplace_back();
+    kept.id = mark.id;
+    kept.kind = mark.kind;
+    if (!mark.points.empty()) kept.points = {glm::dvec3(0.0)};
+    kept.structure = mark.structure;
+    kept.type = mark.type;
+    kept.timeStep = mark.timeStep;
+  }
+  return out;
+}
+
 SeenNames seenNames(const scene::Scene& scene, const SeenMap& map, const SeenNames& before) {
   SeenNames seen;
   if (scene.lettering.names) seen.names = namesToPlace(scene, map, before.names);
@@ -69,7 +86,7 @@ SeenNames seenNames(const scene::Scene& scene, const SeenMap& map, const SeenNam
 ImageMap::ImageMap(const scene::Scene& scene, const Image& image, int step) {
   int id = channelIndex(image, "id"), instance = channelIndex(image, "instance"), type = channelIndex(image, "type"),
       distance = channelIndex(image, "Z");
-  if (step == 0) step = std::max(1, image.width / kPixelsAcross);
+  if (step == 0) step = mapStep(image.width);
   std::size_t channels = image.channels.size();
   std::int32_t first = std::int32_t(render::firstModelInstance(scene));
   for (int y = 0; y < image.height; y += step)
@@ -82,8 +99,7 @@ ImageMap::ImageMap(const scene::Scene& scene, const Image& image, int step) {
       mTypes.push_back(std::int32_t(pixel[type]));
       if (instance >= 0) mInstances.push_back(mTypes.back() < 0 ? -1 : std::int32_t(pixel[instance]) - first);
     }
-  glm::ivec2 size((image.width + step - 1) / step, (image.height + step - 1) / step);
-  mMap = {size, mStructures, mTypes, step, mInstances, mDistances};
+  mMap = {mapSize({image.width, image.height}, step), mStructures, mTypes, step, mInstances, mDistances};
 }
 
 SeenNames seenNames(const scene::Scene& scene, const Image& image, const SeenNames& before) {

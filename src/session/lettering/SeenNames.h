@@ -21,6 +21,9 @@ struct SeenNames {
 
 /// True where a picture needs seenNames().
 bool needsSeenNames(const scene::Lettering& lettering);
+/// What of a lettering seenNames() goes by: where two have the same, the same map has the same names. Points of marks
+/// count by whether there are any.
+scene::Lettering namingOf(const scene::Lettering& lettering);
 
 /// @param map  with structures: ids, 0 for something without one, -1 for nothing  @param before  of the frame before
 /// @throw ArgumentError as namesToPlace(). Any thread; time goes with the pixels.
@@ -30,7 +33,7 @@ SeenNames seenNames(const scene::Scene& scene, const SeenMap& map, const SeenNam
 /// where its distances are asked for.
 class ImageMap {
  public:
-  /// @param step  see SeenMap; 0: as fine as names need it
+  /// @param step  see SeenMap; 0: mapStep()
   ImageMap(const scene::Scene& scene, const Image& image, int step = 0);
   ImageMap(const ImageMap&) = delete;
   ImageMap& operator=(const ImageMap&) = delete;

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <memory>
-#include <set>
+#include <unordered_map>
+#include <utility>
 
 #include "render/kept/KeptPlaces.h"
 #include "scene/Project.h"
@@ -26,43 +26,101 @@ constexpr double kLookRound = 0.004;            // the same: radius about a plac
 constexpr double kHidden = 0.25, kSeen = 0.75;  // shares of the pixels about a place
 constexpr double kBehindSteps = 2.5, kBehindPixels = 4.0;  // so far behind what is seen a place still lies on it
 
-using IsShown = std::function<bool(std::size_t pixel)>;
-
 bool hasLeader(const scene::Mark& mark) {
   bool isNaming = mark.kind == scene::MarkKind::Label || mark.kind == scene::MarkKind::Name;
   return isNaming && mark.points.size() == 1;
 }
 
-/// Tells which pixels show what a mark points at; nothing where it points at its place alone.
-IsShown targetOf(const scene::Scene& scene, const scene::Mark& mark, const SeenMap& map) {
+/// The pixels that show what a mark points at, and what is found of them.
+struct PlaceSearch {
+  enum class By { Place, Instance, Types, Structure };  ///< Place: it points at its place alone
+  By by = By::Place;
+  std::int32_t key = -1;  ///< of the instance or structure
+  std::vector<std::int32_t> types;
+  std::vector<bool> isType;  ///< by the numbers of types
+  std::size_t place = 0;     ///< in the list of what is found
+  glm::dvec2 own{0.0};       ///< pixels of the picture: next to which it is looked for
+  // What has been found so far.
+  std::uint64_t count = 0;
+  double inner = std::numeric_limits<double>::infinity(),
+         outer = inner;  ///< squares of how far away, pixels of the map
+  glm::ivec2 innerAt{0}, outerAt{0};
+
+  bool shows(const SeenMap& map, std::size_t i) const {
+    if (by == By::Instance) return map.instances[i] == key;
+    std::int32_t type = map.types.empty() ? -1 : map.types[i];
+    if (by == By::Types) return type >= 0 && std::size_t(type) < isType.size() && isType[std::size_t(type)];
+    return type < 0 && map.structures[i] == key;
+  }
+};
+
+PlaceSearch searchOf(const scene::Scene& scene, const scene::Mark& mark, const SeenMap& map) {
+  PlaceSearch search;
   bool followsOne = !mark.pointInstances.empty() && mark.pointInstances[0] >= 0;
-  if (followsOne && mark.kind == scene::MarkKind::Label && !map.instances.empty())
-    return [&map, wanted = mark.pointInstances[0]](std::size_t i) { return map.instances[i] == wanted; };
-  if (!mark.type.empty() && !map.types.empty()) {
-    std::set<std::int32_t> types;
+  if (followsOne && mark.kind == scene::MarkKind::Label && !map.instances.empty()) {
+    search.by = PlaceSearch::By::Instance;
+    search.key = mark.pointInstances[0];
+    return search;
+  }
+  if (!mark.type.empty() && !map.types.empty())
     for (const NameGroup& group : listedGroups(scene, {mark.type}, {}))
-      types.insert(group.types.begin(), group.types.end());
-    if (!types.empty())
-      return [&map, types](std::size_t i) { return map.types[i] >= 0 && types.contains(map.types[i]); };
+      for (std::uint32_t type : group.types) {
+        if (search.isType.size() <= type) search.isType.resize(std::size_t(type) + 1);
+        if (!search.isType[type]) search.types.push_back(std::int32_t(type));
+        search.isType[type] = true;
+      }
+  if (!search.types.empty()) {
+    search.by = PlaceSearch::By::Types;
+    return search;
   }
   int structure = mark.structure;
   if (structure == 0 && !mark.pointStructures.empty()) structure = mark.pointStructures[0];
-  if (structure <= 0 || !scene.labels.data || !scene.labels.visible) return {};
-  return [&map, structure](std::size_t i) {
-    return map.structures[i] == structure && (map.types.empty() || map.types[i] < 0);
-  };
+  if (structure <= 0 || !scene.labels.data || !scene.labels.visible || map.structures.empty()) return search;
+  search.by = PlaceSearch::By::Structure;
+  search.key = structure;
+  return search;
 }
+
+/// Which searches want the pixels of a key. Pixels beside each other mostly show the same.
+class SearchTable {
+ public:
+  void add(std::int32_t key, PlaceSearch& search) { mSearches[key].push_back(&search); }
+  bool isEmpty() const { return mSearches.empty(); }
+  const std::vector<PlaceSearch*>& at(std::int32_t key) {
+    if (mLast && key == mLastKey) return *mLast;
+    auto found = mSearches.find(key);
+    mLastKey = key;
+    mLast = found == mSearches.end() ? &mNone : &found->second;
+    return *mLast;
+  }
+
+ private:
+  std::unordered_map<std::int32_t, std::vector<PlaceSearch*>> mSearches;
+  std::vector<PlaceSearch*> mNone;
+  std::int32_t mLastKey = 0;
+  const std::vector<PlaceSearch*>* mLast = nullptr;
+};
 
 class PlacesIn {
  public:
-  PlacesIn(const scene::Scene& scene, const SeenMap& map)
-      : mScene(scene), mMap(map), mView(scene.camera, glm::dvec2(map.size * map.step)) {}
+  PlacesIn(const scene::Scene& scene, const SeenMap& map, const render::SheetIndices& sheets)
+      : mScene(scene), mMap(map), mSheets(sheets), mView(scene.camera, glm::dvec2(map.size * map.step)) {}
 
-  SeenPlace find(const scene::Mark& mark) {
+  void add(const scene::Mark& mark) {
     auto own = mView.pixelFromWorld(mark.points[0]);
-    IsShown target = targetOf(mScene, mark, mMap);
-    if (target) return nearest(mark.id, own ? *own : 0.5 * mView.size(), target);
-    return {mark.id, {}, own ? shareAt(mark, *own) : 0.0};
+    PlaceSearch search = searchOf(mScene, mark, mMap);
+    bool isSearched = search.by != PlaceSearch::By::Place;
+    search.place = mPlaces.size();
+    search.own = own ? *own : 0.5 * mView.size();
+    mPlaces.push_back({mark.id, {}, own && !isSearched ? shareAt(mark, *own) : 0.0});
+    if (isSearched) mSearches.push_back(std::move(search));
+  }
+
+  /// In the order in which the marks were added.
+  std::vector<SeenPlace> find() {
+    if (!mSearches.empty()) lookAtAll();
+    for (const PlaceSearch& search : mSearches) mPlaces[search.place] = placeOf(search);
+    return std::move(mPlaces);
   }
 
  private:
@@ -74,29 +132,51 @@ class PlacesIn {
   }
   glm::ivec2 mapPixel(glm::dvec2 pixel) const { return glm::ivec2(glm::floor(pixel / double(mMap.step))); }
 
-  /// The pixel that shows the target next to a place.
-  SeenPlace nearest(int mark, glm::dvec2 own, const IsShown& target) const {
-    glm::dvec2 goal = own / double(mMap.step) - 0.5;
-    double inner = std::numeric_limits<double>::infinity(), outer = inner;
-    glm::ivec2 innerAt(0), outerAt(0);
-    std::uint64_t count = 0;
+  /// Hands each pixel to the searches that want it.
+  void lookAtAll() {
+    SearchTable byInstance, byType, byStructure;
+    for (PlaceSearch& search : mSearches) {
+      if (search.by == PlaceSearch::By::Instance) byInstance.add(search.key, search);
+      if (search.by == PlaceSearch::By::Structure) byStructure.add(search.key, search);
+      for (std::int32_t type : search.types) byType.add(type, search);
+    }
+    bool hasInstances = !byInstance.isEmpty(), hasTypes = !byType.isEmpty(), hasStructures = !byStructure.isEmpty();
+    std::size_t i = 0;
     for (int y = 0; y < mMap.size.y; ++y)
-      for (int x = 0; x < mMap.size.x; ++x) {
-        if (!target(at({x, y}))) continue;
-        ++count;
-        glm::dvec2 away = glm::dvec2(x, y) - goal;
-        double square = glm::dot(away, away);
-        if (square < outer) outer = square, outerAt = {x, y};
-        if (square >= inner) continue;
-        bool isInside = x > 0 && y > 0 && x + 1 < mMap.size.x && y + 1 < mMap.size.y && target(at({x - 1, y})) &&
-                        target(at({x + 1, y})) && target(at({x, y - 1})) && target(at({x, y + 1}));
-        if (isInside) inner = square, innerAt = {x, y};
+      for (int x = 0; x < mMap.size.x; ++x, ++i) {
+        auto give = [&](const std::vector<PlaceSearch*>& searches) {
+          for (PlaceSearch* search : searches) take(*search, {x, y});
+        };
+        if (hasInstances) give(byInstance.at(mMap.instances[i]));
+        if (hasTypes) give(byType.at(mMap.types[i]));
+        if (hasStructures && (mMap.types.empty() || mMap.types[i] < 0)) give(byStructure.at(mMap.structures[i]));
       }
+  }
+
+  /// A pixel shows what is looked for.
+  void take(PlaceSearch& search, glm::ivec2 pixel) const {
+    ++search.count;
+    glm::dvec2 away = glm::dvec2(pixel) - (search.own / double(mMap.step) - 0.5);
+    double square = glm::dot(away, away);
+    if (square < search.outer) search.outer = square, search.outerAt = pixel;
+    if (square >= search.inner) return;
+    bool isWithin = glm::all(glm::greaterThan(pixel, glm::ivec2(0))) && glm::all(glm::lessThan(pixel + 1, mMap.size));
+    if (!isWithin) return;
+    std::size_t i = at(pixel), row = std::size_t(mMap.size.x);
+    if (search.shows(mMap, i - 1) && search.shows(mMap, i + 1) && search.shows(mMap, i - row) &&
+        search.shows(mMap, i + row))
+      search.inner = square, search.innerAt = pixel;
+  }
+
+  /// The pixel that shows it next to the mark's own place.
+  SeenPlace placeOf(const PlaceSearch& search) const {
     double whole = kWholePart * mMap.size.y;
-    SeenPlace place{mark, {}, glm::smoothstep(0.0, 1.0, double(count) / std::max(1.0, whole * whole))};
-    glm::ivec2 there = mapPixel(own);
-    if (count == 0 || (isIn(there) && target(at(there)))) return place;
-    place.at = (glm::dvec2(std::isfinite(inner) ? innerAt : outerAt) + 0.5) * double(mMap.step);
+    SeenPlace place{
+        mPlaces[search.place].mark, {}, glm::smoothstep(0.0, 1.0, double(search.count) / std::max(1.0, whole * whole))};
+    glm::ivec2 there = mapPixel(search.own);
+    if (search.count == 0 || (isIn(there) && search.shows(mMap, at(there)))) return place;
+    glm::ivec2 nearest = std::isfinite(search.inner) ? search.innerAt : search.outerAt;
+    place.at = (glm::dvec2(nearest) + 0.5) * double(mMap.step);
     return place;
   }
 
@@ -125,15 +205,18 @@ class PlacesIn {
 
   /// No cut has removed what is at a place.
   bool isKept(glm::dvec3 world) {
-    if (!mKept) mKept.emplace(mScene, world);
-    if (mKept->isEmpty()) return true;
+    if (std::ranges::none_of(mScene.cuts, &scene::Cut::enabled)) return true;
+    if (!mKept) mKept.emplace(mScene, world, mSheets);
     if (!mField && mScene.labels.data) mField = scene::structureFieldOf(mScene);
     return mKept->keeps(world, std::uint16_t(scene::structureAt(mScene, world).id));
   }
 
   const scene::Scene& mScene;
   const SeenMap& mMap;
+  const render::SheetIndices& mSheets;
   ViewSpace mView;
+  std::vector<SeenPlace> mPlaces;
+  std::vector<PlaceSearch> mSearches;
   std::optional<render::KeptPlaces> mKept;
   std::shared_ptr<const StructureField> mField;  ///< held, so that each place asks the same one
 };
@@ -144,12 +227,11 @@ bool needsSeenPlaces(const scene::Lettering& lettering) {
   return std::ranges::any_of(lettering.marks, [](const scene::Mark& mark) { return mark.visible && hasLeader(mark); });
 }
 
-std::vector<SeenPlace> seenPlaces(const scene::Scene& scene, const SeenMap& map) {
-  std::vector<SeenPlace> places;
-  PlacesIn in(scene, map);
+std::vector<SeenPlace> seenPlaces(const scene::Scene& scene, const SeenMap& map, const render::SheetIndices& sheets) {
+  PlacesIn in(scene, map, sheets);
   for (const scene::Mark& mark : scene.lettering.marks)
-    if (isShown(scene, mark) && hasLeader(mark)) places.push_back(in.find(followed(scene, mark)));
-  return places;
+    if (isShown(scene, mark) && hasLeader(mark)) in.add(followed(scene, mark));
+  return in.find();
 }
 
 }  // namespace velum::session

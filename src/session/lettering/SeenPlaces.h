@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "render/SheetIndices.h"
 #include "scene/Lettering.h"
 #include "scene/SceneFwd.h"
 #include "session/lettering/NamesToPlace.h"
@@ -28,8 +29,10 @@ bool needsSeenPlaces(const scene::Lettering& lettering);
 /// - Of neither: at the place alone. It fades as things come before the place, judged by the pixels about it.
 /// So a frame of a film depends on its own picture alone, and nothing comes or goes at once.
 /// @param scene  of the map's picture; where it holds no shapes of its membranes they are taken for flat
-/// @return one for each mark that is shown, has a leader and a place. Any thread; time goes with the pixels for each
-/// mark (a millisecond for a million).
-std::vector<SeenPlace> seenPlaces(const scene::Scene& scene, const SeenMap& map);
+/// @param sheets  of the scene's membranes as they stand; those that are not given are made from the shapes
+/// @return one for each mark that is shown, has a leader and a place. Any thread; time goes with the pixels, once for
+/// all marks.
+std::vector<SeenPlace> seenPlaces(const scene::Scene& scene, const SeenMap& map,
+                                  const render::SheetIndices& sheets = {});
 
 }  // namespace velum::session

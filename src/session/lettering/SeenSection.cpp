@@ -35,4 +35,17 @@ Image seenOfSection(const render::SectionImage& section, const scene::SectionPla
   return image;
 }
 
+SectionMap::SectionMap(const render::SectionImage& section, glm::vec3 ground) {
+  int step = mapStep(section.size.x);
+  glm::ivec2 size = mapSize(section.size, step);
+  mStructures.reserve(std::size_t(size.x) * std::size_t(size.y));
+  for (int y = 0; y < section.size.y; y += step)
+    for (int x = 0; x < section.size.x; x += step) {
+      std::size_t i = std::size_t(y) * std::size_t(section.size.x) + std::size_t(x);
+      int id = section.structures.empty() ? 0 : section.structures[i];
+      mStructures.push_back(id == 0 && isLikeGround(section.pixels[i], ground) ? -1 : id);
+    }
+  mMap = {size, mStructures, {}, step};
+}
+
 }  // namespace velum::session

@@ -1,6 +1,7 @@
 // Marks that follow, are shown at one time step, or point at what is hidden; names in sections and beside the cube.
 #include <QComboBox>
 #include <QListWidget>
+#include <QMenu>
 #include <QToolButton>
 
 #include <fmt/format.h>
@@ -8,6 +9,7 @@
 #include "ModelFixture.h"
 #include "Shots.h"
 #include "gui/kit/Points.h"
+#include "gui/mark/MarkMenu.h"
 #include "gui/view/ViewCube.h"
 #include "makeVolume.h"
 #include "session/measure/Follow.h"
@@ -64,6 +66,33 @@ TEST_F(MarkPlaces, AClickNearAMoleculesMiddleTakesTheMiddleAndFollows) {
   Mark now = session::followed(scene(), marks()[0]);
   for (std::size_t i = 0; i < 2; ++i)
     EXPECT_EQ(now.points[i], session::instancePlace(scene(), std::uint32_t(wanted[i]))->middle);
+}
+
+TEST_F(MarkPlaces, TheMenuLetsGoOfWhatFollowsAndBindsWhatDoesNot) {
+  openModel();
+  ASSERT_TRUE(settle());
+  run("mark.add distance pointInstances=3,7");
+  MarkMenu marksMenu(document(), mWindow->jobs(), nullptr);
+  auto choose = [&](const char* text) {
+    QMenu menu;
+    marksMenu.fill(menu, 1);
+    for (QAction* action : menu.actions())
+      if (action->text() == text) return action->trigger(), true;
+    return false;
+  };
+  EXPECT_FALSE(choose("Follow what is there"));
+  EXPECT_TRUE(choose("Let go"));
+  EXPECT_FALSE(session::isFollowing(marks()[0]));
+  EXPECT_TRUE(choose("Follow what is there"));
+  ASSERT_TRUE(waitForJob());
+  EXPECT_EQ(marks()[0].pointInstances.size(), 2u);
+  document().undo();
+  session::editByHand(document(), "Drag", [](scene::Scene& scene) {
+    Mark& mark = scene.lettering.marks[0];
+    mark.pointInstances = {-1, -1};
+    mark.pointStructures = {0};
+  });
+  EXPECT_FALSE(choose("Let go")) << "it follows nothing";
 }
 
 TEST_F(MarkPlaces, ATimeStepIsChosenOnThePageAndUndone) {

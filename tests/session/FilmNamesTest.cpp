@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "makeVolume.h"
+#include "scene/Project.h"
 
 namespace velum::session {
 
@@ -52,6 +53,34 @@ scene::Scene frontOf(int frame) {
   scene::Scene scene = lookAt(frame).scene;
   scene.camera.projection = scene::Projection::Orthographic;
   return scene;
+}
+
+/// The ring with a label whose words stand at a pixel; before its place things stand that are so far from the eye, at
+/// 500 mm.
+FilmNames namesBeside(std::optional<glm::dvec2> label, float before) {
+  scene::FilmFrames frames;
+  frames.count = kFilmFrames;
+  frames.framesPerSecond = 25.0;
+  auto look = [label, before](int frame, Progress&) {
+    FilmNames::Look made = lookAt(frame);
+    made.scene.camera.projection = scene::Projection::Orthographic;
+    std::size_t channels = made.image.channels.size();
+    std::vector<float> pixels;
+    for (std::size_t i = 0; i < made.image.pixels.size(); i += channels) {
+      pixels.insert(pixels.end(), &made.image.pixels[i], &made.image.pixels[i] + channels);
+      pixels.push_back(before);
+    }
+    made.image.channels.push_back("Z");
+    made.image.pixels = std::move(pixels);
+    if (!label) return made;
+    scene::PictureRay ray = scene::rayFromPixel(made.scene.camera, glm::dvec2(kFilmSize), *label);
+    scene::addMark(made.scene.lettering.marks, {.kind = scene::MarkKind::Label,
+                                                .points = {ray.origin + 500.0 * ray.direction},
+                                                .text = "here it is",
+                                                .wordsAt = glm::dvec2(0.0)});
+    return made;
+  };
+  return {frames, kFilmSize, kFilmStep, {}, look};
 }
 
 bool areSame(const NamesBetween& a, const NamesBetween& b) {
@@ -103,6 +132,15 @@ TEST(FilmNames, NothingJumps) {
   EXPECT_GT(seen, std::size_t(6 * kFilmFrames)) << "of eight names";
   EXPECT_LT(most, 12.0 * kEm * 1.6 / 25.0) << "the longest way of a second, at its fastest";
   EXPECT_LT(mostStrength, 0.2) << "what comes or goes fades";
+}
+
+TEST(FilmNames, ALabelTakesThePlacesOfNamesWhereItIsDrawnOnly) {
+  Progress progress;
+  NamesBetween plain = namesBeside({}, 100.0f).at(0, 0.0, frontOf(0), progress);
+  ASSERT_FALSE(plain.from.empty());
+  glm::dvec2 at = 0.5 * (plain.from[0].block.low + plain.from[0].block.high);
+  EXPECT_TRUE(areSame(namesBeside(at, 100.0f).at(0, 0.0, frontOf(0), progress), plain)) << "it is hidden";
+  EXPECT_FALSE(areSame(namesBeside(at, 1000.0f).at(0, 0.0, frontOf(0), progress), plain)) << "it is seen";
 }
 
 }  // namespace velum::session

@@ -3,15 +3,19 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <mutex>
 #include <random>
 
 #include "core/Error.h"
+#include "core/Parallel.h"
 #include "lettered.h"
 #include "makeModel.h"
 #include "makeVolume.h"
 #include "scene/Project.h"
 #include "session/lettering/Lettering.h"
 #include "session/measure/Measure.h"
+#include "session/model/ModelEdit.h"
 
 namespace velum::session {
 namespace {
@@ -128,6 +132,85 @@ TEST(Follow, AStructuresMiddleIsTheMeanOfItsVoxelsAlsoAfterEdits) {
     for (auto& id : ids) id = std::uint16_t(1 + random() % 3);
     labels.write(corner, size, ids);
   }
+}
+
+TEST(Follow, MiddlesOfLabelsThatAreAskedForByTurnsStayTheirOwn) {
+  std::mt19937 random(5);
+  std::vector<LabelVolume> volumes;
+  for (glm::ivec3 dims : {glm::ivec3(40, 40, 40), {70, 33, 20}, {40, 40, 40}, {64, 64, 33}, {5, 6, 7}, {33, 64, 64}}) {
+    // Bricks of one id, and of many.
+    volumes.push_back(makeLabels(dims, [&](glm::ivec3 v) { return v.x >= 32 ? 2 : 1 + int(random() % 3); }));
+  }
+  std::vector<Shared<LabelVolume>> shared(volumes.begin(), volumes.end());
+  for (int round = 0; round < 3; ++round)
+    for (std::size_t i = 0; i < volumes.size(); ++i) {
+      scene::Scene scene;
+      scene.labels.data = shared[i];
+      for (int id : {1, 2, 3})
+        EXPECT_LT(glm::distance(*middleOfVoxels(scene, id), meanOf(volumes[i], id)), 1e-9) << i << " " << id;
+    }
+}
+
+TEST(Follow, MiddlesCanBeAskedForUnderALockAndFromManyThreads) {
+  std::mt19937 random(6);
+  LabelVolume labels = makeLabels({70, 70, 70}, [&](glm::ivec3) { return 1 + int(random() % 5); });
+  glm::dvec3 mean = meanOf(labels, 4);
+  std::mutex mutex;
+  std::atomic<int> wrong = 0;
+  parallelFor(0, 200, [&](int i) {
+    scene::Scene scene;
+    scene.labels.data = Shared<LabelVolume>(labels);
+    std::unique_lock lock(mutex, std::defer_lock);
+    if (i % 2 == 0) lock.lock();
+    auto middle = middleOfVoxels(scene, 4);
+    if (!middle || glm::distance(*middle, mean) > 1e-9) ++wrong;
+  });
+  EXPECT_EQ(wrong, 0);
+}
+
+TEST(Follow, PointsGoToTheNextMiddleOfTheBallsThatHoldThemInAnyCopy) {
+  scene::Scene scene;
+  scene.model.enlargement = 2.5e5;
+  scene.model.data = Shared<Model>(ModelMaker{.atoms = 20, .instances = 300, .halfEdge = 60.0f}.make());
+  scene.model.copies = 5;
+  scene.model.offset = {3, -7, 11};
+  std::uint32_t count = 5 * 300;
+  scene::ModelBox box = scene::worldBoxOfModel(scene);
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> unit(-0.1, 1.1);
+  Mark mark{.kind = MarkKind::Path};
+  for (int i = 0; i < 150; ++i)
+    mark.points.push_back(box.low + glm::dvec3(unit(random), unit(random), unit(random)) * (box.high - box.low));
+  Progress progress;
+  Mark bound = following(scene, mark, progress);
+  int held = 0;
+  for (std::size_t point = 0; point < mark.points.size(); ++point) {
+    int nearest = -1;
+    double least = 1e300;
+    for (std::uint32_t i = 0; i < count; ++i) {
+      auto place = instancePlace(scene, i);
+      double away = glm::distance(place->middle, mark.points[point]);
+      if (away <= place->radius && away < least) least = away, nearest = int(i);
+    }
+    held += nearest >= 0;
+    EXPECT_EQ(point < bound.pointInstances.size() ? bound.pointInstances[point] : -1, nearest) << point;
+  }
+  EXPECT_GT(held, 20);
+  EXPECT_LT(held, 150);
+  progress.cancel();
+  EXPECT_THROW(following(scene, mark, progress), Cancelled);
+}
+
+TEST(Follow, MoreInstancesThanCanBeLookedAtAreRefusedAtOnce) {
+  std::vector<glm::vec3> places;
+  for (int i = 0; i < 50000; ++i) places.emplace_back(float(i % 100), float(i / 100 % 100), float(i / 10000));
+  scene::Scene scene = atoms(places);
+  Mark mark{.kind = MarkKind::Path};
+  mark.points.assign(kMostSearched / places.size() + 1, glm::dvec3(50, 50, 2));
+  Progress progress;
+  EXPECT_THROW(following(scene, mark, progress), ArgumentError);
+  mark.points.resize(2);
+  EXPECT_EQ(following(scene, mark, progress).pointInstances.size(), 2u);
 }
 
 TEST(Follow, ACircleGoesWithItsMiddleAndWhatFollowsNothingStays) {

@@ -7,6 +7,7 @@
 
 #include "session/lettering/Lettering.h"
 #include "session/mark/MarkWords.h"
+#include "session/measure/Follow.h"
 
 namespace velum::session {
 namespace {
@@ -129,8 +130,11 @@ TEST(MarkHands, ADraggedPointMovesAloneButACircleGoesWithItsMiddle) {
   bound.pointStructures = {0, 3};
   Mark moved = withPointAt(bound, 1, {0, 0, 0}, view);
   EXPECT_EQ(moved.pointInstances, std::vector<int>{12});
-  EXPECT_EQ(moved.pointStructures, (std::vector<int>{0, 0})) << "it is no more the structure's middle";
-  EXPECT_EQ(withPointAt(bound, 0, {0, 0, 0}, view).pointInstances, std::vector<int>{-1});
+  EXPECT_EQ(moved.pointStructures, std::vector<int>()) << "it is no more the structure's middle";
+  EXPECT_TRUE(isFollowing(moved));
+  EXPECT_EQ(withPointAt(bound, 0, {0, 0, 0}, view).pointInstances, std::vector<int>());
+  EXPECT_EQ(withPointAt(bound, 0, {0, 0, 0}, view).pointStructures, (std::vector<int>{0, 3}));
+  EXPECT_FALSE(isFollowing(withPointAt(moved, 0, {0, 0, 0}, view))) << "of both points nothing is left";
   EXPECT_EQ(withPointAt(bound, 1, {0, 0, 0}, view, 5).pointInstances, (std::vector<int>{12, 5}));
 }
 

@@ -5,7 +5,10 @@
 
 #include "core/Error.h"
 #include "lettered.h"
+#include "render/Renderer.h"
 #include "session/command/LetteringCommands.h"
+#include "session/lettering/SeenNames.h"
+#include "session/model/ModelEdit.h"
 
 namespace velum::session {
 
@@ -119,6 +122,34 @@ TEST(NamesToPlace, NothingIsNamedOfAnEmptyPictureAndAMapOfAnotherSizeIsRefused) 
   EXPECT_TRUE(namesToPlace({}, {kSeenSize, bands({}, 0), bands({}, -1), 1}).empty());
   std::vector<std::int32_t> few(10);
   EXPECT_THROW(namesToPlace(scene, {kSeenSize, few, {}, 1}), ArgumentError);
+}
+
+TEST(NamesToPlace, InstancesBeyondExactFloatsAreFoundByNumberAndType) {
+  scene::Scene scene;
+  scene.unit = LengthUnit::Angstrom;
+  scene.model.data = Shared<Model>(ModelMaker{.atoms = 4, .instances = 60000}.make());
+  scene.model.copies = 400;
+  std::uint32_t first = render::firstModelInstance(scene);
+  for (int wanted : {5, 16777219, 20000001, 23999999}) {
+    auto place = instancePlace(scene, std::uint32_t(wanted));
+    ASSERT_TRUE(place && !place->isWhole) << wanted;
+    scene.lettering.marks.clear();
+    scene::addMark(scene.lettering.marks, {.points = {{0, 0, 0}}, .pointInstances = {wanted}});
+    float value = float(std::uint32_t(wanted) + first), type = float(place->type);
+    Image image{4,
+                1,
+                {"id", "instance", "type"},
+                {0, value, type,                                              //
+                 0, value, wanted > 5 ? float((place->type + 1) % 3) : type,  //
+                 0, float(7u + first), 0,                                     //
+                 0, -1, -1}};
+    ImageMap map(scene, image, 1);
+    EXPECT_EQ(map.map().instances[0], wanted);
+    EXPECT_EQ(map.map().instances[1] == wanted, wanted == 5) << "another type is another instance";
+    EXPECT_EQ(map.map().instances[2], 7);
+    EXPECT_EQ(map.map().instances[3], -1);
+    EXPECT_EQ(map.mapOfLarger(4).step, 4);
+  }
 }
 
 }  // namespace velum::session

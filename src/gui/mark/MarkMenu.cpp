@@ -5,7 +5,6 @@
 #include <QApplication>
 #include <QClipboard>
 
-#include "core/Error.h"
 #include "gui/kit/Text.h"
 #include "gui/view/ViewChange.h"
 #include "scene/SectionPlane.h"
@@ -55,11 +54,8 @@ void MarkMenu::goTo(int mark) {
 
 void MarkMenu::setFollowing(int mark, bool follows) {
   if (!session::findMark(mDocument.shown(), mark)) return;
-  try {
-    session::edit(mDocument, session::FollowMarks{keyOfMark(mark), follows});
-  } catch (const Error& error) {
-    emit refused(QString::fromUtf8(error.what()));
-  }
+  session::FollowMarks command{keyOfMark(mark), follows};
+  follows ? mJobs.run(command) : session::edit(mDocument, command);
 }
 
 void MarkMenu::copy(int mark) {
@@ -88,7 +84,7 @@ void MarkMenu::fill(QMenu& menu, int mark) {
   })->setEnabled(!found->points.empty());
   add(tr("Copy value"), tr("Name and value, for tables and texts"), [this, mark] { copy(mark); });
   add(tr("Duplicate"), tr("Add a copy of it"), [this, mark] { duplicate(mark); });
-  bool follows = !found->pointInstances.empty() || !found->pointStructures.empty();
+  bool follows = session::isFollowing(*found);
   QString followTip = follows ? tr("Its points stay where they are now")
                               : tr("Its points go to the middles of the molecules or structures in which they lie, "
                                    "and follow them");

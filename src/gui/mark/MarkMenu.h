@@ -2,6 +2,7 @@
 #include <QMenu>
 #include <QObject>
 
+#include "gui/service/JobRunner.h"
 #include "session/document/Document.h"
 
 namespace velum::gui {
@@ -10,7 +11,8 @@ namespace velum::gui {
 class MarkMenu : public QObject {
   Q_OBJECT
  public:
-  MarkMenu(session::Document& document, QObject* parent) : QObject(parent), mDocument(document) {}
+  MarkMenu(session::Document& document, JobRunner& jobs, QObject* parent)
+      : QObject(parent), mDocument(document), mJobs(jobs) {}
 
   void fill(QMenu& menu, int mark);
   void remove(int mark);
@@ -20,7 +22,7 @@ class MarkMenu : public QObject {
   void setWords(int mark, const QString& words);
   /// Puts the crosshair to the mark's first point.
   void goTo(int mark);
-  /// Lets the mark's points follow what is there, or lets them go.
+  /// Lets the mark's points follow what is there, as a job, or lets them go.
   void setFollowing(int mark, bool follows);
   /// Puts the mark's name and value on the clipboard.
   void copy(int mark);
@@ -28,11 +30,10 @@ class MarkMenu : public QObject {
  signals:
   /// The words of a mark are to be typed.
   void renameAsked(int mark);
-  /// What was wanted cannot be done. @param why  one line
-  void refused(const QString& why);
 
  private:
   session::Document& mDocument;
+  JobRunner& mJobs;
 };
 
 }  // namespace velum::gui

@@ -27,7 +27,7 @@ MarkRoom::MarkRoom(const WindowParts& parts, LetteringOverlay& lettering)
     : Room(parts),
       mLettering(lettering),
       mMeter(kMeterPatienceMs, this),
-      mMenu(parts.document(), nullptr),
+      mMenu(parts.document(), parts.jobs, nullptr),
       mPanel(new MarkPanel(parts.document(), parts.selection, mMenu, &parts.tabs)),
       mGrips(parts.document(), parts.selection, parts.toolbox, lettering, nullptr) {
   parts.tabs.addPage(mPanel, QT_TRANSLATE_NOOP("Words", "Marks"),
@@ -38,7 +38,6 @@ MarkRoom::MarkRoom(const WindowParts& parts, LetteringOverlay& lettering)
   menu->addSeparator();
   addActions(menu);
   connect(&mMenu, &MarkMenu::renameAsked, this, &MarkRoom::rename);
-  connect(&mMenu, &MarkMenu::refused, &parts.messages, &MessageBar::showError);
   // After the lettering has looked at the picture.
   connect(&parts.views.viewport(), &Viewport::refined, this, [this] { mPanel->setHidden(mLettering.hidden()); });
   connect(&mGrips, &MarkGrips::removeAsked, &mMenu, &MarkMenu::remove);

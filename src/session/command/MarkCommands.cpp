@@ -67,8 +67,8 @@ Mark* markWithId(Scene& scene, int id) {
   return found == all.end() ? nullptr : &*found;
 }
 
-void follow(const Scene& scene, Mark& mark, bool follows) {
-  Mark now = follows ? following(scene, mark) : fixed(scene, mark);
+void follow(const Scene& scene, Mark& mark, bool follows, const Progress& progress) {
+  Mark now = follows ? following(scene, mark, progress) : fixed(scene, mark);
   if (follows && now.pointInstances.empty() && now.pointStructures.empty())
     throw ArgumentError(
         fmt::format("no point of mark {} lies in a structure or in an instance that it could follow", mark.id));
@@ -109,8 +109,8 @@ std::vector<Command> markCommands() {
           [](const Scene& scene, const FollowMarks& a) {
             return stepOfMarks<FollowMarks>(a.follow ? "Let follow" : "Let go")(scene, a);
           },
-          [](Scene& scene, const FollowMarks& a) {
-            for (int id : markIds(scene, a.marks)) follow(scene, *markWithId(scene, id), a.follow);
+          [](Scene& scene, const FollowMarks& a, Progress& progress) {
+            for (int id : markIds(scene, a.marks)) follow(scene, *markWithId(scene, id), a.follow, progress);
           }),
       editRow<DuplicateMarks>("Adds a copy of each mark.", "mark.duplicate 1", stepOfMarks<DuplicateMarks>("Duplicate"),
                               [](Scene& scene, const DuplicateMarks& a) {

@@ -53,6 +53,7 @@ FilmNames::Look FilmDrawer::lookAt(int frame, Progress& progress) {
   render::Layers layers;
   layers.position = layers.structure = layers.instance = true;
   layers.type = bool(drawn.scene.model.data);
+  layers.depth = needsSeenPlaces(look.scene.lettering);
   look.image = render::renderPicture(*mRenderer, drawn, layers, mLimits->texture2d, progress);
   return look;
 }

@@ -16,17 +16,6 @@ constexpr int kKnownBefore = 3;     // key frames whose names a key frame knows
 constexpr int kMostSettling = 200;  // steps until names have gone to their places
 constexpr std::size_t kLooksKept = kKnownBefore + 3;
 
-SeenMap mapOf(const Image& image, int step, std::vector<std::int32_t>& structures, std::vector<std::int32_t>& types) {
-  int id = channelIndex(image, "id"), instance = channelIndex(image, "instance"), type = channelIndex(image, "type");
-  std::size_t channels = image.channels.size();
-  for (std::size_t i = 0; i < image.pixels.size(); i += channels) {
-    const float* pixel = &image.pixels[i];
-    structures.push_back(pixel[instance] < 0.0f ? -1 : std::int32_t(pixel[id]));
-    if (type >= 0) types.push_back(std::int32_t(pixel[type]));
-  }
-  return {{image.width, image.height}, structures, types, step};
-}
-
 /// The place in the world that a pixel of a small picture shows. @param at  pixels of the film's picture
 glm::dvec3 placeAt(const Image& image, int step, glm::dvec2 at) {
   glm::ivec2 pixel =
@@ -72,9 +61,11 @@ const FilmNames::Look& FilmNames::look(int key, Progress& progress) {
 FilmNames::Key FilmNames::keyAfter(int key, const Key* before, Progress& progress) {
   const Look& seen = look(key, progress);
   Key out;
-  std::vector<std::int32_t> structures, types;
-  SeenMap map = mapOf(seen.image, mStep, structures, types);
+  ImageMap small(seen.scene, seen.image, 1);
+  SeenMap map = small.mapOfLarger(mStep);
   out.seen = seenNames(seen.scene, map, before ? before->seen : SeenNames());
+  // As the frames have them: names stand where leaders and words of marks leave room.
+  if (!mSection && needsSeenPlaces(seen.scene.lettering)) out.seen.places = seenPlaces(seen.scene, map);
   std::vector<NamePlace> places = before ? before->places : std::vector<NamePlace>();
   // With those before until nothing moves any more.
   for (int i = 0; i < (before ? kMostSettling : 1); ++i) {

@@ -19,8 +19,8 @@ namespace velum::session {
 /// one, at most five small pictures are looked at, whatever was drawn before.
 class FilmNames {
  public:
-  /// A small picture of a frame, with the channels "id", "instance", "type" and "position" (of a section as
-  /// seenOfSection() makes it), and the scene that it shows.
+  /// A small picture of a frame, with the channels of an ImageMap, "Z" where needsSeenPlaces(), and "position" (of a
+  /// section as seenOfSection() makes it), and the scene that it shows.
   struct Look {
     Image image;
     scene::Scene scene;

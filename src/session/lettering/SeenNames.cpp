@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <map>
 #include <string>
 
 #include "core/ImageChannels.h"
@@ -9,6 +10,7 @@
 #include "scene/Scene.h"
 #include "session/lettering/NameGroups.h"
 #include "session/mark/MarkHands.h"
+#include "session/model/ModelEdit.h"
 #include "session/structure/StructureEdit.h"
 
 namespace velum::session {
@@ -41,6 +43,40 @@ void dropMarked(std::vector<SeenName>& names, const scene::Scene& scene) {
   for (const NameGroup& group : listedGroups(scene, marked, {}))
     std::erase_if(names, [&](const SeenName& name) { return name.name == group.name; });
 }
+
+constexpr float kExactUpTo = 16777216.0f;  // larger whole numbers may be others as floats
+
+/// Finds instances of the model by their numbers in a channel.
+class InstancesInChannel {
+ public:
+  explicit InstancesInChannel(const scene::Scene& scene) : mFirst(render::firstModelInstance(scene)) {
+    for (const scene::Mark& mark : scene.lettering.marks)
+      for (int wanted : mark.pointInstances) {
+        if (wanted < 0) continue;
+        float asFloat = float(std::uint32_t(wanted) + mFirst);
+        if (asFloat < kExactUpTo) continue;
+        if (auto place = instancePlace(scene, std::uint32_t(wanted)))
+          mWanted[asFloat].push_back({wanted, place->isWhole ? -1 : std::int32_t(place->type)});
+      }
+  }
+  /// @param type  of the model, which the pixel shows
+  std::int32_t instanceOf(float value, std::int32_t type) const {
+    std::int32_t about = std::int32_t(std::int64_t(value) - std::int64_t(mFirst));
+    if (value < kExactUpTo) return about;
+    auto found = mWanted.find(value);
+    if (found == mWanted.end()) return about;
+    for (const WantedInstance& wanted : found->second)
+      if (wanted.type < 0 || wanted.type == type) return wanted.instance;
+    return -1;  // of another type than those that are wanted: none of them
+  }
+
+ private:
+  struct WantedInstance {
+    std::int32_t instance, type;  ///< type -1: any
+  };
+  std::uint32_t mFirst;
+  std::map<float, std::vector<WantedInstance>> mWanted;  ///< by their numbers as floats; only inexact ones
+};
 
 }  // namespace
 
@@ -88,7 +124,7 @@ ImageMap::ImageMap(const scene::Scene& scene, const Image& image, int step) {
       distance = channelIndex(image, "Z");
   if (step == 0) step = mapStep(image.width);
   std::size_t channels = image.channels.size();
-  std::int32_t first = std::int32_t(render::firstModelInstance(scene));
+  InstancesInChannel instances(scene);
   for (int y = 0; y < image.height; y += step)
     for (int x = 0; x < image.width; x += step) {
       const float* pixel = &image.pixels[(std::size_t(y) * std::size_t(image.width) + std::size_t(x)) * channels];
@@ -97,9 +133,16 @@ ImageMap::ImageMap(const scene::Scene& scene, const Image& image, int step) {
       if (distance >= 0) mDistances.push_back(pixel[distance]);
       if (type < 0) continue;
       mTypes.push_back(std::int32_t(pixel[type]));
-      if (instance >= 0) mInstances.push_back(mTypes.back() < 0 ? -1 : std::int32_t(pixel[instance]) - first);
+      if (instance >= 0)
+        mInstances.push_back(mTypes.back() < 0 ? -1 : instances.instanceOf(pixel[instance], mTypes.back()));
     }
   mMap = {mapSize({image.width, image.height}, step), mStructures, mTypes, step, mInstances, mDistances};
+}
+
+SeenMap ImageMap::mapOfLarger(int pixels) const {
+  SeenMap map = mMap;
+  map.step *= pixels;
+  return map;
 }
 
 SeenNames seenNames(const scene::Scene& scene, const Image& image, const SeenNames& before) {

@@ -30,13 +30,17 @@ scene::Lettering namingOf(const scene::Lettering& lettering);
 SeenNames seenNames(const scene::Scene& scene, const SeenMap& map, const SeenNames& before = {});
 
 /// The map of a picture with the channels "id" and "instance" (render::Layers), "type" where there is a model, and "Z"
-/// where its distances are asked for.
+/// where its distances are asked for. Channels are floats, which hold whole numbers up to 2^24 exactly: of larger
+/// numbers of instances, those that marks of the scene follow are told by number and type, and of several of a type
+/// whose numbers are one float the first is taken; all others are off by a few.
 class ImageMap {
  public:
   /// @param step  see SeenMap; 0: mapStep()
   ImageMap(const scene::Scene& scene, const Image& image, int step = 0);
   ImageMap(const ImageMap&) = delete;
   ImageMap& operator=(const ImageMap&) = delete;
+  /// Of a small picture whose pixels stand for so many of a larger one, along x and y: the map of that one.
+  SeenMap mapOfLarger(int pixels) const;
   const SeenMap& map() const { return mMap; }
 
  private:

@@ -140,6 +140,10 @@ std::pair<MarkGrip, double> gripOf(const Mark& mark, const ViewSpace& view, glm:
   return best;
 }
 
+void dropTrailing(std::vector<int>& items, int none) {
+  while (!items.empty() && items.back() == none) items.pop_back();
+}
+
 int rankOf(MarkPart part) { return part == MarkPart::None ? 9 : static_cast<int>(part); }
 
 }  // namespace
@@ -228,6 +232,8 @@ Mark withPointAt(Mark mark, std::size_t point, glm::dvec3 place, const ViewSpace
   if (point < mark.pointStructures.size()) mark.pointStructures[point] = 0;
   if (instance >= 0 && point >= mark.pointInstances.size()) mark.pointInstances.resize(point + 1, -1);
   if (point < mark.pointInstances.size()) mark.pointInstances[point] = instance;
+  dropTrailing(mark.pointStructures, 0);
+  dropTrailing(mark.pointInstances, -1);
   return mark;
 }
 

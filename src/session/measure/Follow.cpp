@@ -1,15 +1,13 @@
 #include "session/measure/Follow.h"
 
-#include <algorithm>
-#include <cstdint>
+#include <fmt/format.h>
+
 #include <limits>
-#include <map>
-#include <memory>
-#include <mutex>
 #include <utility>
 #include <vector>
 
-#include "core/LabelVolume.h"
+#include "core/Error.h"
+#include "core/Model.h"
 #include "core/Parallel.h"
 #include "scene/Crowd.h"
 #include "scene/Scene.h"
@@ -20,100 +18,118 @@ namespace velum::session {
 
 namespace {
 
-constexpr std::size_t kMiddlesKept = 256;     // structures whose sums are remembered
-constexpr std::uint64_t kMostSearched = 2e7;  // instances that are looked at to find one
+constexpr std::size_t kInstancesAtOnce = 1u << 16;  // pieces of the search
 
 int itemAt(const std::vector<int>& items, std::size_t point, int none) {
   return point < items.size() ? items[point] : none;
 }
 
-/// The voxels of a structure in a brick: how many, and the sum of their places.
-struct BrickSum {
-  std::uint64_t brick = 0;  ///< see LabelVolume::brickId(); 0: not looked at
-  std::uint64_t voxels = 0;
-  glm::dvec3 places{0.0};
+/// What holds a place: the instance, or of a crowd the copy, whose middle is next to it.
+struct PlaceHolder {
+  double away = std::numeric_limits<double>::infinity();
+  std::int64_t instance = -1;  ///< -1: nothing does
+  void take(double otherAway, std::int64_t other) {
+    if (other >= 0 && std::pair(otherAway, other) < std::pair(away, instance)) away = otherAway, instance = other;
+  }
+};
+using PlaceHolders = std::vector<PlaceHolder>;
+
+/// A place that a copy of the model may hold.
+struct PlaceInCopy {
+  std::size_t point = 0;
+  glm::dvec3 world{0.0};
+  glm::dvec3 shift{0.0};            ///< of the copy, angstrom
+  std::uint64_t firstInstance = 0;  ///< of the copy
 };
 
-BrickSum sumOfBrick(const LabelVolume& labels, glm::ivec3 index, int structure) {
-  constexpr int kEdge = LabelVolume::kBrickSize;
-  BrickSum sum{labels.brickId(index), 0, {}};
-  const LabelVolume::Brick& brick = labels.brick(index);
-  glm::ivec3 corner = index * kEdge, inside = glm::min(labels.dims() - corner, glm::ivec3(kEdge));
-  if (brick.size() == 1) {
-    if (brick[0] != structure) return sum;
-    sum.voxels = std::uint64_t(inside.x) * std::uint64_t(inside.y) * std::uint64_t(inside.z);
-    sum.places = double(sum.voxels) * (glm::dvec3(corner) + 0.5 * glm::dvec3(inside - 1));
-    return sum;
+/// Each place with all copies whose boxes hold it.
+std::vector<PlaceInCopy> placesInCopies(const scene::Scene& scene, const std::vector<glm::dvec3>& points) {
+  const Model& model = *scene.model.data;
+  scene::CopyGrid grid = scene::copyGrid(scene.model);
+  scene::ModelFrame frame = scene::modelFrame(scene);
+  glm::dvec3 low(model.low), high(model.high), rim(1e-3 * glm::length(high - low));
+  std::vector<PlaceInCopy> places;
+  for (int copy = 0; copy < scene::copyCount(scene.model); ++copy) {
+    glm::ivec3 cell(copy % grid.counts.x, copy / grid.counts.x % grid.counts.y, copy / (grid.counts.x * grid.counts.y));
+    glm::dvec3 shift = grid.step * glm::dvec3(cell);
+    glm::dvec3 from = frame.worldOf(low + shift - rim), to = frame.worldOf(high + shift + rim);
+    for (std::size_t i = 0; i < points.size(); ++i)
+      if (glm::all(glm::lessThanEqual(from, points[i])) && glm::all(glm::lessThanEqual(points[i], to)))
+        places.push_back({i, points[i], shift, std::uint64_t(copy) * model.instances.size()});
   }
-  for (int z = 0; z < inside.z; ++z)
-    for (int y = 0; y < inside.y; ++y) {
-      const std::uint16_t* row = &brick[(std::size_t(z) * kEdge + std::size_t(y)) * kEdge];
-      for (int x = 0; x < inside.x; ++x)
-        if (row[x] == structure) ++sum.voxels, sum.places += glm::dvec3(corner + glm::ivec3(x, y, z));
-    }
-  return sum;
+  return places;
 }
 
-/// What is remembered of a structure.
-struct Middle {
-  std::uint64_t labels = 0;  ///< Shared<LabelVolume>::id()
-  std::vector<BrickSum> bricks;
-  std::optional<glm::dvec3> world;
-};
+/// @throw ArgumentError where it would take too long
+void checkSearch(std::uint64_t instances, std::size_t places) {
+  if (places == 0 || instances <= kMostSearched / places) return;
+  throw ArgumentError(
+      fmt::format("{} instances are too many to find which of them hold {} points: at most {} can be "
+                  "looked at for one point; give pointInstances",
+                  instances, places, kMostSearched));
+}
 
-void look(Middle& middle, const Shared<LabelVolume>& labels, int structure) {
-  glm::ivec3 grid = labels->brickGrid();
-  middle.labels = labels.id();
-  middle.bricks.resize(std::size_t(grid.x) * std::size_t(grid.y) * std::size_t(grid.z));
-  parallelFor(0, grid.z, [&](int z) {
-    for (int y = 0; y < grid.y; ++y)
-      for (int x = 0; x < grid.x; ++x) {
-        BrickSum& sum =
-            middle
-                .bricks[(std::size_t(z) * std::size_t(grid.y) + std::size_t(y)) * std::size_t(grid.x) + std::size_t(x)];
-        if (sum.brick != labels->brickId({x, y, z})) sum = sumOfBrick(*labels, {x, y, z}, structure);
-      }
+/// Looks at all from 0 to before count, on all cores. @param look  (PlaceHolders& of all points, number)
+template <class LookAt>
+PlaceHolders searchAll(std::uint64_t count, std::size_t points, const Progress& progress, const LookAt& look) {
+  PlaceHolders held(points);
+  auto lookAtPiece = [&](std::uint64_t first, std::uint64_t end) {
+    progress.throwIfCancelled();
+    PlaceHolders piece(points);
+    for (std::uint64_t i = first; i < end; ++i) look(piece, i);
+    return piece;
+  };
+  auto join = [](PlaceHolders a, const PlaceHolders& b) {
+    for (std::size_t i = 0; i < a.size(); ++i) a[i].take(b[i].away, b[i].instance);
+    return a;
+  };
+  isolated([&] {
+    held = parallelReduce(std::uint64_t(0), count, std::uint64_t(kInstancesAtOnce), PlaceHolders(points), lookAtPiece,
+                          join);
   });
-  std::uint64_t voxels = 0;
-  glm::dvec3 places(0.0);
-  for (const BrickSum& sum : middle.bricks) voxels += sum.voxels, places += sum.places;
-  middle.world.reset();
-  if (voxels > 0) middle.world = glm::dvec3(labels->worldFromVoxel() * glm::dvec4(places / double(voxels), 1.0));
+  return held;
 }
 
-/// The instance of the model whose ball holds a place; of several that whose middle is next. -1: none
-int instanceAt(const scene::Scene& scene, glm::dvec3 world) {
-  if (!scene.model.data) return -1;
-  std::uint64_t each = scene::isCrowd(scene.model) ? 1 : scene.model.data->instances.size();
-  std::uint64_t count = each * std::uint64_t(scene::copyCount(scene.model));
-  if (count > kMostSearched) return -1;
-  int found = -1;
-  double nearest = std::numeric_limits<double>::infinity();
-  for (std::uint64_t i = 0; i < count; ++i) {
-    auto place = instancePlace(scene, std::uint32_t(i));
-    if (!place) continue;
-    double away = glm::distance(place->middle, world);
-    if (away <= place->radius && away < nearest) nearest = away, found = int(i);
+/// The instances of the model whose balls hold places, see following(). One pass for all of them.
+PlaceHolders instancesAt(const scene::Scene& scene, const std::vector<glm::dvec3>& points, const Progress& progress) {
+  if (!scene.model.data || scene.model.data->instances.empty()) return PlaceHolders(points.size());
+  if (scene::isCrowd(scene.model)) {
+    auto count = std::uint64_t(scene::copyCount(scene.model));
+    checkSearch(count, points.size());
+    return searchAll(count, points.size(), progress, [&](PlaceHolders& held, std::uint64_t copy) {
+      auto place = instancePlace(scene, std::uint32_t(copy));
+      for (std::size_t i = 0; place && i < points.size(); ++i)
+        if (double away = glm::distance(place->middle, points[i]); away <= place->radius)
+          held[i].take(away, std::int64_t(copy));
+    });
   }
-  return found;
+  const Model& model = *scene.model.data;
+  scene::ModelFrame frame = scene::modelFrame(scene);
+  std::vector<PlaceInCopy> places = placesInCopies(scene, points);
+  if (places.empty()) return PlaceHolders(points.size());
+  checkSearch(model.instances.size(), places.size());
+  return searchAll(model.instances.size(), points.size(), progress, [&](PlaceHolders& held, std::uint64_t i) {
+    const Instance& one = model.instances[i];
+    const Molecule& molecule = model.molecules[one.molecule];
+    glm::dvec3 middle(one.rotation * molecule.centre + one.position);
+    double radius = molecule.radius * frame.length;
+    for (const PlaceInCopy& place : places) {
+      double away = glm::distance(frame.worldOf(middle + place.shift), place.world);
+      if (away <= radius) held[place.point].take(away, std::int64_t(place.firstInstance + i));
+    }
+  });
 }
 
 }  // namespace
 
-std::optional<glm::dvec3> middleOfVoxels(const scene::Scene& scene, int structure) {
-  static std::mutex mutex;
-  static std::map<int, Middle> known;
-  const Shared<LabelVolume>& labels = scene.labels.data;
-  if (!labels || structure <= 0) return std::nullopt;
-  std::lock_guard lock(mutex);
-  if (known.size() >= kMiddlesKept && !known.contains(structure)) known.clear();
-  Middle& middle = known[structure];
-  if (middle.labels != labels.id()) look(middle, labels, structure);
-  return middle.world;
-}
-
 bool isFollowing(const scene::Mark& mark, std::size_t point) {
   return itemAt(mark.pointInstances, point, -1) >= 0 || itemAt(mark.pointStructures, point, 0) > 0;
+}
+
+bool isFollowing(const scene::Mark& mark) {
+  for (std::size_t i = 0; i < mark.points.size(); ++i)
+    if (isFollowing(mark, i)) return true;
+  return false;
 }
 
 scene::Mark followed(const scene::Scene& scene, const scene::Mark& mark) {
@@ -131,11 +147,12 @@ scene::Mark followed(const scene::Scene& scene, const scene::Mark& mark) {
   return now;
 }
 
-scene::Mark following(const scene::Scene& scene, scene::Mark mark) {
+scene::Mark following(const scene::Scene& scene, scene::Mark mark, const Progress& progress) {
   mark = fixed(scene, mark);
+  PlaceHolders held = instancesAt(scene, mark.points, progress);
   auto field = scene.labels.data ? scene::structureFieldOf(scene) : nullptr;  // held while points ask it
   for (std::size_t i = 0; i < mark.points.size(); ++i) {
-    int instance = instanceAt(scene, mark.points[i]);
+    int instance = int(held[i].instance);
     int structure = instance < 0 ? scene::structureAt(scene, mark.points[i]).id : 0;
     if (instance >= 0) mark.pointInstances.resize(i + 1, -1), mark.pointInstances[i] = instance;
     if (structure > 0) mark.pointStructures.resize(i + 1, 0), mark.pointStructures[i] = structure;

@@ -212,10 +212,12 @@ class CaptionCommands:
 
 class MarkCommands:
     """The commands mark.*"""
-    def add(self, kind: Literal['distance', 'angle', 'path', 'area', 'arrow', 'label', 'name', 'circle', 'box', 'region', 'profile'] = 'label', points: Sequence[Sequence[float]] = [], text: str = '', structure: str = '', type: str = '', alongSurface: bool = False, instance: int = -1, normal: Sequence[float] = (0.0, 0.0, 0.0)) -> None:
+    def add(self, kind: Literal['distance', 'angle', 'path', 'area', 'arrow', 'label', 'name', 'circle', 'box', 'region', 'profile'] = 'label', points: Sequence[Sequence[float]] = [], text: str = '', structure: str = '', type: str = '', alongSurface: bool = False, pointInstances: Sequence[int] = [], pointStructures: Sequence[str] = [], normal: Sequence[float] = (0.0, 0.0, 0.0)) -> None:
         """Adds a mark: a measure, an arrow, or words beside a place; its fields are set as any other: set lettering.marks[#1].wordsAt 0.1,0."""
     def remove(self, marks: Sequence[str] = []) -> None:
         """Removes marks."""
+    def follow(self, marks: Sequence[str] = [], follow: bool = True) -> None:
+        """Lets each point of marks follow what is there: the instance of the model that holds it, or the structure in which it lies, in its middle."""
     def duplicate(self, marks: Sequence[str] = []) -> None:
         """Adds a copy of each mark."""
     def show(self, marks: Sequence[str] = [], visible: bool = True) -> None:

@@ -55,13 +55,13 @@ scene::Scene frontOf(int frame) {
   return scene;
 }
 
-/// The ring with a label whose words stand at a pixel; before its place things stand that are so far from the eye, at
+/// The ring with labels whose words stand at pixels; before their places things stand that are so far from the eye, at
 /// 500 mm.
-FilmNames namesBeside(std::optional<glm::dvec2> label, float before) {
+FilmNames namesBeside(std::vector<glm::dvec2> labels, float before) {
   scene::FilmFrames frames;
   frames.count = kFilmFrames;
   frames.framesPerSecond = 25.0;
-  auto look = [label, before](int frame, Progress&) {
+  auto look = [labels, before](int frame, Progress&) {
     FilmNames::Look made = lookAt(frame);
     made.scene.camera.projection = scene::Projection::Orthographic;
     std::size_t channels = made.image.channels.size();
@@ -72,12 +72,13 @@ FilmNames namesBeside(std::optional<glm::dvec2> label, float before) {
     }
     made.image.channels.push_back("Z");
     made.image.pixels = std::move(pixels);
-    if (!label) return made;
-    scene::PictureRay ray = scene::rayFromPixel(made.scene.camera, glm::dvec2(kFilmSize), *label);
-    scene::addMark(made.scene.lettering.marks, {.kind = scene::MarkKind::Label,
-                                                .points = {ray.origin + 500.0 * ray.direction},
-                                                .text = "here it is",
-                                                .wordsAt = glm::dvec2(0.0)});
+    for (glm::dvec2 label : labels) {
+      scene::PictureRay ray = scene::rayFromPixel(made.scene.camera, glm::dvec2(kFilmSize), label);
+      scene::addMark(made.scene.lettering.marks, {.kind = scene::MarkKind::Label,
+                                                  .points = {ray.origin + 500.0 * ray.direction},
+                                                  .text = "here it is",
+                                                  .wordsAt = glm::dvec2(0.0)});
+    }
     return made;
   };
   return {frames, kFilmSize, kFilmStep, {}, look};
@@ -139,8 +140,8 @@ TEST(FilmNames, ALabelTakesThePlacesOfNamesWhereItIsDrawnOnly) {
   NamesBetween plain = namesBeside({}, 100.0f).at(0, 0.0, frontOf(0), progress);
   ASSERT_FALSE(plain.from.empty());
   glm::dvec2 at = 0.5 * (plain.from[0].block.low + plain.from[0].block.high);
-  EXPECT_TRUE(areSame(namesBeside(at, 100.0f).at(0, 0.0, frontOf(0), progress), plain)) << "it is hidden";
-  EXPECT_FALSE(areSame(namesBeside(at, 1000.0f).at(0, 0.0, frontOf(0), progress), plain)) << "it is seen";
+  EXPECT_TRUE(areSame(namesBeside({at}, 100.0f).at(0, 0.0, frontOf(0), progress), plain)) << "it is hidden";
+  EXPECT_FALSE(areSame(namesBeside({at}, 1000.0f).at(0, 0.0, frontOf(0), progress), plain)) << "it is seen";
 }
 
 }  // namespace velum::session

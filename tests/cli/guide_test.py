@@ -148,7 +148,7 @@ def commands_in_menu(title):
 
 def titles_on_page(title):
     """Texts of the room whose page of the side panel is called so."""
-    rooms = [source.parent for source in (ROOT / "src/gui").rglob("*.cpp") if re.search(rf'addPage\([^"]*"{title}"', source.read_text())]
+    rooms = [source.parent for source in (ROOT / "src/gui").rglob("*.cpp") if re.search(rf'addPage\([^;]*"{title}"', source.read_text())]
     return {plain(text) for room in rooms for source in room.glob("*.cpp") for text in re.findall(r'tr\("([^"]+)"', source.read_text())}
 
 

@@ -134,7 +134,8 @@ TEST(NamesToPlace, InstancesBeyondExactFloatsAreFoundByNumberAndType) {
     auto place = instancePlace(scene, std::uint32_t(wanted));
     ASSERT_TRUE(place && !place->isWhole) << wanted;
     scene.lettering.marks.clear();
-    scene::addMark(scene.lettering.marks, {.points = {{0, 0, 0}}, .pointInstances = {wanted}});
+    scene::addMark(scene.lettering.marks,
+                   {.kind = scene::MarkKind::Label, .points = {{0, 0, 0}}, .pointInstances = {wanted}});
     float value = float(std::uint32_t(wanted) + first), type = float(place->type);
     Image image{4,
                 1,

@@ -36,7 +36,7 @@ TEST(Svg, PlacesOfLongPathsAreWhereTheyWereSinceErrorsDoNotAddUp) {
   EXPECT_EQ(path.find_first_of("CLl"), path.npos);
   // As readers of SVG have it: a number ends where it cannot go on.
   std::vector<double> numbers;
-  for (const char* c = path.c_str() + 1; *c;) {
+  for (const char* c = path.c_str(); *c;) {
     if (*c == ' ' || *c == 'c') {
       ++c;
       continue;

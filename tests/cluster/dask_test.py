@@ -14,7 +14,9 @@ MODULES = [name for name in ("distributed", "numpy", "velum") if not importlib.u
 def draw(data, output):
     """What a worker does. @return its process"""
     import velum
-    velum.open(data).picture("96x64", output, samples=1)
+    s = velum.open(data)
+    s.view.first(aspect=96 / 64)  # as velum-batch looks at data, by the picture's shape
+    s.picture("96x64", output, samples=1)
     return os.getpid()
 
 

@@ -200,10 +200,16 @@ QString MarkPanel::valueOf(const scene::Mark& mark) const {
 void MarkPanel::showList() {
   const scene::Scene& scene = mDocument.shown();
   std::vector<EyeList::Row> rows;
+  auto nameOf = [&](const scene::Mark& mark) {
+    std::string name = session::markName(scene, mark);
+    const char* title = rowOf(mark.kind).menu;
+    bool isKinds = mark.text.empty() && title && name == session::markTitle(mark.kind);
+    return isKinds ? wordsOf(title).remove('&') : toText(name).replace('\n', ' ');
+  };
   for (const scene::Mark& mark : marks())
     rows.push_back({.id = mark.id,
                     .icon = rowOf(mark.kind).sign,
-                    .name = toText(session::markName(scene, mark)).replace('\n', ' '),
+                    .name = nameOf(mark),
                     .value = valueOf(mark),
                     .isOn = mark.visible,
                     .isDim = mHidden.contains(mark.id),

@@ -227,8 +227,11 @@ void MarkTool::paint(ViewPainter& over) const {
     for (const glm::dvec2& p : line) path.elementCount() == 0 ? path.moveTo(p.x, p.y) : path.lineTo(p.x, p.y);
     strokeTwice(over.painter, path, kHandle, 1.5);
   }
-  for (const glm::dvec3& point : mPoints)
-    if (auto pixel = over.space.pixelFromWorld(point)) drawKnob(over.painter, QPointF(pixel->x, pixel->y), false);
+  for (std::size_t i = 0; i < mPoints.size(); ++i) {
+    auto pixel = over.space.pixelFromWorld(mPoints[i]);
+    bool isHere = session::pointShare(over.space, mark, i, scene::sectionStep(scene)) > 0.0;
+    if (pixel && isHere) drawKnob(over.painter, QPointF(pixel->x, pixel->y), false);
+  }
   if (&over.view == mView && mNext) drawTag(over.painter, mPlace, over.size, value);
 }
 

@@ -66,7 +66,7 @@ GreyWindowCorner& GreyWindowCorner::of(QWidget& section) {
 void GreyWindowCorner::refresh() {
   glm::dvec2 whole(parentWidget()->width(), parentWidget()->height());
   QPointF corner = lowerRight(whole);
-  mText = QString::fromStdString(session::windowText(mDocument.shown().volume));
+  mText = localNumber(session::windowText(mDocument.shown().volume));
   QSize size = fontMetrics().boundingRect(mText).size() + kAround;
   setVisible(!mText.isEmpty() && size.width() - kAround.width() < cornerRoom(whole));
   setGeometry(

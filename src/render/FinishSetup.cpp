@@ -5,7 +5,6 @@
 
 #include "render/FrameData.h"
 #include "render/RenderPicture.h"
-#include "scene/Finishes.h"
 
 namespace velum::render {
 
@@ -37,7 +36,7 @@ bool needsSamples(const scene::Finish& finish) {
   return finish.contours > 0 || finish.litSphere > 0 || finish.hatching > 0;
 }
 
-shared::FinishParams makeFinishParams(const Frame& frame, int sphereRows, DepthSteps steps) {
+shared::FinishParams makeFinishParams(const Frame& frame, int sphereRows, scene::DepthSteps steps) {
   const scene::Finish& finish = frame.scene.finish;
   shared::FinishParams params{};
   params.contourColor = glm::vec4(finish.contourColor, 0.0f);

@@ -1,5 +1,6 @@
 #pragma once
 #include "render/FrameSetup.h"
+#include "scene/Finishes.h"
 #include "shared/finish.h"
 
 namespace velum::render {
@@ -13,14 +14,9 @@ bool needsSamples(const scene::Finish& finish);
 /// How many pixels around what is seen its lines go, and what they depend on.
 int lineMargin(const Frame& frame);
 
-/// Jumps of depth that have a line, scene frame: the least of them, and those of models that have a strong one.
-struct DepthSteps {
-  double least = 0.0;
-  double deep = 0.0;
-};
-
 /// The parameters of a frame's finish for the shaders; lengths are in pixels of the frame.
 /// @param sphereRows  how many lit spheres the frame has
-shared::FinishParams makeFinishParams(const Frame& frame, int sphereRows, DepthSteps steps);
+/// @param steps  scene frame
+shared::FinishParams makeFinishParams(const Frame& frame, int sphereRows, scene::DepthSteps steps);
 
 }  // namespace velum::render

@@ -10,6 +10,10 @@ namespace velum::scene {
 
 namespace {
 
+constexpr double kStepAngstrom = 20.0;  // more than the folds of most proteins
+constexpr double kDeepShare = 0.03;     // of a model's diameter
+constexpr double kDeepSteps = 3.0;      // and at least so many of the least steps
+
 /// A row's finish as a scene has it; where nothing is added the look of a model keeps its own.
 Finish finishIn(const Scene& scene, const FinishRow& row) {
   if (&row == &finishTable().rows().front()) return lookFinish(scene);
@@ -33,6 +37,16 @@ std::string_view finishName(const Scene& scene) {
 
 bool addsAnything(const Finish& finish) {
   return finish.contours > 0 || finish.litSphere > 0 || finish.hatching > 0 || finish.paper != Paper::None;
+}
+
+bool drawsModelAlone(const Scene& scene) {
+  bool drawsGrid = (scene.volume.data && scene.volume.visible) || (scene.labels.data && scene.labels.visible);
+  return !drawsGrid && scene.model.visible && scene.model.data && !scene.model.data->instances.empty();
+}
+
+DepthSteps modelDepthSteps(const ModelLayer& model) {
+  ModelBox box = modelBox(model);
+  return {kStepAngstrom, std::max(kDeepSteps * kStepAngstrom, kDeepShare * glm::length(box.high - box.low))};
 }
 
 const LitSphere* ownLitSphere(const Finish& finish, std::string_view name) {

@@ -28,6 +28,18 @@ std::string_view finishName(const Scene& scene);
 /// True when a picture with this finish differs from one without.
 bool addsAnything(const Finish& finish);
 
+/// True where a model is all that is drawn: a finish then draws the lines of models.
+bool drawsModelAlone(const Scene& scene);
+
+/// Jumps of depth that a finish draws a line along: the least, and those that have a strong one (of models).
+struct DepthSteps {
+  double least = 0.0;
+  double deep = 0.0;
+};
+
+/// The steps of a model's lines, angstrom.
+DepthSteps modelDepthSteps(const ModelLayer& model);
+
 /// The user's own lit sphere with a name; nullptr: there is none.
 const LitSphere* ownLitSphere(const Finish& finish, std::string_view name);
 /// True when one of our lit spheres or of the user's own has the name.

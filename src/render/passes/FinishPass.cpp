@@ -12,13 +12,10 @@ namespace velum::render {
 
 namespace {
 
-constexpr int kPiecePixels = 1 << 20;   // a few milliseconds
-constexpr double kStepVoxels = 2.5;     // noise moves surfaces by less
-constexpr double kStepAngstrom = 20.0;  // more than the folds of most proteins
-constexpr double kStepShare = 0.005;    // of the diameter of surfaces alone: as voxels of a scan of 500 would have it
-constexpr double kDeepShare = 0.03;     // of a model's diameter
-constexpr double kDeepSteps = 3.0;      // and at least so many of the least steps
-constexpr int kMostSpheres = 96;        // in a texture that every driver takes; what comes after looks like the first
+constexpr int kPiecePixels = 1 << 20;  // a few milliseconds
+constexpr double kStepVoxels = 2.5;    // noise moves surfaces by less
+constexpr double kStepShare = 0.005;   // of the diameter of surfaces alone: as voxels of a scan of 500 would have it
+constexpr int kMostSpheres = 96;       // in a texture that every driver takes; what comes after looks like the first
 constexpr std::string_view kPlain = "porcelain";
 
 gpu::Program make(std::string_view file) { return gpu::Program({file}, {{"FINISH", "1"}}); }
@@ -46,10 +43,6 @@ gpu::Texture textureOf(const Image& paper) {
   texture.write({0, 0, 0}, {size, 1}, texelsOf(paper).data());
   texture.generateLevels();
   return texture;
-}
-
-bool isModelAlone(const FrameData& data) {
-  return isModelDrawn(data.frame.scene) && !data.volume && data.labelUse == LabelUse::None;
 }
 
 }  // namespace
@@ -100,7 +93,7 @@ void FinishPass::makeSpheres(const scene::Scene& scene) {
 /// The compartments of a model that is all that is seen.
 void FinishPass::makeGroups(const FrameData& data) {
   std::vector<std::uint32_t> groups;
-  if (isModelAlone(data)) {
+  if (scene::drawsModelAlone(data.frame.scene)) {
     groups.resize(data.structures.size());
     for (const MoleculeType& type : data.frame.scene.model.data->types) groups.push_back(type.compartment + 1);
   }
@@ -111,11 +104,10 @@ void FinishPass::makeGroups(const FrameData& data) {
   mGroupOfTexture = gpu::Texture::makeOfBuffer("compartments of types", gpu::Format::R32ui, mGroupOf);
 }
 
-DepthSteps FinishPass::stepsOf(const FrameData& data) {
-  if (isModelAlone(data)) {
-    scene::ModelBox box = scene::modelBox(data.frame.scene.model);
-    double least = kStepAngstrom * angstromOf(data);
-    return {least, std::max(kDeepSteps * least, kDeepShare * glm::length(box.high - box.low) * angstromOf(data))};
+scene::DepthSteps FinishPass::stepsOf(const FrameData& data) {
+  if (scene::drawsModelAlone(data.frame.scene)) {
+    scene::DepthSteps steps = scene::modelDepthSteps(data.frame.scene.model);
+    return {steps.least * angstromOf(data), steps.deep * angstromOf(data)};
   }
   bool hasVoxels = data.volume || data.labelUse != LabelUse::None;
   return {hasVoxels ? kStepVoxels / double(data.params.voxelsPerLength) : kStepShare * diameterOf(data.grid), 0.0};

@@ -56,7 +56,7 @@ class FinishPass : public Pass {
     glm::ivec2 pictureSize, windowOrigin, windowSize;
     bool operator==(const PaperKey&) const = default;
   };
-  static DepthSteps stepsOf(const FrameData& data);
+  static scene::DepthSteps stepsOf(const FrameData& data);
   static Spheres spheresOf(const scene::Scene& scene);
   void makeSpheres(const scene::Scene& scene);
   void makeGroups(const FrameData& data);

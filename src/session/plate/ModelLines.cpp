@@ -1,11 +1,10 @@
 #include "session/plate/ModelLines.h"
 
-#include <algorithm>
 #include <map>
 #include <utility>
 
 #include "core/ImageChannels.h"
-#include "scene/Scene.h"
+#include "scene/Finishes.h"
 #include "session/plate/Owners.h"
 #include "vector/TraceParts.h"
 
@@ -13,8 +12,6 @@ namespace velum::session {
 
 namespace {
 
-// As in render/passes/FinishPass.cpp.
-constexpr double kStepAngstrom = 20.0, kDeepShare = 0.03, kDeepSteps = 3.0;
 constexpr double kFinishRows = 1000.0;
 constexpr double kFinestLine = 0.5;  // pixels
 
@@ -54,19 +51,14 @@ struct SeenParts {
 
 }  // namespace
 
-bool isModelAlone(const scene::Scene& scene) {
-  bool hasData = (scene.volume.data && scene.volume.visible) || (scene.labels.data && scene.labels.visible);
-  return !hasData && scene.model.visible && scene.model.data && !scene.model.data->instances.empty();
-}
-
 std::vector<vector::Item> modelContours(const Image& image, const scene::Scene& scene, Progress& progress) {
   SeenParts seen(image, scene);
   const scene::Finish& finish = scene.finish;
-  scene::ModelBox box = scene::modelBox(scene.model);
-  double angstrom = scene::modelFrame(scene).length, step = kStepAngstrom * angstrom;
-  double deep = std::max(kDeepSteps * step, kDeepShare * glm::length(box.high - box.low) * angstrom);
+  scene::DepthSteps steps = scene::modelDepthSteps(scene.model);
+  double angstrom = scene::modelFrame(scene).length;
   double width = finish.contourWidth * image.height / kFinishRows;
-  vector::PartOptions options{finish.contours, finish.contourSteps, finish.contourStructures, width, step, deep};
+  vector::PartOptions options{finish.contours, finish.contourSteps,    finish.contourStructures,
+                              width,           steps.least * angstrom, steps.deep * angstrom};
   vector::Pen pen{finish.contourColor, width, finish.contours, {}};
   return itemsOf(vector::traceParts(seen.map(), options, progress), seen.owners, pen, vector::kWidestPartLine * width,
                  kFinestLine);

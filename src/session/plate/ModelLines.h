@@ -8,9 +8,6 @@
 
 namespace velum::session {
 
-/// True where a model is all that is seen: the finish then draws the lines of models.
-bool isModelAlone(const scene::Scene& scene);
-
 /// The contours that the finish of a scene draws of its model. @param image  with render::Layers::lines
 /// @throw Cancelled. Any thread.
 std::vector<vector::Item> modelContours(const Image& image, const scene::Scene& scene, Progress& progress);

@@ -9,7 +9,7 @@
 #include "core/ImageChannels.h"
 #include "core/Memory.h"
 #include "render/RenderPicture.h"
-#include "scene/Scene.h"
+#include "scene/Finishes.h"
 #include "session/document/Open.h"
 #include "session/lettering/Lettering.h"
 #include "session/model/TrueLevels.h"
@@ -73,7 +73,7 @@ vector::Drawing drawPlate(render::Renderer& renderer, const scene::Scene& scene,
   if (!frame.scene.background.transparent) drawing.layers.push_back(paperLayer(renderer, frame, window, progress));
   // What becomes lines is not drawn in pixels, too.
   scene::Scene lined = frame.scene;
-  bool isForModel = isModelAlone(lined);
+  bool isForModel = scene::drawsModelAlone(lined);
   frame.scene.finish.hatching = 0.0;
   // A finish calms specks of models: it is there, and draws nothing.
   bool isCalmed = isForModel && (lined.finish.contours > 0.0 || lined.finish.hatching > 0.0);

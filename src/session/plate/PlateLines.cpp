@@ -1,4 +1,5 @@
 #include "session/plate/PlateLines.h"
+#include "scene/Finishes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,8 +14,8 @@
 #include <utility>
 
 #include "core/ImageChannels.h"
+#include "scene/Finishes.h"
 #include "scene/Project.h"
-#include "scene/Scene.h"
 #include "scene/SectionPlane.h"
 #include "session/plate/ModelLines.h"
 #include "session/plate/Owners.h"
@@ -161,7 +162,7 @@ bool isSmall(const vector::Layer& layer) {
 
 render::Layers plateLayers(const scene::Scene& scene) {
   render::Layers layers;
-  bool isForModel = isModelAlone(scene), hasLines = !isForModel || scene.finish.hatching > 0.0;
+  bool isForModel = scene::drawsModelAlone(scene), hasLines = !isForModel || scene.finish.hatching > 0.0;
   layers.depth = layers.structure = layers.instance = layers.normal = hasLines;
   layers.face = hasLines && !scene.cuts.empty();
   layers.type = bool(scene.model.data) && hasLines;
@@ -177,7 +178,7 @@ scene::Scene sceneOfLines(scene::Scene scene) {
 
 std::vector<vector::Layer> tracedLines(const PlateImages& images, scene::Scene scene, Progress& progress) {
   progress.report(0.8, "Tracing lines");
-  bool isForModel = isModelAlone(scene), isHidden = scene.finish.contours <= 0.0;
+  bool isForModel = scene::drawsModelAlone(scene), isHidden = scene.finish.contours <= 0.0;
   if (isHidden) scene.finish.contours = 1.0;
   const scene::Finish& finish = scene.finish;
   std::optional<SeenPixels> seen;

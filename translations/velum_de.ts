@@ -6541,6 +6541,13 @@ Automatisch: so viele, wie Rauschen nicht erklärt. 1: alles zählt.</translatio
     </message>
 </context>
 <context>
+    <name>velum::gui::PictureGrid</name>
+    <message>
+        <source>No small pictures: %1</source>
+        <translation>Keine kleinen Bilder: %1</translation>
+    </message>
+</context>
+<context>
     <name>velum::gui::PreferencesDialog</name>
     <message>
         <source>Preferences</source>
@@ -9718,6 +9725,10 @@ Tasten: Bild auf und Bild ab gehen von einem zum nächsten, Einfg fügt hinzu, P
     <message>
         <source>Levels of detail</source>
         <translation>Detailstufen</translation>
+    </message>
+    <message>
+        <source>The driver has no memory for a picture of this size: make the window smaller, or close other programs that draw</source>
+        <translation>Der Treiber hat keinen Speicher für ein Bild dieser Größe: das Fenster verkleinern oder andere Programme schließen, die zeichnen</translation>
     </message>
 </context>
 <context>

@@ -2,9 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <optional>
-
 #include "core/Assert.h"
+#include "gpu/Allocation.h"
 #include "gpu/Context.h"
 #include "gpu/Gl.h"
 #include "gpu/GpuError.h"
@@ -24,33 +23,29 @@ unsigned createBuffer() {
 
 constexpr std::size_t kMostUniformBytes = 16384;  // OpenGL 4.5, table 23.64
 
-/// Smaller ones always find room, and a driver with a thread of its own would be waited for.
+/// Smaller ones are made with every picture: a driver with a thread of its own is not waited for each time.
 constexpr std::size_t kLargeBytes = std::size_t(1) << 20;
 }  // namespace
 
 Buffer::Buffer(std::string_view label, std::size_t bytes, const void* data) : Handle(createBuffer()), mBytes(bytes) {
-  bool isLarge = bytes >= kLargeBytes;
-  std::optional<MayRefuse> mayRefuse;
-  if (isLarge) mayRefuse.emplace();
-  while (isLarge && gl().GetError() != GL_NO_ERROR) {
-  }
-  gl().NamedBufferStorage(id(), GLsizeiptr(bytes ? bytes : 16), data, GL_DYNAMIC_STORAGE_BIT);
-  if (isLarge && gl().GetError() != GL_NO_ERROR)
-    throw GpuError(
-        fmt::format("the driver has no memory for {} ({} MiB): lower VELUM_GPU_MEMORY_MB", label, bytes >> 20));
+  allocate({label, bytes}, bytes >= kLargeBytes ? Answer::AtOnce : Answer::Later,
+           [&] { gl().NamedBufferStorage(id(), GLsizeiptr(bytes ? bytes : 16), data, GL_DYNAMIC_STORAGE_BIT); });
   gl().ObjectLabel(GL_BUFFER, id(), GLsizei(label.size()), label.data());
 }
 
 Buffer Buffer::makeReadable(std::string_view label, std::size_t bytes) {
-  MayRefuse mayRefuse;
   constexpr GLbitfield kAccess = GL_MAP_READ_BIT | GL_MAP_PERSISTENT_BIT | GL_MAP_COHERENT_BIT;
   Buffer buffer;
   static_cast<Handle&>(buffer) = Handle(createBuffer());
   buffer.mBytes = bytes;
-  gl().NamedBufferStorage(buffer.id(), GLsizeiptr(bytes), nullptr, kAccess | GL_CLIENT_STORAGE_BIT);
+  // Mapping waits for the driver, anyhow.
+  allocate({label, bytes}, Answer::AtOnce,
+           [&] { gl().NamedBufferStorage(buffer.id(), GLsizeiptr(bytes), nullptr, kAccess | GL_CLIENT_STORAGE_BIT); });
   gl().ObjectLabel(GL_BUFFER, buffer.id(), GLsizei(label.size()), label.data());
+  MayRefuse mayRefuse;
   buffer.mMapped = static_cast<const std::byte*>(gl().MapNamedBufferRange(buffer.id(), 0, GLsizeiptr(bytes), kAccess));
-  if (!buffer.mMapped) throw GpuError(fmt::format("the driver cannot map {} ({} bytes)", label, bytes));
+  if (!buffer.mMapped)
+    throw NoMemory(fmt::format("the driver cannot map {} ({} bytes): make the picture smaller", label, bytes));
   return buffer;
 }
 

@@ -16,7 +16,8 @@ class Buffer : public Handle<deleteBuffer> {
  public:
   Buffer() = default;
   /// @param data  nullptr leaves the bytes unset
-  /// @throw GpuError when the driver has no memory for the buffer
+  /// @throw NoMemory when the driver has no memory for the buffer; for one of less than 1 MiB throwIfExhausted() says
+  /// so later
   Buffer(std::string_view label, std::size_t bytes, const void* data = nullptr);
   template <class T>
   Buffer(std::string_view label, std::span<const T> values) : Buffer(label, values.size_bytes(), values.data()) {}
@@ -48,16 +49,22 @@ class Buffer : public Handle<deleteBuffer> {
   const std::byte* mMapped = nullptr;
 };
 
-/// A uniform block with the layout of a struct from shaders/shared. Always written as a whole; read by every stage.
+/// A uniform block with the layout of a struct from shaders/shared. Always written as a whole, before it is bound; read
+/// by every stage. Takes memory from the first time on.
 template <class T>
 class UniformBuffer {
  public:
   static_assert(sizeof(T) % 16 == 0, "std140 blocks are whole vec4s");
-  explicit UniformBuffer(std::string_view label) : mBuffer(label, sizeof(T)) {}
-  void set(const T& value) { mBuffer.write(0, sizeof(T), &value); }
+  /// @param label  a literal
+  explicit UniformBuffer(std::string_view label) : mLabel(label) {}
+  void set(const T& value) {
+    if (!mBuffer) mBuffer = Buffer(mLabel, sizeof(T));
+    mBuffer.write(0, sizeof(T), &value);
+  }
   void bind(unsigned binding) const { mBuffer.bindUniform(binding); }
 
  private:
+  std::string_view mLabel;
   Buffer mBuffer;
 };
 

@@ -6,6 +6,7 @@
 #include <bit>
 
 #include "core/Assert.h"
+#include "gpu/Allocation.h"
 #include "gpu/Context.h"
 #include "gpu/Gl.h"
 #include "gpu/GpuError.h"
@@ -52,16 +53,14 @@ unsigned createTexture(GLenum target, std::string_view label, Filter filter, int
   return id;
 }
 
-void drainErrors() {
-  while (gl().GetError() != GL_NO_ERROR) {
+/// What a texture takes, of all its levels.
+Allocation allocationOf(std::string_view label, Format format, glm::ivec3 size, int levels) {
+  std::size_t bytes = 0;
+  for (int level = 0; level < levels; ++level) {
+    glm::ivec3 at = glm::max(glm::ivec3(size.x >> level, size.y >> level, size.z >> level), glm::ivec3(1));
+    bytes += std::size_t(at.x) * std::size_t(at.y) * std::size_t(at.z) * row(format).bytes;
   }
-}
-
-void checkMemory(std::string_view label, glm::ivec3 size, std::size_t bytes) {
-  if (gl().GetError() == GL_NO_ERROR) return;
-  throw GpuError(fmt::format(
-      "the driver has no memory for {} ({} x {} x {}, {} MiB): lower VELUM_GPU_MEMORY_MB or use a smaller picture",
-      label, size.x, size.y, size.z, bytes >> 20));
+  return {label, bytes, size};
 }
 
 }  // namespace
@@ -96,20 +95,16 @@ Texture Texture::makeOfBuffer(std::string_view label, Format format, const Buffe
 Texture Texture::make2d(std::string_view label, Format format, glm::ivec2 size, Filter filter, int levels) {
   Texture texture(createTexture(GL_TEXTURE_2D, label, isInteger(format) ? Filter::Nearest : filter, levels), format,
                   {size, 1}, false, levels);
-  MayRefuse mayRefuse;
-  drainErrors();
-  gl().TextureStorage2D(texture.id(), levels, row(format).internal, size.x, size.y);
-  checkMemory(label, texture.mSize, std::size_t(size.x) * std::size_t(size.y) * row(format).bytes);
+  allocate(allocationOf(label, format, texture.mSize, levels), Answer::AtOnce,
+           [&] { gl().TextureStorage2D(texture.id(), levels, row(format).internal, size.x, size.y); });
   return texture;
 }
 
 Texture Texture::make3d(std::string_view label, Format format, glm::ivec3 size, Filter filter, int levels) {
   Texture texture(createTexture(GL_TEXTURE_3D, label, isInteger(format) ? Filter::Nearest : filter, levels), format,
                   size, true, levels);
-  MayRefuse mayRefuse;
-  drainErrors();
-  gl().TextureStorage3D(texture.id(), levels, row(format).internal, size.x, size.y, size.z);
-  checkMemory(label, size, std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z) * row(format).bytes);
+  allocate(allocationOf(label, format, size, levels), Answer::AtOnce,
+           [&] { gl().TextureStorage3D(texture.id(), levels, row(format).internal, size.x, size.y, size.z); });
   return texture;
 }
 

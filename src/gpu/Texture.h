@@ -49,7 +49,7 @@ class Texture : public Handle<deleteTexture> {
  public:
   Texture() = default;
   /// @param levels  with more than one, Linear also interpolates between levels and Nearest takes the nearest level
-  /// @throw GpuError when the driver has no memory for the texture
+  /// @throw NoMemory when the driver has no memory for the texture
   static Texture make2d(std::string_view label, Format format, glm::ivec2 size, Filter filter = Filter::Nearest,
                         int levels = 1);
   /// A texture that shows the values of a buffer, for texelFetch from a samplerBuffer. Must not be used after the

@@ -1,6 +1,8 @@
 #include "render/RenderPicture.h"
 
 #include <algorithm>
+#include <string>
+#include <utility>
 
 namespace velum::render {
 
@@ -17,11 +19,18 @@ void copyPart(const Image& from, glm::ivec2 fromCorner, glm::ivec2 size, glm::iv
                 to.pixels.begin() + placeIn(to, toCorner + glm::ivec2(0, y)));
 }
 
+/// By how much memory the data is made coarser.
+std::pair<std::string, double> coarsenessOf(const Stats& stats) {
+  double budget = stats.streaming.budgetBytes;  // of a streamed volume, whose words are those of a part
+  return {budget > 0 ? std::string() : stats.reduction, budget};
+}
+
 }  // namespace
 
 Image renderPicture(Renderer& renderer, const Frame& frame, const Layers& layers, int largestWindow,
                     Progress& progress) {
   Image whole;
+  std::pair<std::string, double> coarseness;
   glm::ivec2 size = frame.pictureSize;
   int margin = std::max(size.x, size.y) > largestWindow ? finishMargin(frame) : 0;
   int inner = std::max(largestWindow - 2 * margin, (largestWindow + 1) / 2);
@@ -34,6 +43,10 @@ Image renderPicture(Renderer& renderer, const Frame& frame, const Layers& layers
       part.windowOrigin = glm::max(corner - margin, glm::ivec2(0));
       part.windowSize = glm::min(size, corner + wanted + margin) - part.windowOrigin;
       renderer.render(part, progress);
+      // The driver has run out of memory between two parts: all are to look alike.
+      if (row + column == 0) coarseness = coarsenessOf(renderer.stats());
+      if (coarsenessOf(renderer.stats()) != coarseness)
+        return renderPicture(renderer, frame, layers, largestWindow, progress);
       Image image = renderer.read(layers);
       if (columns * rows == 1) return image;
       if (whole.pixels.empty()) {

@@ -1,299 +1,108 @@
 #include "render/Renderer.h"
 
-#include <algorithm>
-#include <chrono>
-#include <iterator>
-#include <optional>
-#include <thread>
-
-#include "render/FrameData.h"
-#include "render/Gbuffer.h"
-#include "render/WorkQueue.h"
-#include "render/passes/BrickPass.h"
-#include "render/passes/CountPass.h"
-#include "render/passes/FinishPass.h"
-#include "render/passes/GhostPass.h"
-#include "render/passes/InstancePass.h"
-#include "render/passes/LightPass.h"
-#include "render/passes/ModelPass.h"
-#include "render/passes/Patches.h"
-#include "render/passes/RayCastPass.h"
-#include "render/passes/ResolvePass.h"
-#include "render/passes/SkipPass.h"
-#include "render/passes/StatePass.h"
-#include "render/passes/SurfacePass.h"
-#include "render/passes/UploadPass.h"
-#include "render/residency/Residency.h"
+#include "gpu/GpuError.h"
+#include "render/FrameWork.h"
+#include "render/Shortage.h"
 
 namespace velum::render {
 
 namespace {
 
-constexpr double kUploadShare = 0.05;                   // of a picture's progress
-constexpr std::chrono::milliseconds kProgramsPause{1};  // between two questions whether programs are compiled
+constexpr double kUploadShare = 0.05;  // of a picture's progress
 
 }  // namespace
 
-/// The passes, what they hand on to each other, and the work that is left of the frame in hand.
 struct Renderer::Impl {
-  Impl(gpu::Context& c, const Stats& known)
-      : limits(c.limits()),
-        upload(limits),
-        model(limits),
-        states(model),
-        instances(model, states, surfaces),
-        rayCast(gbuffer, limits.isSoftware),
-        counts(gbuffer, model, states),
-        ghosts(gbuffer, model, instances.draw()),
-        finish(gbuffer),
-        stats(known) {}
+  explicit Impl(const gpu::Limits& limits)
+      : driver(limits), shortage(limits), work(std::make_unique<FrameWork>(limits, limits, Stats{limits.renderer})) {}
 
-  gpu::Limits limits;
-  std::optional<Frame> wanted;  ///< As the caller gave it.
-  FrameData coming;             ///< Of a frame whose data is on its way;
-  FrameData data;               ///< of the one that is drawn, or was last.
-  bool isDrawn = false;         ///< All passes are prepared for `data`.
-  FrameInputs inputs;
-  Gbuffer gbuffer;
-  UploadPass upload;
-  SkipPass skip;
-  LightPass light;
-  SurfacePass surfaces;
-  ModelPass model;
-  StatePass states;
-  InstancePass instances;
-  RayCastPass rayCast;
-  CountPass counts;
-  GhostPass ghosts;
-  FinishPass finish;
-  ResolvePass resolve;
-  /// Whom the data's upload goes before,
-  Pass* const lighting[6] = {&skip, &light, &surfaces, &model, &states, &instances};
-  /// and those that need to know of their targets.
-  Pass* const casting[4] = {&rayCast, &counts, &ghosts, &finish};
-  WorkQueue queue;
-  BrickPass bricks{skip, rayCast, inputs, queue};
-  Stats stats;
+  gpu::Limits driver;
+  Shortage shortage;
+  bool waits = false;  ///< For bricks, see BrickPass::setWaits().
+  std::unique_ptr<FrameWork> work;
 
-  void begin(const Frame& frame);
-  void setUp();
-  void askForPrograms();
-  bool hasPrograms();
-  void addSamples();
-  void addCasting();
-  void addSamplesFrom(int first);
-  void finishSample(int sample);
-  void redraw(int sample);
-  bool waitsForBricks() const { return data.residency && !data.frame.isPreview; }
-  void bind() const;
-  void noteStats();
-  bool look(bool fine);
+  void beginAnew();
 };
 
-/// The frame, first half: what is not on the GPU yet, piece by piece; then everything else can be known.
-void Renderer::Impl::begin(const Frame& frame) {
-  wanted = frame;
-  isDrawn = false;
-  queue.restart();
-  rayCast.restart();
-  finish.restart();
-  ghosts.restart();
-  coming = {.frame = withSizes(frame), .isSoftware = limits.isSoftware};
-  upload.prepare(coming);
-  upload.addSteps(coming, 0, queue);
-  queue.add("Setup", [this] { setUp(); });
-  queue.add("Programs", [this] { askForPrograms(); });
-  queue.addUntilDone("Programs", [this] { return hasPrograms(); });
-  queue.add("Setup", [this] { addSamples(); });
-  queue.countAll();
+/// What is on the GPU goes before anything new comes.
+void Renderer::Impl::beginAnew() {
+  auto next = std::make_unique<FrameWork>(driver, shortage.limits(), work->stats);
+  next->takePrograms(*work);
+  next->bricks.setWaits(waits);
+  work = std::move(next);
 }
 
-/// What the frame is made of. Before its program is compiled, whoever works by a budget may say so.
-void Renderer::Impl::setUp() {
-  data = std::move(coming);
-  upload.complete(data);
-  completeFrameData(data);
-  for (Pass* pass : lighting) pass->prepare(data);
-  if (!rayCast.isKnown(data)) queue.rest();
-}
-
-void Renderer::Impl::askForPrograms() {
-  for (Pass* pass : lighting) pass->compile(data);
-  for (Pass* pass : casting) pass->prepare(data);
-}
-
-/// What drivers compile beside this thread is waited for without holding it up.
-bool Renderer::Impl::hasPrograms() {
-  auto isReady = [](Pass* pass) { return pass->isReady(); };
-  if (std::all_of(std::begin(lighting), std::end(lighting), isReady) &&
-      std::all_of(std::begin(casting), std::end(casting), isReady))
-    return true;
-  std::this_thread::sleep_for(kProgramsPause);
-  queue.rest();
-  return false;
-}
-
-/// The frame, second half, in its order.
-void Renderer::Impl::addSamples() {
-  inputs.write(data);
-  isDrawn = true;
-  bind();
-  // What all samples of the picture share.
-  skip.addSteps(data, 0, queue);
-  light.addSteps(data, 0, queue);
-  states.addSteps(data, 0, queue);
-  if (waitsForBricks())
-    bricks.addSteps(
-        data, [this] { bind(); }, [this] { addCasting(); }, [this] { begin(Frame(*wanted)); });
-  else
-    addCasting();
-  queue.countAll();
-}
-
-/// Bricks have come that a sample met. Where rays are all that makes the picture, those are cast again that come
-/// through them; else all of it begins again with the first sample.
-void Renderer::Impl::redraw(int sample) {
-  if (canPatch(data)) {
-    rayCast.addPatches(data, sample, changedRects(data), queue);
-    finishSample(sample);
-    addSamplesFrom(sample + 1);
-    return;
-  }
-  rayCast.redo();
-  finish.restart();
-  ghosts.restart();
-  bricks.addStepsAgain();
-}
-
-void Renderer::Impl::addCasting() {
-  if (data.residency)
-    queue.add("Bricks", [this] {
-      bricks.beginCasting(data);
-      bind();
-    });
-  addSamplesFrom(0);
-}
-
-/// Each sample: its rays, what is rasterised, what is cast up to there, what an illustrator makes of it.
-void Renderer::Impl::addSamplesFrom(int first) {
-  for (int sample = first; sample < samplesOf(data.frame); ++sample) {
-    queue.add("Setup", [this, sample] {
-      inputs.writeParams(data, sample);
-      if (waitsForBricks() && sample > 0 && (sample == 1 || canPatch(data))) gbuffer.keepColor();
-    });
-    surfaces.addSteps(data, sample, queue);
-    instances.addSteps(data, sample, queue);
-    rayCast.addSteps(data, sample, queue);
-    counts.addSteps(data, sample, queue);
-    ghosts.addSteps(data, sample, queue);
-    finish.addSteps(data, sample, queue);
-    finishSample(sample);
-  }
-}
-
-/// Asks whether a sample met bricks that are not there: each, or, where all would begin again, the first and the last.
-void Renderer::Impl::finishSample(int sample) {
-  bool isAsked = sample == 0 || sample + 1 == samplesOf(data.frame) || canPatch(data);
-  if (waitsForBricks() && isAsked) bricks.addCheck(data, [this, sample] { redraw(sample); });
-}
-
-/// For all steps that follow. Other GL work that comes in between binds things of its own.
-void Renderer::Impl::bind() const {
-  inputs.bind();
-  upload.bind(data);
-  for (const Pass* pass : lighting) pass->bind(data);
-  for (const Pass* pass : casting) pass->bind(data);
-}
-
-void Renderer::Impl::noteStats() {
-  stats.frameMs = queue.totalMs() - upload.frameMs();
-  stats.uploadMs = upload.ms();
-  stats.longestStepMs = queue.longestMs();
-  stats.samples = rayCast.progress().samples;
-  stats.pixelsCast = rayCast.pixelsCast();
-  stats.labelBytes = upload.labelBytes();
-  stats.reduction = isDrawn && data.residency                           ? data.residency->shortfall()
-                    : isDrawn && data.volume && !data.volumeKey.isQuick ? data.volume->reduction
-                                                                        : "";
-  if (std::string words = isDrawn ? upload.labelShortfall(data) : ""; !words.empty())
-    stats.reduction += (stats.reduction.empty() ? "" : "; ") + words;
-  stats.streaming = isDrawn && data.residency ? data.residency->streaming() : Streaming{};
-  if (queue.isEmpty()) stats.passesMs = queue.timesMs();
-}
-
-/// The frame, as far as it is. @param fine  see Layers  @return false when there was none yet
-bool Renderer::Impl::look(bool fine) {
-  if (!gbuffer) return false;
-  inputs.bind();
-  const PictureProgress& done = rayCast.progress();
-  if (isDrawn && (done.rowsDone > 0 || done.columnsDone > 0)) finish.catchUp(data);
-  resolve.draw(data, gbuffer, finish, ghosts, done, fine);
-  return true;
-}
-
-Renderer::Renderer(gpu::Context& context)
-    : mImpl(std::make_unique<Impl>(context, Stats{context.limits().renderer})), mContext(context) {}
+Renderer::Renderer(gpu::Context& context) : mImpl(std::make_unique<Impl>(context.limits())), mContext(context) {}
 Renderer::~Renderer() = default;
 
-const Stats& Renderer::stats() const { return mImpl->stats; }
+const Stats& Renderer::stats() const { return mImpl->work->stats; }
 double Renderer::fractionDone() const {
   // How much there is to draw is known when all is uploaded.
-  double done = mImpl->queue.fractionDone();
-  return mImpl->isDrawn ? kUploadShare + (1.0 - kUploadShare) * done : kUploadShare * done;
+  double done = mImpl->work->queue.fractionDone();
+  return mImpl->work->isDrawn ? kUploadShare + (1.0 - kUploadShare) * done : kUploadShare * done;
 }
 
-void Renderer::clear() { mImpl = std::make_unique<Impl>(mContext, mImpl->stats); }
+void Renderer::clear() {
+  Stats known = stats();
+  mImpl = std::make_unique<Impl>(mContext.limits());
+  mImpl->work->stats = known;
+}
 
+/// Where the driver has no memory all that was there is given up, and the frame begins anew: first as it is, then with
+/// less and less of its data.
 bool Renderer::work(const Frame& frame, double budgetMs) {
-  Impl& m = *mImpl;
-  if (!m.wanted || !(*m.wanted == frame)) m.begin(frame);
-  if (m.queue.isEmpty()) return true;
-  if (m.isDrawn) m.bind();
-  bool isDone = false;
-  try {
-    isDone = m.queue.work(budgetMs);
-  } catch (...) {
-    m.wanted.reset();  // a frame that has failed half way begins anew
-    throw;
+  if (mImpl->shortage.endsFor(frame)) mImpl->beginAnew();
+  for (;;) {
+    try {
+      return mImpl->work->work(frame, budgetMs);
+    } catch (const gpu::GpuError& error) {
+      auto* refusal = dynamic_cast<const gpu::NoMemory*>(&error);
+      bool goesOn = refusal && mImpl->shortage.yield(frame, mImpl->work->framesBegun(), *refusal);
+      // With less than the driver has something else may have no room: what was refused at first says it best.
+      auto first = goesOn ? std::nullopt : mImpl->shortage.takeRefusal();
+      mImpl->beginAnew();
+      if (first) throw gpu::NoMemory(*first);
+      if (!goesOn) throw;
+    }
   }
-  // Where the processor draws nothing goes on meanwhile, and the last piece counts, too.
-  if (isDone && m.limits.isSoftware) m.queue.finish();
-  m.noteStats();
-  return isDone;
 }
 
 void Renderer::render(const Frame& frame, Progress& progress) {
   // Who goes on with this renderer piece by piece looks on again, even where this picture is given up.
   struct Waiting {
-    BrickPass& bricks;
-    explicit Waiting(BrickPass& of) : bricks(of) { bricks.setWaits(true); }
-    ~Waiting() { bricks.setWaits(false); }
-  } waiting(mImpl->bricks);
+    Impl& impl;
+    explicit Waiting(Impl& of) : impl(of) { set(true); }
+    ~Waiting() { set(false); }
+    void set(bool waits) const {
+      impl.waits = waits;
+      impl.work->bricks.setWaits(waits);
+    }
+  } waiting(*mImpl);
   while (!work(frame, 100.0)) progress.report(fractionDone(), "rendering");
-  mImpl->queue.finish();
-  mImpl->noteStats();
+  mImpl->work->queue.finish();
+  mImpl->work->noteStats();
 }
 
 void Renderer::present(unsigned framebuffer, glm::ivec2 size) {
-  if (mImpl->look(false)) mImpl->resolve.present(framebuffer, size);
+  if (mImpl->work->look(false)) mImpl->work->resolve.present(framebuffer, size);
 }
 
 Image Renderer::read(const Layers& layers) {
-  if (!mImpl->look(layers.isFine)) return {};
-  Image image = mImpl->resolve.read();
-  mImpl->gbuffer.appendLayers(mImpl->data, layers, image);
-  if (layers.ghosts) mImpl->ghosts.appendLayer(image);
+  if (!mImpl->work->look(layers.isFine)) return {};
+  Image image = mImpl->work->resolve.read();
+  mImpl->work->gbuffer.appendLayers(mImpl->work->data, layers, image);
+  if (layers.ghosts) mImpl->work->ghosts.appendLayer(image);
   return image;
 }
 
 Pick Renderer::pick(glm::ivec2 pixel) const {
-  return mImpl->gbuffer ? mImpl->gbuffer.pick(mImpl->data, pixel) : Pick{};
+  return mImpl->work->gbuffer ? mImpl->work->gbuffer.pick(mImpl->work->data, pixel) : Pick{};
 }
 
-std::optional<InstanceBits> Renderer::bits(bool waits) { return mImpl->counts.take(waits); }
+std::optional<InstanceBits> Renderer::bits(bool waits) { return mImpl->work->counts.take(waits); }
 
 PixelIds Renderer::idsOfPixels(bool withDistances) const {
-  return mImpl->gbuffer ? mImpl->gbuffer.idsOfPixels(mImpl->data, withDistances) : PixelIds();
+  return mImpl->work->gbuffer ? mImpl->work->gbuffer.idsOfPixels(mImpl->work->data, withDistances) : PixelIds();
 }
 
 }  // namespace velum::render

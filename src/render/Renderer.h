@@ -78,7 +78,7 @@ class Renderer {
 
   /// Works on a frame for about `budgetMs`, at least one piece. A frame that differs from the last one starts anew.
   /// @return true when the frame is complete
-  /// @throw gpu::GpuError when the driver runs out of memory
+  /// @throw gpu::GpuError when the driver has no memory, not even for less of the data, see Shortage
   bool work(const Frame& frame, double budgetMs);
 
   /// Works until the frame is complete. @throw Cancelled

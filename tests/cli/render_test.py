@@ -222,6 +222,17 @@ class Render(CliTest):
         self.assertKeys(report["frameMs"], "min", "median", "max")
         self.assertLessEqual(report["frameMs"]["min"], report["frameMs"]["max"])
 
+    def test_a_card_without_memory_exits_3_in_one_line_or_shows_less(self):
+        path = self.sample("two-spheres", 96)
+        command = ["render", path, "-o", "x.png", "--size", "32x32", *FAST]
+        done = self.run_batch(*command, code=3, env={"VELUM_FAIL_ALLOCATION": "3+"})
+        said = done.stderr.decode().splitlines()
+        self.assertEqual(len(said), 1, said)
+        self.assertIn("the driver has no memory for", said[0])
+        self.assertFalse((self.folder / "x.png").exists())
+        done = self.run_batch(*command, env={"VELUM_FAIL_ALLOCATION": ">1"})
+        self.assertIn(b"of its resolution", done.stderr)
+
     def test_a_reduced_volume_says_so(self):
         path = self.sample("two-spheres", 64)
         done = self.run_batch("render", path, "-o", "x.png", "--size", "32x32", *FAST, env={"VELUM_MAX_TEXTURE_3D": "20"})

@@ -12,9 +12,9 @@ NewestJob::NewestJob(int patienceMs, QObject* parent) : QObject(parent) {
 
 NewestJob::~NewestJob() = default;
 
-void NewestJob::want(Prepare prepare, Done done) {
+void NewestJob::want(Prepare prepare, Done done, Failed failed) {
   stop();
-  mWish = std::make_unique<Wish>(Wish{std::move(prepare), std::move(done)});
+  mWish = std::make_unique<Wish>(Wish{std::move(prepare), std::move(done), std::move(failed)});
   mPatience.start();
 }
 
@@ -31,12 +31,14 @@ void NewestJob::start() {
   std::unique_ptr<Wish> wish = std::move(mWish);
   mJob = std::make_unique<Job>(wish->prepare(), nullptr);
   mIsWanted = true;
-  connect(mJob.get(), &Job::finished, this, [this, done = std::move(wish->done)](bool isDone, const QString&) {
+  auto end = [this, done = std::move(wish->done), failed = std::move(wish->failed)](bool isDone, const QString& why) {
     mJob.release()->deleteLater();
     bool isWanted = std::exchange(mIsWanted, false);
     if (isDone && isWanted) done();
+    if (!isDone && isWanted && failed && !why.isEmpty()) failed(why);
     if (mWish && !mPatience.isActive()) start();
-  });
+  };
+  connect(mJob.get(), &Job::finished, this, end);
   mJob->start();
 }
 

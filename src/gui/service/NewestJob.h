@@ -16,6 +16,7 @@ class NewestJob : public QObject {
   /// Makes the work from the state of things at the moment when the work begins.
   using Prepare = std::function<Job::Work()>;
   using Done = std::function<void()>;
+  using Failed = std::function<void(const QString& why)>;
 
   /// @param patienceMs  how long there must be no further request, so that no work begins while the user still drags
   NewestJob(int patienceMs, QObject* parent);
@@ -23,8 +24,8 @@ class NewestJob : public QObject {
 
   /// Asks for work, and gives up all work that was asked for before. @param prepare  called in this object's thread;
   /// the work that it returns runs in a thread of its own  @param done  called afterwards in this object's thread,
-  /// unless other work has been asked for or the work has failed
-  void want(Prepare prepare, Done done);
+  /// unless other work has been asked for or the work has failed  @param failed  called instead where it has
+  void want(Prepare prepare, Done done, Failed failed = {});
   /// Gives up all work that was asked for.
   void stop();
   /// Work has been asked for and is not done yet.
@@ -34,6 +35,7 @@ class NewestJob : public QObject {
   struct Wish {
     Prepare prepare;
     Done done;
+    Failed failed;
   };
   void start();
 

@@ -9,9 +9,16 @@ PictureGrid::PictureGrid(session::Document& document, Kind kind, QWidget* parent
       mDocument(document),
       mKind(std::move(kind)),
       mColumn(new QVBoxLayout(this)),
-      mList(new PictureList(mKind.columns, mKind.pictureHeight, this)) {
+      mList(new PictureList(mKind.columns, mKind.pictureHeight, this)),
+      mWhyNot(new QLabel(this)) {
   mColumn->setContentsMargins(0, 0, 0, 0);
   mColumn->addWidget(mList);
+  mColumn->addWidget(mWhyNot);
+  mWhyNot->setObjectName("noSmallPictures");
+  mWhyNot->setProperty("role", "muted");
+  mWhyNot->setWordWrap(true);
+  mWhyNot->setTextFormat(Qt::PlainText);
+  mWhyNot->hide();
   mPatience.setSingleShot(true);
   mPatience.setInterval(mKind.patienceMs);
   connect(&mPatience, &QTimer::timeout, this, &PictureGrid::drawPictures);
@@ -44,7 +51,7 @@ QStringList PictureGrid::missing() const {
   return names;
 }
 
-bool PictureGrid::isComplete() const { return !mJob && (!mayDraw() || missing().isEmpty()); }
+bool PictureGrid::isComplete() const { return !mJob && (!mayDraw() || missing().isEmpty() || !mWhyNot->isHidden()); }
 
 void PictureGrid::drawPictures() {
   QStringList names = missing();
@@ -52,7 +59,8 @@ void PictureGrid::drawPictures() {
   mPatience.stop();
   std::vector<std::string> wanted;
   for (const QString& name : names) wanted.push_back(name.toStdString());
-  mTried.unite(QSet<QString>(names.begin(), names.end()));
+  mAwaited = QSet<QString>(names.begin(), names.end());
+  mTried.unite(mAwaited);
   glm::ivec2 size(mList->pictureSize().width(), mList->pictureSize().height());
   auto work = [this, draw = mKind.draw, scene = mDocument.shown(), wanted, size, turn = mTurn](Progress& progress) {
     auto done = [&](const std::string& name, const Image& image) {
@@ -63,17 +71,23 @@ void PictureGrid::drawPictures() {
     draw(scene, wanted, size, done, progress);
   };
   mJob = std::make_unique<Job>(work, nullptr);
-  // When a driver draws nothing, the error is not shown in the window.
-  connect(mJob.get(), &Job::finished, this, [this] {
-    mJob.release()->deleteLater();
-    drawPictures();
-  });
+  connect(mJob.get(), &Job::finished, this, [this](bool, const QString& error) { end(error); });
   mJob->start();
+}
+
+/// What has failed is tried again when the machine is free the next time, not at once.
+void PictureGrid::end(const QString& error) {
+  mJob.release()->deleteLater();
+  mWhyNot->setVisible(!error.isEmpty());
+  if (error.isEmpty()) return drawPictures();
+  mWhyNot->setText(tr("No small pictures: %1").arg(error));
+  mTried.subtract(mAwaited);
 }
 
 void PictureGrid::takePicture(const QString& name, const QImage& picture) {
   QPixmap pixmap = QPixmap::fromImage(picture);
   mPictures.insert(name, pixmap);
+  mAwaited.remove(name);
   mList->setPicture(name, pixmap);
 }
 

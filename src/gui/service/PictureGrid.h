@@ -1,5 +1,6 @@
 #pragma once
 #include <QHash>
+#include <QLabel>
 #include <QPixmap>
 #include <QSet>
 #include <QTimer>
@@ -15,7 +16,7 @@
 namespace velum::gui {
 
 /// Small pictures of the data that is open, one for each choice, drawn in the background when the view has nothing to
-/// do. Without a graphics driver for drawing in the background only the names are shown.
+/// do. Where that fails, without a driver or its memory, the names are shown and why; the next time it is tried again.
 class PictureGrid : public QWidget {
   Q_OBJECT
  public:
@@ -55,6 +56,7 @@ class PictureGrid : public QWidget {
   bool mayDraw() const { return mIsOpen && (!mKind.onlyVisible || isVisible()); }
   QStringList missing() const;
   void takePicture(const QString& name, const QImage& picture);
+  void end(const QString& error);
 
   session::Document& mDocument;
   const Kind mKind;
@@ -63,7 +65,8 @@ class PictureGrid : public QWidget {
   QTimer mPatience;
   bool mIsOpen = false;
   int mTurn = 0;  ///< Counts the calls of renew(), so that pictures of an earlier call are known.
-  QSet<QString> mTried;
+  QSet<QString> mTried, mAwaited;  ///< of the latter the job at work has drawn none yet
+  QLabel* mWhyNot;  ///< shown where some could not be drawn
   QHash<QString, QPixmap> mPictures;
   std::unique_ptr<Job> mJob;
 };

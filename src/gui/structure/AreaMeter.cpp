@@ -41,13 +41,18 @@ void AreaMeter::refresh() {
   measure();
 }
 
-// Without a driver for pictures in the background there are no bars: the error has no place in the window.
+/// Where there is no picture to count in, as for want of memory, there are no bars rather than those of another scene.
 void AreaMeter::measure() {
   auto result = std::make_shared<Result>();
   mCounting.want([this, result] { return counting(result); },
                  [this, result] {
                    mResult = std::move(*result);
                    emit measured();
+                 },
+                 [this](const QString& why) {
+                   mResult = {};
+                   emit measured();
+                   emit failed(why);
                  });
 }
 

@@ -40,6 +40,8 @@ class AreaMeter : public QObject {
   void measured();
   /// What a handle has come to, in words.
   void told(const QString& words);
+  /// Nothing is counted until the next change.
+  void failed(const QString& why);
 
  private:
   struct Result {

@@ -16,6 +16,7 @@ StructureRoom::StructureRoom(const WindowParts& parts)
                      tr("Labelled structures: name, colour, opacity, what is shown"));
   connect(mPanel, &StructurePanel::openLabelsAsked, this, &StructureRoom::openLabelsAsked);
   connect(mPanel, &StructurePanel::smoothingAsked, this, &StructureRoom::smooth);
+  connect(mAreas, &AreaMeter::failed, &parts.messages, &MessageBar::showError);
   connectViews();
   addActions();
 }

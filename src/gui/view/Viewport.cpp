@@ -43,8 +43,8 @@ Viewport::Viewport(session::Session& session, Toolbox& toolbox, QWidget* parent)
   mRestTimer.setInterval(kStillMs);
   connect(&mRestTimer, &QTimer::timeout, this, [this] {
     if (holdsPicture(mToolbox)) return;
-    begin(mCoarseScale > 2.5 ? Stage::Half : Stage::Full);
-    if (!mPauseTimer.isActive()) mSectionTimer.start();
+    bool hasBegun = tries([this] { begin(mCoarseScale > 2.5 ? Stage::Half : Stage::Full); });
+    if (hasBegun && !mPauseTimer.isActive()) mSectionTimer.start();
   });
   mPauseTimer.setSingleShot(true);
   connect(&mPauseTimer, &QTimer::timeout, this, [this] { mSectionTimer.start(); });
@@ -142,6 +142,7 @@ void Viewport::resizeGL(int, int) {
   glm::ivec2 size = deviceSize();
   auto old = std::move(mShown);
   mShown = std::make_unique<QOpenGLFramebufferObject>(size.x, size.y);
+  if (!mShown->isValid()) return failForSize();
   QSize now(size.x, size.y);
   if (old)
     QOpenGLFramebufferObject::blitFramebuffer(mShown.get(), QRect(QPoint(), now), old.get(),
@@ -214,20 +215,14 @@ void Viewport::begin(Stage stage) {
 
 void Viewport::section() {
   if (mVeil->awaitsPaint()) return;
-  if (!bindContext()) return mSectionTimer.stop();
-  try {
+  bool goesOn = tries([this] {
     bool moving = driveSheets();
     bool drawing = isVisible() && drawSome();
     bool hearing = hearCounts();
     if (!moving && !drawing && !hearing) mSectionTimer.stop();
-  } catch (const Error& error) {
-    mStage = Stage::Idle;
-    mPending = false;
-    mVeil->fail();
-    mSectionTimer.stop();
-    emit failed(QString::fromUtf8(error.what()));
-  }
-  tellProgress();
+  });
+  if (!goesOn) mSectionTimer.stop();
+  if (mContext) tellProgress();
 }
 
 /// Works on the picture for a while. @return false when there is nothing to do until something happens

@@ -3,6 +3,7 @@
 #include <QOpenGLFramebufferObject>
 #include <QOpenGLWidget>
 #include <QTimer>
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -115,6 +116,8 @@ class Viewport : public QOpenGLWidget, public ToolView {
   void tellSheets();
   void release();
   bool bindContext();
+  bool tries(const std::function<void()>& work);
+  void failForSize();
   void section();
   bool drawSome();
   scene::Scene drawnScene() const;

@@ -54,10 +54,8 @@ void Viewport::playMembranes(bool play) {
 }
 
 void Viewport::stepMembranes() {
-  if (!bindContext()) return;
   mSession.membranes().setPlaying(false);
-  mSession.membranes().stepOnce();
-  wakeSheets();
+  if (tries([this] { mSession.membranes().stepOnce(); })) wakeSheets();
   emit sheetsTold();
 }
 

@@ -1,6 +1,7 @@
 #include "membrane/sheet/Sheet.h"
 
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "core/Vectors.h"
@@ -25,20 +26,23 @@ Sheet& Sheet::operator=(Sheet&&) noexcept = default;
 
 std::size_t Sheet::rowCount() const { return mRows.bytes() / sizeof(glm::vec4); }
 
-void Sheet::makeBuffers() {
-  std::size_t count = std::size_t(mParticles.x) * std::size_t(mParticles.y);
-  std::size_t rowCount = fixedRows(mParticles) + (count * std::size_t(mEntriesPerCell) + 3) / 4;
-  mRows = gpu::Buffer("sheet", rowCount * sizeof(glm::vec4));
+/// Where there is no memory for both the sheet stays as it is.
+void Sheet::makeBuffers(glm::ivec2 particles, int entriesPerCell) {
+  std::size_t count = std::size_t(particles.x) * std::size_t(particles.y);
+  std::size_t rowCount = fixedRows(particles) + (count * std::size_t(entriesPerCell) + 3) / 4;
+  gpu::Buffer rows("sheet", rowCount * sizeof(glm::vec4)), counts("sheet counts", (count + 1) * sizeof(std::uint32_t));
+  mRows = std::move(rows);
+  mCounts = std::move(counts);
   mRows.clear();
-  mCounts = gpu::Buffer("sheet counts", (count + 1) * sizeof(std::uint32_t));
+  mParticles = particles;
+  mEntriesPerCell = entriesPerCell;
 }
 
 void Sheet::setShape(const scene::SheetShape& shape, glm::ivec2 flat, glm::dvec3 size) {
   scene::SheetShape fitted = fitShape(shape, flat, size);
   bool fits = mRows && fitted.particles == mParticles;
-  mParticles = fitted.particles;
+  if (!fits) makeBuffers(fitted.particles, mEntriesPerCell);
   mSize = size;
-  if (!fits) makeBuffers();
   std::vector<glm::vec4> places(fitted.places.size());
   for (std::size_t v = 0; v < places.size(); ++v) places[v] = glm::vec4(fitted.places[v], 0.0f);
   mRows.write(0, places.size() * sizeof(places[0]), places.data());
@@ -75,8 +79,7 @@ bool Sheet::grow() {
     if (!isFull) return grew;
     std::vector<glm::vec4> places(count);
     mRows.read(0, count * sizeof(places[0]), places.data());
-    mEntriesPerCell *= 2;
-    makeBuffers();
+    makeBuffers(mParticles, 2 * mEntriesPerCell);
     mRows.write(0, count * sizeof(places[0]), places.data());
     index();
   }

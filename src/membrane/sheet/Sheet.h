@@ -43,7 +43,7 @@ class Sheet {
 
  private:
   struct Programs;
-  void makeBuffers();
+  void makeBuffers(glm::ivec2 particles, int entriesPerCell);
   std::unique_ptr<Programs> mPrograms;
   glm::ivec2 mParticles{0};
   glm::dvec3 mSize{0.0};

@@ -212,12 +212,13 @@ void Simulation::refine() {
 
 /// Hands the refined sheet over.
 void Simulation::finish() {
-  mFine = mFairing->shape();
-  mFairing.reset();
+  scene::SheetShape fine = mFairing->shape();
   std::vector<glm::vec4> places;
-  for (glm::vec3 place : mFine.places) places.emplace_back(place, 1.0f);
+  for (glm::vec3 place : fine.places) places.emplace_back(place, 1.0f);
   mFinePlaces = gpu::Buffer("refined sheet", places.size() * sizeof(places[0]));
   mFinePlaces.write(0, places.size() * sizeof(places[0]), places.data());
+  mFine = std::move(fine);
+  mFairing.reset();
   mSpeed = 0.0;
   mPhase = Phase::Rest;
 }

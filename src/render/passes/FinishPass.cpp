@@ -49,6 +49,13 @@ gpu::Texture textureOf(const Image& paper) {
 
 FinishPass::FinishPass(const Gbuffer& gbuffer) : Pass("Finish"), mGbuffer(gbuffer) {}
 
+void FinishPass::takePrograms(FinishPass& other) {
+  for (auto program :
+       {&FinishPass::mAdd, &FinishPass::mAddModel, &FinishPass::mTurns, &FinishPass::mField, &FinishPass::mAlign})
+    std::swap(this->*program, other.*program);
+  std::swap(mPaperPrograms, other.mPaperPrograms);
+}
+
 FinishPass::Spheres FinishPass::spheresOf(const scene::Scene& scene) {
   Spheres spheres;
   spheres.own = scene.finish.spheres;

@@ -30,6 +30,9 @@ class FinishPass : public Pass {
     mIsAhead = false;
   }
 
+  /// The programs of another one, see FrameWork::takePrograms().
+  void takePrograms(FinishPass& other);
+
   /// How many samples are in the sums.
   int samples() const { return mSamples; }
   /// How many rows, from the top, have one sample more.

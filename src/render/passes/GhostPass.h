@@ -24,6 +24,9 @@ class GhostPass : public Pass {
   /// Begins the next picture: nothing of it is there yet.
   void restart() { mSamples = 0; }
 
+  /// The programs of another one, see FrameWork::takePrograms().
+  void takePrograms(GhostPass& other) { std::swap(mShade, other.mShade); }
+
   /// How many samples are in the sums; 0: there are no ghosts.
   int samples() const { return mSamples; }
   /// Binds the sums: kGhostUnit.

@@ -26,6 +26,8 @@ class InstancePass : public Pass {
   void addSteps(const FrameData& data, int sample, WorkQueue& queue) override;
   void took(double ms) override { mDraw.took(ms); }
 
+  /// The programs of another one, see FrameWork::takePrograms().
+  void takePrograms(InstancePass& other) { mShading.takePrograms(other.mShading); }
   /// For other passes that draw instances: their draws are steps of this pass.
   InstanceDraw& draw() { return mDraw; }
 

@@ -18,6 +18,12 @@ class InstanceShading {
   void compile();
   bool isReady() const { return mOpenness.isReady() && mShade.isReady(); }
 
+  /// The programs of another one, see FrameWork::takePrograms().
+  void takePrograms(InstanceShading& other) {
+    std::swap(mOpenness, other.mOpenness);
+    std::swap(mShade, other.mShade);
+  }
+
   /// The eye's view, with the nearest instances, and the light's view, with how far the light comes.
   struct Views {
     const model::InstanceTarget& eye;

@@ -98,6 +98,8 @@ void LightPass::prepare(FrameData& data) {
 void LightPass::compile(const FrameData& data) {
   mExtinctionProgram = nullptr;
   if (data.frame.isPreview || !hasLight(data.frame.scene.lighting)) return;
+  if (!mLightProgram) mLightProgram = gpu::Program({"render/light_grid.comp"});
+  if (!mMeansProgram) mMeansProgram = gpu::Program({"render/light_means.comp"});
   DataVariant variant = variantOf(data);
   mExtinctionProgram = &mExtinctionPrograms.find(
       variant, [&] { return gpu::Program({"render/light_extinction.comp"}, definesOf(variant)); });

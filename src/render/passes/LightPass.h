@@ -21,12 +21,18 @@ namespace velum::render {
 /// have no shadows and occlusion.
 class LightPass : public Pass {
  public:
-  LightPass() : Pass("Light"), mLightProgram({"render/light_grid.comp"}), mMeansProgram({"render/light_means.comp"}) {}
+  LightPass() : Pass("Light") {}
   void prepare(FrameData& data) override;
   void compile(const FrameData& data) override;
   bool isReady() override;
   void addSteps(const FrameData& data, int sample, WorkQueue& queue) override;
   void bind(const FrameData& data) const override;
+  /// The programs of another one, see FrameWork::takePrograms().
+  void takePrograms(LightPass& other) {
+    std::swap(mExtinctionPrograms, other.mExtinctionPrograms);
+    std::swap(mLightProgram, other.mLightProgram);
+    std::swap(mMeansProgram, other.mMeansProgram);
+  }
 
  private:
   /// A cut as far as it matters to the light: the words of its CutData without its look. A new member of CutData counts

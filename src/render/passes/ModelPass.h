@@ -27,6 +27,8 @@ class ModelPass : public Pass {
   void addSteps(const FrameData&, int, WorkQueue&) override {}
   void bind(const FrameData& data) const override;
 
+  /// The programs of another one, see FrameWork::takePrograms().
+  void takePrograms(ModelPass& other) { std::swap(mPrograms, other.mPrograms); }
   /// True when the frame has a model.
   bool isDrawn() const { return mKey.has_value(); }
   /// What the frame needs: by what instances are culled, and whether some cut is a membrane or keeps instances in view.

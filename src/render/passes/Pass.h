@@ -5,7 +5,7 @@ namespace velum::render {
 struct FrameData;
 class WorkQueue;
 
-/// One kind of work of a frame, with the programs, targets and caches that it needs. Renderer.cpp has the list of all,
+/// One kind of work of a frame, with the programs, targets and caches that it needs. FrameWork.cpp has the list of all,
 /// in the order of a frame. GL thread.
 ///
 /// Everything that a pass keeps from frame to frame it keeps together with a key: a struct of the values that its

@@ -33,6 +33,9 @@ class RayCastPass : public Pass {
   void addSteps(const FrameData& data, int sample, WorkQueue& queue) override;
   void took(double ms) override;
 
+  /// The programs of another one, see FrameWork::takePrograms().
+  void takePrograms(RayCastPass& other) { std::swap(mPrograms, other.mPrograms); }
+
   /// Casts the rays of a sample once more, in rectangles of the window that do not overlap (x, y of the corner; width,
   /// height): over what is there, from the sums that were kept before the sample was drawn.
   void addPatches(const FrameData& data, int sample, std::vector<glm::ivec4> rects, WorkQueue& queue);

@@ -1,6 +1,7 @@
 #include "render/passes/ResolvePass.h"
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "scene/Finishes.h"
@@ -22,10 +23,12 @@ void ResolvePass::draw(const FrameData& data, const Gbuffer& gbuffer, const Fini
       mPrograms.find(variant, [&] { return gpu::Program({"render/resolve.comp"}, definesOf(variant)); });
   glm::ivec2 size = gbuffer.size();
   if (!mPicture || glm::ivec2(mPicture.size()) != size || fine != mIsFine) {
-    mIsFine = fine;
-    mPicture =
+    mPicture = {};  // first, so that there is room; and nothing is half made where there is none
+    gpu::Texture made =
         gpu::Texture::make2d("picture", fine ? gpu::Format::Rgba32f : gpu::Format::Rgba8, size, gpu::Filter::Linear);
-    mTarget = gpu::Framebuffer("picture", {&mPicture});
+    mTarget = gpu::Framebuffer("picture", {&made});
+    mPicture = std::move(made);
+    mIsFine = fine;
   }
   gbuffer.color().bindImage(shared::kColorImage, gpu::Access::Read);
   mPicture.bindImage(shared::kPictureImage, gpu::Access::Write);

@@ -15,6 +15,8 @@ namespace velum::render {
 /// one of a frame's steps: it is done whenever the picture is looked at, complete or not. GL thread.
 class ResolvePass {
  public:
+  /// The programs of another one, see FrameWork::takePrograms().
+  void takePrograms(ResolvePass& other) { std::swap(mPrograms, other.mPrograms); }
   /// The caller must have bound the frame's parameters. @param fine  in floats; else in 256 levels, with noise that
   /// hides the steps of the background
   void draw(const FrameData& data, const Gbuffer& gbuffer, const FinishPass& finish, const GhostPass& ghosts,

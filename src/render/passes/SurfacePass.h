@@ -25,6 +25,8 @@ class SurfacePass : public Pass {
   bool isReady() override { return mProgram->isReady(); }
   void addSteps(const FrameData& data, int sample, WorkQueue& queue) override;
   void bind(const FrameData& data) const override;
+  /// The programs of another one, see FrameWork::takePrograms().
+  void takePrograms(SurfacePass& other) { mPrograms.swap(other.mPrograms); }
   /// The target, with the outputs of surface.frag, for passes that draw further things at which rays stop. They must
   /// draw after this pass's steps, which clear the target.
   const gpu::Framebuffer& target() const { return mTarget; }

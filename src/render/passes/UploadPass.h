@@ -18,8 +18,9 @@ namespace velum::render {
 /// membranes. The key of a volume is VolumeKey; labels and sheets keep keys of their own.
 class UploadPass : public Pass {
  public:
-  explicit UploadPass(const gpu::Limits& limits)
-      : Pass("Upload"), mLimits(limits), mLabels(limits), mShares(limits), mBricks(limits) {}
+  /// @param data  with the memory that those data may take that can be shown coarser
+  UploadPass(const gpu::Limits& limits, const gpu::Limits& data)
+      : Pass("Upload"), mLimits(data), mLabels(limits), mShares(limits), mBricks(data) {}
 
   void prepare(FrameData& data) override;
   void addSteps(const FrameData& data, int sample, WorkQueue& queue) override;

@@ -142,8 +142,8 @@ void VolumeUpload::Impl::tellReduction() {
                               source.factor, out.dims.x, out.dims.y, out.dims.z, whole.x, whole.y, whole.z,
                               maxOf(whole) > limits.texture3d
                                   ? fmt::format("the driver's 3D textures end at {} texels", limits.texture3d)
-                                  : fmt::format("it needs {} MiB of the {} MiB that the driver has", bytesAt(1) >> 20,
-                                                limits.memoryBytes >> 20));
+                                  : fmt::format("it needs {:.1f} MiB, and the driver has {:.1f} MiB for it",
+                                                double(bytesAt(1)) / (1 << 20), mostBytes() / (1 << 20)));
 }
 
 /// What texels are in space, and as values.
@@ -225,11 +225,9 @@ void VolumeUpload::Impl::stepAs() {
   glm::ivec3 at(0, 0, z0), size(out.dims.x, out.dims.y, z1 - z0);
   GpuVolume& target = into ? *into : out;
   if constexpr (std::is_same_v<Texel, std::uint8_t> || std::is_same_v<Texel, std::uint16_t>) {
-    if (out.packing != Packing::None)
-      writePlanes(target, z0, size, packTexels(texels, out.dims, halo0, z0, z1).data());
+    if (out.packing != Packing::None) writePlanes(target, z0, size, packTexels(texels, out.dims, halo0, z0, z1).data());
   }
-  if (out.packing == Packing::None)
-    writePlanes(target, z0, size, texels + planeSize * std::size_t(z0 - halo0));
+  if (out.packing == Packing::None) writePlanes(target, z0, size, texels + planeSize * std::size_t(z0 - halo0));
   std::vector<glm::vec2> layerRanges;
   int low = std::max(0, z0 - 1), high = std::min(out.dims.z, z1 + 1);
   PackedGradients packed;

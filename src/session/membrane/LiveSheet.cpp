@@ -4,7 +4,7 @@
 #include <tuple>
 #include <utility>
 
-#include "gpu/Program.h"
+#include "gpu/GpuError.h"
 #include "scene/Scene.h"
 
 namespace velum::session {
@@ -165,6 +165,24 @@ void LiveSheet::beginAgain() {
 
 bool LiveSheet::advance(double budgetMs) {
   if (!isMoving()) return false;
+  try {
+    move(budgetMs);
+  } catch (const gpu::GpuError&) {
+    failMotion();
+    throw;
+  }
+  return true;
+}
+
+/// What is half made goes; the sheet starts anew, from where it lay last, when it is asked to move again.
+void LiveSheet::failMotion() {
+  mMotion.releaseGpu();
+  mBegins = mForces != nullptr;
+  mShown.sheet.reset();
+  ++mShown.count;
+}
+
+void LiveSheet::move(double budgetMs) {
   if (mBegins) begin();
   mMotion.advance(budgetMs);
   if (mMotion.state() != SheetMotion::State::Unseen) ++mShown.count;
@@ -172,7 +190,6 @@ bool LiveSheet::advance(double budgetMs) {
     beginAgain();  // it has settled as far as the eye can follow
   else if (mMotion.isAtRest())
     keepPlace();
-  return true;
 }
 
 void LiveSheet::reset() {
@@ -266,56 +283,6 @@ MembraneReport LiveSheet::report() const {
   report.kept = mFigures->kept, report.voxels = mFigures->voxels;
   report.advice = mFigures->advice, report.leftOut = mFigures->leftOut;
   return report;
-}
-
-// What is shown.
-
-/// Where the sheet is seen. Asks the GPU where it moves, once for each place: what is held can be exported from a menu,
-/// where no context is current.
-const SheetPlace& LiveSheet::seenPlace() const {
-  if (!mMotion.isInSight()) return mPlace;
-  if (std::exchange(mShown.readAt, mShown.count) != mShown.count) mShown.read = mMotion.place();
-  return mShown.read;
-}
-
-render::FrameSheet LiveSheet::frameSheet() {
-  bool isLive = mMotion.isInSight() && haveSameFrame(mMotion.cut(), mCut);
-  auto& sheet = mShown.sheet;
-  if (mShown.uploaded != mShown.count || !sheet) {
-    glm::ivec2 flat = glm::max(mCut.membrane->cloth.particles, glm::ivec2(3));
-    glm::ivec2 count = isLive ? mMotion.simulation().particles() : glm::ivec2(0);
-    bool fits = sheet && sheet->particles() == count && sheet->size() == mCut.size;
-    if (isLive && fits) {
-      // From the solver to the picture without a detour.
-      mMotion.simulation().places().copyTo(sheet->rows(), 0);
-      gpu::barrier();
-      sheet->index();
-    } else if (sheet) {
-      sheet->setShape(shape(), flat, mCut.size);
-    } else {
-      sheet = std::make_shared<membrane::Sheet>(shape(), flat, mCut.size);
-    }
-    if (mMotion.isAtRest()) sheet->grow();
-    mShown.uploaded = mShown.count;
-  }
-  return {sheet, sheet->revision()};
-}
-
-void LiveSheet::makeIndex() {
-  glm::ivec2 flat = glm::max(mCut.membrane->cloth.particles, glm::ivec2(3));
-  mShown.index = std::make_shared<const membrane::SheetIndex>(membrane::makeSheetIndex(shape(), flat, mCut.size));
-  mShown.indexed = mShown.count;
-}
-
-bool LiveSheet::hasRest() const {
-  if (!isActive() || !mCut.enabled || mAsked.isDue || isMoving() || mPlace.isFlat()) return false;
-  return haveSameFrame(mPlace.cut, mCut) && mPlace.shape != mWritten;
-}
-
-std::optional<scene::SheetShape> LiveSheet::takeRest() {
-  if (!hasRest()) return std::nullopt;
-  mWritten = mPlace.shape;
-  return mWritten;
 }
 
 }  // namespace velum::session

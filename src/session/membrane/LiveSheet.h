@@ -70,6 +70,7 @@ class LiveSheet {
 
   // Motion. GL thread.
   bool isMoving() const;
+  /// @throw gpu::GpuError when there is no memory; the next call begins the motion anew
   bool advance(double budgetMs);
   void reset();
   void releaseGpu();
@@ -122,6 +123,9 @@ class LiveSheet {
   void adopt(const scene::SheetShape& saved);
   void forget();
   void begin();
+  void move(double budgetMs);
+  void failMotion();
+  render::FrameSheet upload();
   void keepPlace();
   void beginAgain();
 

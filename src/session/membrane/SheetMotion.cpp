@@ -1,6 +1,7 @@
 #include "session/membrane/SheetMotion.h"
 
 #include "core/Clock.h"
+#include "gpu/Allocation.h"
 #include "gpu/Program.h"
 #include "membrane/sheet/SheetIndex.h"
 
@@ -40,6 +41,7 @@ void SheetMotion::advance(double budgetMs) {
   do mSimulation->advance(1);
   while (++steps < kMostSteps && !mSimulation->isAtRest() && msSince(start) < budgetMs);
   gpu::finish();
+  gpu::throwIfExhausted();
   double ms = msSince(start), stepMs = ms / steps;
   mMs += ms;
   mStepMs = mStepMs > 0 ? 0.8 * mStepMs + 0.2 * stepMs : stepMs;

@@ -30,9 +30,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 gpu::ContextKind contextOf(const std::string& name) {
-  if (name == "auto") return gpu::ContextKind::Auto;
-  if (name == "egl") return gpu::ContextKind::Egl;
-  if (name == "osmesa") return gpu::ContextKind::OsMesa;
+  if (auto kind = enumValue<gpu::ContextKind>(name)) return *kind;
   throw ArgumentError(fmt::format("context '{}' is not one of auto, egl, osmesa", name));
 }
 

@@ -3,9 +3,24 @@
 #include <memory>
 #include <string>
 
+#include "core/Fields.h"
+
 namespace velum::gpu {
 
 enum class ContextKind { Auto, Egl, OsMesa };
+
+}  // namespace velum::gpu
+
+namespace velum {
+
+template <>
+struct EnumNames<gpu::ContextKind> {
+  static constexpr std::string_view kNames[] = {"auto", "egl", "osmesa"};
+};
+
+}  // namespace velum
+
+namespace velum::gpu {
 
 /// What the driver offers, read once.
 struct Limits {
@@ -35,7 +50,8 @@ class Context {
   static std::unique_ptr<Context> createEgl();
   /// Mesa's off-screen software renderer. @throw GpuError
   static std::unique_ptr<Context> createOsMesa();
-  /// Auto: EGL, else OSMesa. The context is current on return. @throw GpuError with the reasons of both
+  /// Auto: the kind that VELUM_CONTEXT names, else EGL, else OSMesa. The context is current on return.
+  /// @throw GpuError with the reasons of both; ArgumentError when VELUM_CONTEXT names none
   static std::unique_ptr<Context> create(ContextKind kind);
   /// Takes over a context that a window made and that is current now; does not destroy it. @throw GpuError From then on
   /// the context must be current, as @p current tells, wherever GL is called. Other contexts of the window share its

@@ -1,6 +1,7 @@
 """velum-batch render and bench."""
 import json
 import pathlib
+import re
 import struct
 import unittest
 
@@ -19,6 +20,19 @@ class Render(CliTest):
         data = (self.folder / "x.png").read_bytes()
         self.assertTrue(data.startswith(PNG))
         self.assertEqual(struct.unpack(">II", data[16:24]), (60, 40))
+
+    def test_a_variable_says_how_to_draw(self):
+        path = self.sample()
+        for kind, library in (("egl", "libEGL"), ("osmesa", "libOSMesa")):
+            said = self.folder / f"libraries-{kind}"
+            self.run_batch("render", path, "-o", f"{kind}.png", "--size", "60x40", *FAST,
+                           env={"VELUM_CONTEXT": kind, "LD_DEBUG": "libs", "LD_DEBUG_OUTPUT": said})
+            begun = "".join(file.read_text() for file in self.folder.glob(f"{said.name}.*"))
+            loaded = set(re.findall(r"calling init: .*/(libEGL|libOSMesa)\.so", begun))
+            self.assertEqual(loaded, {library})
+        self.run_batch("compare", "egl.png", "osmesa.png", "--max-diff", "2", "--max-fraction", "0")
+        done = self.run_batch("render", path, "-o", "x.png", code=1, env={"VELUM_CONTEXT": "vulkan"})
+        self.assertRegex(done.stderr, rb"VELUM_CONTEXT: 'vulkan' is not one of auto, egl, osmesa")
 
     def test_stdout_is_the_same_picture(self):
         path = self.sample()

@@ -3,10 +3,12 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <thread>
 #include <vector>
 
 #include "GlFixture.h"
+#include "core/Error.h"
 #include "gpu/Buffer.h"
 #include "gpu/GpuError.h"
 #include "gpu/Texture.h"
@@ -33,10 +35,29 @@ TEST_F(ContextGL, IsTheDriverThatWasAskedFor) {
   EXPECT_EQ(context().limits().renderer.rfind(wanted, 0), 0u) << context().limits().renderer;
 }
 
+TEST_F(ContextGL, IsOfTheKindThatTheEnvironmentNames) {
+  const char* wanted = std::getenv("VELUM_CONTEXT");
+  if (!wanted) GTEST_SKIP() << "VELUM_CONTEXT names none";
+  context();
+  std::ifstream maps("/proc/self/maps");
+  std::string loaded(std::istreambuf_iterator<char>(maps), {});
+  bool isOsMesa = std::string_view(wanted) == "osmesa";
+  EXPECT_NE(loaded.find(isOsMesa ? "/libOSMesa.so" : "/libEGL.so"), std::string::npos);
+  EXPECT_TRUE(!isOsMesa || loaded.find("/libEGL.so") == std::string::npos);
+}
+
+TEST_F(ContextGL, TheEnvironmentNamesNoKindThatThereIsNot) {
+  const char* before = std::getenv("VELUM_CONTEXT");
+  std::string kept = before ? before : "";
+  ::setenv("VELUM_CONTEXT", "vulkan", 1);
+  EXPECT_THROW(Context::create(ContextKind::Auto), ArgumentError);
+  before ? ::setenv("VELUM_CONTEXT", kept.c_str(), 1) : ::unsetenv("VELUM_CONTEXT");
+}
+
 TEST_F(ContextGL, LimitsCanBeLoweredForTests) {
   ::setenv("VELUM_MAX_TEXTURE_3D", "64", 1);
   ::setenv("VELUM_GPU_MEMORY_MB", "100", 1);
-  auto small = Context::createEgl();
+  auto small = Context::create(ContextKind::Auto);
   ::unsetenv("VELUM_MAX_TEXTURE_3D");
   ::unsetenv("VELUM_GPU_MEMORY_MB");
   EXPECT_EQ(small->limits().texture3d, 64);
@@ -44,7 +65,7 @@ TEST_F(ContextGL, LimitsCanBeLoweredForTests) {
 }
 
 TEST_F(ContextGL, TwoContextsTakeTurnsOnAThread) {
-  auto other = Context::createEgl();
+  auto other = Context::create(ContextKind::Auto);
   int five = 5, nine = 9, out = 0;
   Buffer theirs("theirs", sizeof(int), &nine);
   context().makeCurrent();
@@ -60,7 +81,7 @@ TEST_F(ContextGL, TwoContextsTakeTurnsOnAThread) {
 
 TEST_F(ContextGL, WorksOnAnotherThread) {
   std::thread worker([] {
-    auto own = Context::createEgl();
+    auto own = Context::create(ContextKind::Auto);
     int five = 5, out = 0;
     Buffer buffer("worker", sizeof(int), &five);
     buffer.read(0, sizeof(int), &out);
@@ -109,7 +130,7 @@ TEST_F(ContextGL, AProgramEndsAtAnErrorOfTheDriverWhereThatIsAskedFor) {
 }
 
 TEST_F(ContextGL, OsMesaIsThereOrSaysWhyNot) {
-  // A thread of its own: OSMesa does not know of the EGL context that is current here.
+  // A thread of its own: OSMesa does not know of an EGL context that is current here.
   std::thread worker([] {
     try {
       auto mesa = Context::createOsMesa();

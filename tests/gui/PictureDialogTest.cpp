@@ -12,6 +12,7 @@
 #include <QProcess>
 #include <QTest>
 #include <QTextBlock>
+#include <future>
 
 #include "RunBatch.h"
 #include "Shots.h"
@@ -79,7 +80,10 @@ TEST_F(PictureDialog, TheCopiedCommandMakesTheSamePicture) {
   runBatch(words);
   Progress progress;
   auto saved = mFolder.path() / "window.png";
-  session::Session(dialog.pictureScene()).savePicture(dialog.options(), {}, saved, progress);
+  // Where no window's context is current, as in the program.
+  std::async(std::launch::async, [&] {
+    session::Session(dialog.pictureScene()).savePicture(dialog.options(), {}, saved, progress);
+  }).get();
   auto pixels = [](const QString& path) { return QImage(path).convertToFormat(QImage::Format_RGBA8888); };
   ASSERT_FALSE(bytesOf(made).isEmpty());
   EXPECT_EQ(pixels(made), pixels(QString::fromStdString(saved.string())));

@@ -4,6 +4,8 @@
 #include <QFile>
 #include <QListWidget>
 #include <QMimeData>
+#include <QOpenGLContext>
+#include <QOpenGLFunctions>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QStandardPaths>
@@ -25,6 +27,17 @@ void onMessage(QtMsgType type, const QMessageLogContext&, const QString& text) {
 }
 
 }  // namespace
+
+TEST_F(Window, IsDrawnByTheDriverThatWasAskedFor) {
+  const char* wanted = std::getenv("VELUM_TEST_DRIVER");
+  if (!wanted) GTEST_SKIP() << "whichever the machine has";
+  openPhantom();
+  viewport().makeCurrent();
+  std::string renderer =
+      reinterpret_cast<const char*>(QOpenGLContext::currentContext()->functions()->glGetString(GL_RENDERER));
+  viewport().doneCurrent();
+  EXPECT_EQ(renderer.rfind(wanted, 0), 0u) << renderer;
+}
 
 TEST_F(Window, RefinesUntilCompleteAndThenRests) {
   openPhantom();

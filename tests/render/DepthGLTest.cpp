@@ -194,7 +194,7 @@ TEST_F(DepthGL, ASurfaceMayBeLongerThanTheBlocksOfADriver) {
   Image coarse = draw(scene, kSize);
   scene.surfaces[0].data = Shared<Mesh>(std::move(fine));
   ::setenv("VELUM_MAX_STORAGE_BLOCK", "65536", 1);
-  auto small = gpu::Context::createEgl();
+  auto small = gpu::Context::create(gpu::ContextKind::Auto);
   ::unsetenv("VELUM_MAX_STORAGE_BLOCK");
   {
     render::Renderer other(*small);

@@ -12,7 +12,7 @@ class AsGpu {
  public:
   explicit AsGpu(gpu::Context& home) : mHome(home) {
     ::setenv("VELUM_SOFTWARE_DRIVER", "0", 1);
-    mContext = gpu::Context::createEgl();
+    mContext = gpu::Context::create(gpu::ContextKind::Auto);
     ::unsetenv("VELUM_SOFTWARE_DRIVER");
     mRenderer.emplace(*mContext);
     mHome.makeCurrent();

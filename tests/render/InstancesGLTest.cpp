@@ -369,7 +369,7 @@ TEST_F(InstancesGL, WhatIsShownAloneHoldsWhatIsShown) {
 
 TEST_F(InstancesGL, MoreThanTheDriverHasRoomForAreRefusedInOneLine) {
   ::setenv("VELUM_MAX_TEXTURE_BUFFER", "65536", 1);
-  auto small = gpu::Context::createEgl();
+  auto small = gpu::Context::create(gpu::ContextKind::Auto);
   ::unsetenv("VELUM_MAX_TEXTURE_BUFFER");
   render::Renderer other(*small);
   EXPECT_NO_THROW(drawWith(other, sceneOfModel(lattice(181, 10.0f)), {32, 32}));
@@ -377,8 +377,7 @@ TEST_F(InstancesGL, MoreThanTheDriverHasRoomForAreRefusedInOneLine) {
     drawWith(other, sceneOfModel(lattice(182, 10.0f)), {32, 32});  // 33,124 instances, two texels each
     ADD_FAILURE() << "drawn";
   } catch (const gpu::GpuError& error) {
-    EXPECT_NE(std::string(error.what()).find("32768 are the most: leave out"), std::string::npos)
-        << error.what();
+    EXPECT_NE(std::string(error.what()).find("32768 are the most: leave out"), std::string::npos) << error.what();
   }
 }
 

@@ -74,7 +74,7 @@ TEST_F(UploadGL, ADriverWithSmallBuffersShowsTheSame) {
   style(scene);
   Image usual = draw(scene, {72, 72});
   ::setenv("VELUM_MAX_TEXTURE_BUFFER", "65536", 1);
-  auto small = gpu::Context::createEgl();
+  auto small = gpu::Context::create(gpu::ContextKind::Auto);
   ::unsetenv("VELUM_MAX_TEXTURE_BUFFER");
   {
     render::Renderer other(*small);
@@ -159,7 +159,7 @@ TEST_F(UploadGL, ADriverWithSmallTexturesShowsLessDetailAndSaysSo) {
   Image whole = draw(scene, {72, 72});
   EXPECT_EQ(renderer().stats().reduction, "");
   ::setenv("VELUM_MAX_TEXTURE_3D", "20", 1);
-  auto small = gpu::Context::createEgl();
+  auto small = gpu::Context::create(gpu::ContextKind::Auto);
   ::unsetenv("VELUM_MAX_TEXTURE_3D");
   {
     render::Renderer other(*small);
@@ -179,7 +179,7 @@ TEST_F(UploadGL, WhereThereIsNoRoomToBeSmoothThatIsSaid) {
   scene::Scene scene = sceneOf(makeVolume(kUploadDims, SampleType::UInt8, valueOf, centredFrame(kUploadDims)));
   style(scene);
   ::setenv("VELUM_MAX_TEXTURE_3D", "50", 1);
-  auto small = gpu::Context::createEgl();
+  auto small = gpu::Context::create(gpu::ContextKind::Auto);
   ::unsetenv("VELUM_MAX_TEXTURE_3D");
   {
     render::Renderer other(*small);
@@ -199,7 +199,7 @@ TEST_F(UploadGL, ADriverWithLittleMemoryShowsLessDetailAndSaysSo) {
       centredFrame(dims)));
   scene.volume.transfer.opacities = {{60, 0}, {90, 0.5}};
   ::setenv("VELUM_GPU_MEMORY_MB", "4", 1);
-  auto small = gpu::Context::createEgl();
+  auto small = gpu::Context::create(gpu::ContextKind::Auto);
   ::unsetenv("VELUM_GPU_MEMORY_MB");
   {
     render::Renderer other(*small);

@@ -8,6 +8,7 @@
 #include <cstring>
 
 #include "core/Assert.h"
+#include "core/Error.h"
 #include "core/Log.h"
 #include "gpu/Gl.h"
 #include "gpu/GpuError.h"
@@ -60,6 +61,14 @@ bool compileBeside(const GlTable& table, Context::ProcAddress procAddress) {
       reinterpret_cast<void(APIENTRY*)(GLuint)>(can ? procAddress("glMaxShaderCompilerThreadsKHR") : nullptr);
   if (setThreads) setThreads(0xffffffffu);
   return setThreads != nullptr;
+}
+
+/// What VELUM_CONTEXT names: all that is drawn without a window, by whichever program, is drawn so.
+ContextKind kindOfEnvironment() {
+  const char* text = std::getenv("VELUM_CONTEXT");
+  if (!text || !*text) return ContextKind::Auto;
+  if (auto kind = enumValue<ContextKind>(text)) return *kind;
+  throw ArgumentError(fmt::format("VELUM_CONTEXT: '{}' is not one of auto, egl, osmesa", text));
 }
 
 std::size_t memoryFor(const GlTable& table, bool isSoftware) {
@@ -146,6 +155,7 @@ void Context::load(ProcAddress procAddress, Current current) {
 }
 
 std::unique_ptr<Context> Context::create(ContextKind kind) {
+  if (kind == ContextKind::Auto) kind = kindOfEnvironment();
   if (kind == ContextKind::Egl) return createEgl();
   if (kind == ContextKind::OsMesa) return createOsMesa();
   std::string eglSays;

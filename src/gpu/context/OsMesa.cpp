@@ -51,7 +51,10 @@ class OsMesaContext : public Context {
     load(procAddress);
   }
   ~OsMesaContext() override {
-    if (mContext) library().find<void (*)(::OSMesaContext)>("OSMesaDestroyContext")(mContext);
+    if (!mContext) return;
+    library().find<GLboolean (*)(::OSMesaContext, void*, GLenum, GLsizei, GLsizei)>("OSMesaMakeCurrent")(
+        nullptr, nullptr, 0, 0, 0);
+    library().find<void (*)(::OSMesaContext)>("OSMesaDestroyContext")(mContext);
   }
   void makeCurrent() override {
     auto make = library().find<GLboolean (*)(::OSMesaContext, void*, GLenum, GLsizei, GLsizei)>("OSMesaMakeCurrent");

@@ -2,6 +2,5085 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en">
 <context>
+    <name>Core</name>
+    <message>
+        <source>%1 structures</source>
+        <translation>%1 Strukturen</translation>
+    </message>
+    <message>
+        <source>%1 types</source>
+        <translation>%1 Typen</translation>
+    </message>
+    <message>
+        <source>%1 marks</source>
+        <translation>%1 Marken</translation>
+    </message>
+    <message>
+        <source>%1 rows</source>
+        <translation>%1 Zeilen</translation>
+    </message>
+    <message>
+        <source>%1 numbers</source>
+        <translation>%1 Zahlen</translation>
+    </message>
+    <message>
+        <source>%1 frames</source>
+        <translation>%1 Einzelbilder</translation>
+    </message>
+    <message>
+        <source>: %1 by %2</source>
+        <translation>: %1 durch %2</translation>
+    </message>
+    <message>
+        <source>, %1 by %2</source>
+        <translation>, %1 durch %2</translation>
+    </message>
+    <message>
+        <source>brick</source>
+        <translation>Block</translation>
+    </message>
+    <message>
+        <source>bricks</source>
+        <translation>Blöcke</translation>
+    </message>
+    <message>
+        <source>volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>surface</source>
+        <translation>Oberfläche</translation>
+    </message>
+    <message>
+        <source>model</source>
+        <translation>Modell</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>tile</source>
+        <translation>Kachel</translation>
+    </message>
+    <message>
+        <source>strip</source>
+        <translation>Streifen</translation>
+    </message>
+    <message>
+        <source>quote</source>
+        <translation>Anführungszeichen</translation>
+    </message>
+    <message>
+        <source>bracket</source>
+        <translation>Klammer</translation>
+    </message>
+    <message>
+        <source>supported</source>
+        <translation>unterstützt</translation>
+    </message>
+    <message>
+        <source>known</source>
+        <translation>bekannt</translation>
+    </message>
+    <message>
+        <source>Reading voxels</source>
+        <translation>Voxel werden gelesen</translation>
+    </message>
+    <message>
+        <source>a label volume needs at least one voxel along each axis</source>
+        <translation>ein Labelvolumen braucht entlang jeder Achse mindestens ein Voxel</translation>
+    </message>
+    <message>
+        <source>the box to write leaves the label volume</source>
+        <translation>der zu schreibende Quader ragt aus dem Labelvolumen</translation>
+    </message>
+    <message>
+        <source>too few labels for the box to write</source>
+        <translation>zu wenige Labels für den zu schreibenden Quader</translation>
+    </message>
+    <message>
+        <source>the box to read leaves the label volume</source>
+        <translation>der zu lesende Quader ragt aus dem Labelvolumen</translation>
+    </message>
+    <message>
+        <source>too little room for the box to read</source>
+        <translation>zu wenig Platz für den zu lesenden Quader</translation>
+    </message>
+    <message>
+        <source> (is &apos;%1&apos; meant?)</source>
+        <translation> (ist „%1“ gemeint?)</translation>
+    </message>
+    <message>
+        <source>%1: cannot be written (%2); check the folder and the free space</source>
+        <translation>%1: kann nicht geschrieben werden (%2); Ordner und freien Platz prüfen</translation>
+    </message>
+    <message>
+        <source>%1: is a folder; give the name of a file</source>
+        <translation>%1: ist ein Ordner; den Namen einer Datei angeben</translation>
+    </message>
+    <message>
+        <source>%1: is no regular file; give the name of a file</source>
+        <translation>%1: ist keine gewöhnliche Datei; den Namen einer Datei angeben</translation>
+    </message>
+    <message>
+        <source>%1: is read-only; choose another name, or permit writing</source>
+        <translation>%1: ist schreibgeschützt; einen anderen Namen wählen oder das Schreiben erlauben</translation>
+    </message>
+    <message>
+        <source>%1: its folder does not exist; create it first</source>
+        <translation>%1: der Ordner dafür fehlt; ihn zuerst anlegen</translation>
+    </message>
+    <message>
+        <source>structure %1 is smoothed by nothing</source>
+        <translation>Struktur %1 wird um nichts geglättet</translation>
+    </message>
+    <message>
+        <source>Smoothing structures</source>
+        <translation>Strukturen werden geglättet</translation>
+    </message>
+    <message>
+        <source>the driver has no memory for %1 (%2 MiB): lower VELUM_GPU_MEMORY_MB</source>
+        <translation>der Treiber hat keinen Speicher für %1 (%2 MiB): VELUM_GPU_MEMORY_MB verkleinern</translation>
+    </message>
+    <message>
+        <source>the driver cannot map %1 (%2 bytes)</source>
+        <translation>der Treiber kann %1 nicht einblenden (%2 Bytes)</translation>
+    </message>
+    <message>
+        <source>the driver&apos;s shaders reach %1 MiB of a buffer, and %2 MiB are needed: take fewer copies, or a smaller picture or volume</source>
+        <translation>die Shader des Treibers erreichen %1 MiB eines Puffers, nötig sind %2 MiB: weniger Kopien nehmen oder ein kleineres Bild oder Volumen</translation>
+    </message>
+    <message>
+        <source>the driver cannot draw into %1</source>
+        <translation>der Treiber kann nicht in %1 zeichnen</translation>
+    </message>
+    <message>
+        <source>the shader %1 does not link: %2</source>
+        <translation>der Shader %1 lässt sich nicht binden: %2</translation>
+    </message>
+    <message>
+        <source>the driver does not answer: update it, or restart</source>
+        <translation>der Treiber antwortet nicht: ihn aktualisieren oder neu starten</translation>
+    </message>
+    <message>
+        <source>the shader %1/%2 is missing</source>
+        <translation>der Shader %1/%2 fehlt</translation>
+    </message>
+    <message>
+        <source>the shader %1 is not part of the program</source>
+        <translation>der Shader %1 gehört nicht zum Programm</translation>
+    </message>
+    <message>
+        <source>the driver has no memory for %1 (%2 x %3 x %4, %5 MiB): lower VELUM_GPU_MEMORY_MB or use a smaller picture</source>
+        <translation>der Treiber hat keinen Speicher für %1 (%2 x %3 x %4, %5 MiB): VELUM_GPU_MEMORY_MB verkleinern oder ein kleineres Bild verwenden</translation>
+    </message>
+    <message>
+        <source>%1: %2 texels are more than the %3 that the driver takes in a buffer: use a smaller model, picture or volume</source>
+        <translation>%1: %2 Texel sind mehr als die %3, die der Treiber in einem Puffer nimmt: ein kleineres Modell, Bild oder Volumen verwenden</translation>
+    </message>
+    <message>
+        <source>the driver lacks gl</source>
+        <translation>dem Treiber fehlt gl</translation>
+    </message>
+    <message>
+        <source>; OpenGL 4.5 is needed: update the graphics driver</source>
+        <translation>; OpenGL 4.5 ist nötig: den Grafiktreiber aktualisieren</translation>
+    </message>
+    <message>
+        <source>%1 offers OpenGL %2.%3; 4.5 is needed: update the graphics driver</source>
+        <translation>%1 bietet OpenGL %2.%3; nötig ist 4.5: den Grafiktreiber aktualisieren</translation>
+    </message>
+    <message>
+        <source>no way to draw without a display: %1; %2</source>
+        <translation>ohne Bildschirm lässt sich nicht zeichnen: %1; %2</translation>
+    </message>
+    <message>
+        <source>EGL: libEGL.so.1 is not installed (Debian package libegl1)</source>
+        <translation>EGL: libEGL.so.1 ist nicht installiert (Debian-Paket libegl1)</translation>
+    </message>
+    <message>
+        <source>EGL: no display offers an OpenGL 4.5 core context (Debian package libgl1-mesa-dri has a software one)</source>
+        <translation>EGL: kein Bildschirm bietet einen OpenGL-4.5-Core-Kontext (das Debian-Paket libgl1-mesa-dri hat einen in Software)</translation>
+    </message>
+    <message>
+        <source>EGL: the context cannot be made current</source>
+        <translation>EGL: der Kontext lässt sich nicht aktivieren</translation>
+    </message>
+    <message>
+        <source>OSMesa: libOSMesa.so.8 is not installed (Debian package libosmesa6)</source>
+        <translation>OSMesa: libOSMesa.so.8 ist nicht installiert (Debian-Paket libosmesa6)</translation>
+    </message>
+    <message>
+        <source>OSMesa: it offers no OpenGL 4.5 core context</source>
+        <translation>OSMesa: es bietet keinen OpenGL-4.5-Core-Kontext</translation>
+    </message>
+    <message>
+        <source>OSMesa: the context cannot be made current</source>
+        <translation>OSMesa: der Kontext lässt sich nicht aktivieren</translation>
+    </message>
+    <message>
+        <source>the plane to grow from has a number that is not finite</source>
+        <translation>die Ebene, von der aus gewachsen wird, hat eine Zahl, die nicht endlich ist</translation>
+    </message>
+    <message>
+        <source>the distance to grow is not a number</source>
+        <translation>der Abstand zum Wachsen ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>channel %1 to grow in: the volume has %2</source>
+        <translation>Kanal %1 zum Wachsen: das Volumen hat %2</translation>
+    </message>
+    <message>
+        <source>time step %1 to grow in: the volume has %2</source>
+        <translation>Zeitschritt %1 zum Wachsen: das Volumen hat %2</translation>
+    </message>
+    <message>
+        <source>structure %1 to grow: give a label from 1 to 65535</source>
+        <translation>Struktur %1 zum Wachsen: ein Label von 1 bis 65535 angeben</translation>
+    </message>
+    <message>
+        <source>structure %1 to grow within: give a label from 0 to 65535</source>
+        <translation>Struktur %1, in der gewachsen wird: ein Label von 0 bis 65535 angeben</translation>
+    </message>
+    <message>
+        <source>the labels have another grid than the volume: what grows made them take its grid, by the nearest voxel</source>
+        <translation>die Labels haben ein anderes Gitter als das Volumen: durch das Wachsen haben sie nun dessen Gitter, nach dem nächsten Voxel</translation>
+    </message>
+    <message>
+        <source>what grows reaches over a box of %1 x %2 x %3 voxels, and to tell it from what is not of it takes %4 GB of memory; grow it less far, or give it a narrower range</source>
+        <translation>das Gewachsene reicht über einen Quader von %1 x %2 x %3 Voxeln; es von dem zu trennen, was nicht dazugehört, braucht %4 GB Speicher; weniger weit wachsen lassen oder einen engeren Bereich angeben</translation>
+    </message>
+    <message>
+        <source>the labels to grow in are not on the grid of the volume</source>
+        <translation>die Labels, in denen gewachsen wird, liegen nicht auf dem Gitter des Volumens</translation>
+    </message>
+    <message>
+        <source>the structure reaches over a box of %1 x %2 x %3 voxels, and to close it or to fill its holes takes %4 GB of memory; leave that out, or grow it less far</source>
+        <translation>die Struktur reicht über einen Quader von %1 x %2 x %3 Voxeln; sie zu schließen oder ihre Löcher zu füllen braucht %4 GB Speicher; das weglassen oder sie weniger weit wachsen lassen</translation>
+    </message>
+    <message>
+        <source>cannot read or write %1: %2 was not found in %3</source>
+        <translation>%1 nicht lesbar und nicht schreibbar: %2 wurde in %3 nicht gefunden</translation>
+    </message>
+    <message>
+        <source>cannot read or write %1: %2</source>
+        <translation>%1 nicht lesbar und nicht schreibbar: %2</translation>
+    </message>
+    <message>
+        <source>packed pages of TIFF files</source>
+        <translation>gepackte Seiten von TIFF-Dateien</translation>
+    </message>
+    <message>
+        <source>surfaces and files of VTK</source>
+        <translation>Oberflächen und Dateien von VTK</translation>
+    </message>
+    <message>
+        <source>the pictures differ in size: %1 x %2 and %3 x %4</source>
+        <translation>die Bilder sind verschieden groß: %1 x %2 und %3 x %4</translation>
+    </message>
+    <message>
+        <source>the pictures have %1 and %2 channels</source>
+        <translation>die Bilder haben %1 und %2 Kanäle</translation>
+    </message>
+    <message>
+        <source>%1: cannot write a picture of %2 x %3 pixels with %4 channels and %5 samples</source>
+        <translation>%1: ein Bild von %2 x %3 Pixeln mit %4 Kanälen und %5 Werten kann nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>%1: the picture has no channels R, G and B; write it as .exr</source>
+        <translation>%1: das Bild hat keine Kanäle R, G und B; als .exr schreiben</translation>
+    </message>
+    <message>
+        <source>%1: cannot be written (%2)</source>
+        <translation>%1: kann nicht geschrieben werden (%2)</translation>
+    </message>
+    <message>
+        <source>-: the picture cannot be written to the standard output</source>
+        <translation>-: das Bild kann nicht auf die Standardausgabe geschrieben werden</translation>
+    </message>
+    <message>
+        <source>%1: there is no such picture</source>
+        <translation>%1: dieses Bild gibt es nicht</translation>
+    </message>
+    <message>
+        <source>%1: is cut short or damaged</source>
+        <translation>%1: ist abgeschnitten oder beschädigt</translation>
+    </message>
+    <message>
+        <source>%1: its header is damaged</source>
+        <translation>%1: der Dateikopf ist beschädigt</translation>
+    </message>
+    <message>
+        <source>%1: is no picture in PNG, TIFF or OpenEXR; convert it to one of these</source>
+        <translation>%1: ist kein Bild in PNG, TIFF oder OpenEXR; es in eines davon umwandeln</translation>
+    </message>
+    <message>
+        <source>%1: cannot be read as a picture (%2)</source>
+        <translation>%1: kann nicht als Bild gelesen werden (%2)</translation>
+    </message>
+    <message>
+        <source>%1: a picture of %2 x %3 x %4 is not read</source>
+        <translation>%1: ein Bild von %2 x %3 x %4 wird nicht gelesen</translation>
+    </message>
+    <message>
+        <source>%1: the header promises more pixels than the file can hold</source>
+        <translation>%1: der Dateikopf verspricht mehr Pixel, als in ihr sein können</translation>
+    </message>
+    <message>
+        <source>%1: the picture is cut short</source>
+        <translation>%1: das Bild ist abgeschnitten</translation>
+    </message>
+    <message>
+        <source>%1: this OpenImageIO cannot write %2</source>
+        <translation>%1: dieses OpenImageIO kann %2 nicht schreiben</translation>
+    </message>
+    <message>
+        <source>%1: this OpenImageIO keeps the scene out of it</source>
+        <translation>%1: dieses OpenImageIO lässt die Szene weg</translation>
+    </message>
+    <message>
+        <source>%1: the picture is damaged (%2)</source>
+        <translation>%1: das Bild ist beschädigt (%2)</translation>
+    </message>
+    <message>
+        <source>%1: pictures are written as .png, .tif or .exr, not &apos;%2&apos;</source>
+        <translation>%1: Bilder werden als .png, .tif oder .exr geschrieben, nicht „%2“</translation>
+    </message>
+    <message>
+        <source>the segmentation has no pixel data</source>
+        <translation>die Segmentierung hat keine Pixel</translation>
+    </message>
+    <message>
+        <source>compressed DICOM segmentations are not supported</source>
+        <translation>komprimierte DICOM-Segmentierungen werden nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>segmentations of %1 bits are not supported</source>
+        <translation>Segmentierungen mit %1 Bit werden nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>the pixel data is cut off: %1 bytes of %2</source>
+        <translation>die Pixel sind abgeschnitten: %1 Bytes von %2</translation>
+    </message>
+    <message>
+        <source>frames of the segmentation lie in several directions; one is supported</source>
+        <translation>die Einzelbilder der Segmentierung liegen in mehreren Richtungen; unterstützt wird eine</translation>
+    </message>
+    <message>
+        <source>the places of its frames do not fit on a grid</source>
+        <translation>die Orte der Einzelbilder passen auf kein Gitter</translation>
+    </message>
+    <message>
+        <source>planes are not evenly apart; each was put on the nearest of %1 mm, by up to %2 mm</source>
+        <translation>die Ebenen haben ungleiche Abstände; jede wurde auf die nächste von %1 mm gelegt, um bis zu %2 mm verschoben</translation>
+    </message>
+    <message>
+        <source>frames of the segmentation have no position; they are stacked as they come</source>
+        <translation>die Einzelbilder der Segmentierung haben keinen Ort; sie sind gestapelt, wie sie kommen</translation>
+    </message>
+    <message>
+        <source>the segmentation has no pixel spacing; 1 mm was taken</source>
+        <translation>die Segmentierung hat keinen Pixelabstand; 1 mm wurde angenommen</translation>
+    </message>
+    <message>
+        <source>Reading segments</source>
+        <translation>Segmente werden gelesen</translation>
+    </message>
+    <message>
+        <source>is damaged, or no DICOM segmentation</source>
+        <translation>ist beschädigt oder keine DICOM-Segmentierung</translation>
+    </message>
+    <message>
+        <source>the DICOM segmentation cannot be read</source>
+        <translation>die DICOM-Segmentierung kann nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>the DICOM segmentation is damaged</source>
+        <translation>die DICOM-Segmentierung ist beschädigt</translation>
+    </message>
+    <message>
+        <source>the segmentation says how much of a voxel is inside; what is over half is taken as inside</source>
+        <translation>die Segmentierung sagt, wie viel eines Voxels innen ist; mehr als die Hälfte gilt als innen</translation>
+    </message>
+    <message>
+        <source>%1 frames repeat a segment at its place; they are joined</source>
+        <translation>%1 Einzelbilder wiederholen ein Segment an seinem Ort; sie sind vereint</translation>
+    </message>
+    <message>
+        <source>%1 voxels belong to several segments; the last one has them</source>
+        <translation>%1 Voxel gehören zu mehreren Segmenten; das letzte bekommt sie</translation>
+    </message>
+    <message>
+        <source>the segments do not fit into one DICOM file; write fewer structures</source>
+        <translation>die Segmente passen nicht in eine DICOM-Datei; weniger Strukturen schreiben</translation>
+    </message>
+    <message>
+        <source>Writing segments</source>
+        <translation>Segmente werden geschrieben</translation>
+    </message>
+    <message>
+        <source>DICOM holds lengths of patients, in millimetres</source>
+        <translation>DICOM enthält Längen von Patienten, in Millimetern</translation>
+    </message>
+    <message>
+        <source>the axes of the labels are not at right angles, as those of DICOM are; write .seg.nrrd or .nii.gz</source>
+        <translation>die Achsen der Labels stehen nicht rechtwinklig, wie es DICOM verlangt; als .seg.nrrd oder .nii.gz schreiben</translation>
+    </message>
+    <message>
+        <source>DICOM has no planes that large</source>
+        <translation>so große Ebenen gibt es in DICOM nicht</translation>
+    </message>
+    <message>
+        <source>nothing is labelled, and DICOM has no segmentation of nothing</source>
+        <translation>kein Label ist vergeben, und eine Segmentierung von nichts gibt es in DICOM nicht</translation>
+    </message>
+    <message>
+        <source>the DICOM segmentation cannot be written</source>
+        <translation>die DICOM-Segmentierung kann nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>%1 names of structures are changed: DICOM has %2 characters for them, and no backslash</source>
+        <translation>%1 Namen von Strukturen sind geändert: DICOM hat dafür %2 Zeichen und keinen umgekehrten Schrägstrich</translation>
+    </message>
+    <message>
+        <source>opacities are left out: DICOM has no place for them</source>
+        <translation>Deckkraft ist weggelassen: DICOM hat keinen Platz dafür</translation>
+    </message>
+    <message>
+        <source>Reading labels</source>
+        <translation>Labels werden gelesen</translation>
+    </message>
+    <message>
+        <source>Counting ids</source>
+        <translation>Labels werden gezählt</translation>
+    </message>
+    <message>
+        <source>it has %1 ids, and %2 are the most that are read; the largest were taken, which have %3 % of what is labelled</source>
+        <translation>es hat %1 Labels, höchstens %2 werden gelesen; die größten wurden genommen, sie machen %3 % des Bezeichneten aus</translation>
+    </message>
+    <message>
+        <source>%1 x %2 x %3 voxels</source>
+        <translation>%1 x %2 x %3 Voxel</translation>
+    </message>
+    <message>
+        <source>labels of %1 take more memory than bricks may (%2 GB); they were %3 %4</source>
+        <translation>Labels von %1 brauchen mehr Speicher, als Blöcken zusteht (%2 GB); sie wurden %3 %4</translation>
+    </message>
+    <message>
+        <source>read at a coarser level,</source>
+        <translation>in einer gröberen Stufe gelesen,</translation>
+    </message>
+    <message>
+        <source>halved to</source>
+        <translation>halbiert auf</translation>
+    </message>
+    <message>
+        <source>level %1 of 0 to %2, %3, were read; the finest has %4</source>
+        <translation>Stufe %1 von 0 bis %2 (%3) wurde gelesen; die feinste hat %4</translation>
+    </message>
+    <message>
+        <source>is too large for a label table</source>
+        <translation>ist zu groß für eine Labeltabelle</translation>
+    </message>
+    <message>
+        <source>no line is a label: expected a number and a name</source>
+        <translation>keine Zeile ist ein Label: erwartet werden eine Zahl und ein Name</translation>
+    </message>
+    <message>
+        <source>is no label volume: it has %1 samples per voxel</source>
+        <translation>ist kein Labelvolumen: es hat %1 Werte je Voxel</translation>
+    </message>
+    <message>
+        <source>the file has %1 time frames; the first was taken</source>
+        <translation>die Datei hat %1 Zeitschritte; der erste wurde genommen</translation>
+    </message>
+    <message>
+        <source>there is no level %1; they are 0 to %2</source>
+        <translation>Stufe %1 gibt es nicht; es gibt 0 bis %2</translation>
+    </message>
+    <message>
+        <source>is no label volume: it has the value %1; ids are whole numbers from 0 on</source>
+        <translation>ist kein Labelvolumen: es hat den Wert %1; Labels sind ganze Zahlen ab 0</translation>
+    </message>
+    <message>
+        <source>is no label volume: it has the value %1</source>
+        <translation>ist kein Labelvolumen: es hat den Wert %1</translation>
+    </message>
+    <message>
+        <source>Sorting labels</source>
+        <translation>Labels werden geordnet</translation>
+    </message>
+    <message>
+        <source>is no label volume: values run from %1 to %2, ids from 0 to %3</source>
+        <translation>ist kein Labelvolumen: die Werte reichen von %1 bis %2, Labels von 0 bis %3</translation>
+    </message>
+    <message>
+        <source>%1 voxels of the layers are of no segment; they are left out</source>
+        <translation>%1 Voxel der Ebenen gehören zu keinem Segment; sie sind weggelassen</translation>
+    </message>
+    <message>
+        <source>%1 segments have numbers of their own here: in the file they share values of other layers</source>
+        <translation>%1 Segmente haben hier eigene Zahlen: in der Datei teilen sie Werte mit anderen Ebenen</translation>
+    </message>
+    <message>
+        <source>the folder holds no images and %1 files of segments; %2 was taken</source>
+        <translation>der Ordner enthält keine Bilder und %1 Dateien mit Segmenten; %2 wurde genommen</translation>
+    </message>
+    <message>
+        <source>the structure set has no closed contours</source>
+        <translation>das Structure-Set hat keine geschlossenen Konturen</translation>
+    </message>
+    <message>
+        <source>its contours do not fit on a grid</source>
+        <translation>die Konturen passen auf kein Gitter</translation>
+    </message>
+    <message>
+        <source>Filling contours</source>
+        <translation>Konturen werden gefüllt</translation>
+    </message>
+    <message>
+        <source>is damaged, or no DICOM structure set</source>
+        <translation>ist beschädigt oder kein DICOM-Structure-Set</translation>
+    </message>
+    <message>
+        <source>the DICOM structure set is damaged</source>
+        <translation>das DICOM-Structure-Set ist beschädigt</translation>
+    </message>
+    <message>
+        <source>%1 points and open lines of the structure set are left out</source>
+        <translation>%1 Punkte und offene Linien des Structure-Sets sind weggelassen</translation>
+    </message>
+    <message>
+        <source>%1 contours lie across the others and are left out</source>
+        <translation>%1 Konturen liegen quer zu den anderen und sind weggelassen</translation>
+    </message>
+    <message>
+        <source>%1 voxels belong to several structures; the smaller one has them</source>
+        <translation>%1 Voxel gehören zu mehreren Strukturen; die kleinere bekommt sie</translation>
+    </message>
+    <message>
+        <source>labels of %1 GB do not fit into half of the memory, %2 GB, as this format needs; write a store (.zarr)</source>
+        <translation>Labels von %1 GB passen nicht in die Hälfte des Speichers, %2 GB, wie es dieses Format braucht; einen Datenspeicher (.zarr) schreiben</translation>
+    </message>
+    <message>
+        <source>%1 structures have other ids than in the file that they come from; a store keeps those</source>
+        <translation>%1 Strukturen haben andere Zahlen als in der Datei, aus der sie kommen; ein Datenspeicher behält sie</translation>
+    </message>
+    <message>
+        <source>%1 names of structures are changed: line ends, or what ends a name in XML, cannot stand in them</source>
+        <translation>%1 Namen von Strukturen sind geändert: Zeilenenden, oder was in XML einen Namen beendet, können darin nicht stehen</translation>
+    </message>
+    <message>
+        <source>labels are written as .seg.nrrd, .nrrd, .nii, .nii.gz, .dcm, .zarr or .ozx</source>
+        <translation>Labels werden als .seg.nrrd, .nrrd, .nii, .nii.gz, .dcm, .zarr oder .ozx geschrieben</translation>
+    </message>
+    <message>
+        <source>the file&apos;s light is left out</source>
+        <translation>das Licht der Datei ist weggelassen</translation>
+    </message>
+    <message>
+        <source>line %1: &apos;%2&apos; is not a number</source>
+        <translation>Zeile %1: „%2“ ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>line %1: %2 is no count of points of %3 numbers</source>
+        <translation>Zeile %1: %2 ist keine Anzahl von Punkten mit je %3 Zahlen</translation>
+    </message>
+    <message>
+        <source>line %1: %2 numbers are announced and %3 are there</source>
+        <translation>Zeile %1: %2 Zahlen sind angekündigt, %3 sind da</translation>
+    </message>
+    <message>
+        <source>%1 has too many points: Slicer reads %2 characters of a line; write .vp.json instead</source>
+        <translation>%1 hat zu viele Punkte: Slicer liest %2 Zeichen einer Zeile; stattdessen .vp.json schreiben</translation>
+    </message>
+    <message>
+        <source>numbers of %1 are rounded to six digits: Slicer reads %2 characters of a line</source>
+        <translation>die Zahlen von %1 sind auf sechs Stellen gerundet: Slicer liest %2 Zeichen einer Zeile</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a number</source>
+        <translation>„%1“ ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>there is no list &quot;%1&quot;</source>
+        <translation>die Liste „%1“ fehlt</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has %2 items; %3 is the most</source>
+        <translation>„%1“ hat %2 Einträge; höchstens %3 sind möglich</translation>
+    </message>
+    <message>
+        <source>&quot;color&quot; is not three numbers</source>
+        <translation>„color“ besteht nicht aus drei Zahlen</translation>
+    </message>
+    <message>
+        <source>the name of the preset, %1, is left out</source>
+        <translation>der Name der Vorgabe, %1, ist weggelassen</translation>
+    </message>
+    <message>
+        <source>%1 light of %2 becomes 1, the most that Slicer has</source>
+        <translation>%1-Licht von %2 wird 1, mehr hat Slicer nicht</translation>
+    </message>
+    <message>
+        <source>shadows and occlusion are left out: Slicer has none</source>
+        <translation>Schatten und Verschattung sind weggelassen: Slicer hat keine</translation>
+    </message>
+    <message>
+        <source>the direction of the light is left out: Slicer&apos;s comes from the eye</source>
+        <translation>die Richtung des Lichts ist weggelassen: in Slicer kommt es vom Auge</translation>
+    </message>
+    <message>
+        <source>brackets are nested too deep</source>
+        <translation>Klammern sind zu tief verschachtelt</translation>
+    </message>
+    <message>
+        <source>a volume property of Slicer has 9 lines, this has %1</source>
+        <translation>eine Volumendarstellung von Slicer hat 9 Zeilen, diese hat %1</translation>
+    </message>
+    <message>
+        <source>the text is not a JSON object; the file is damaged or of another kind</source>
+        <translation>der Text ist kein JSON-Objekt; die Datei ist beschädigt oder von anderer Art</translation>
+    </message>
+    <message>
+        <source>&quot;volumeProperties&quot; is empty</source>
+        <translation>„volumeProperties“ ist leer</translation>
+    </message>
+    <message>
+        <source>&quot;components&quot; is empty</source>
+        <translation>„components“ ist leer</translation>
+    </message>
+    <message>
+        <source>of %1 properties the first was taken</source>
+        <translation>von %1 Darstellungen wurde die erste genommen</translation>
+    </message>
+    <message>
+        <source>of %1 components the first was taken</source>
+        <translation>von %1 Komponenten wurde die erste genommen</translation>
+    </message>
+    <message>
+        <source>%1 bent segments became short straight ones</source>
+        <translation>%1 gebogene Abschnitte wurden kurze gerade</translation>
+    </message>
+    <message>
+        <source>opacities are written for 1 mm of material instead of %1: .vp has no other</source>
+        <translation>die Deckkraft ist für 1 mm Material statt %1 geschrieben: etwas anderes kennt .vp nicht</translation>
+    </message>
+    <message>
+        <source>the opacity curve</source>
+        <translation>die Kurve der Deckkraft</translation>
+    </message>
+    <message>
+        <source>the gradient curve</source>
+        <translation>die Kurve der Gradienten</translation>
+    </message>
+    <message>
+        <source>the colour map</source>
+        <translation>die Farbtabelle</translation>
+    </message>
+    <message>
+        <source>%1: a transfer function is kept in .velum-transfer.json, .vp.json or .vp; give one of these</source>
+        <translation>%1: eine Transferfunktion wird als .velum-transfer.json, .vp.json oder .vp gespeichert; eines davon angeben</translation>
+    </message>
+    <message>
+        <source>there are no points of opacity in it; nothing would be seen</source>
+        <translation>sie enthält keine Punkte der Deckkraft; nichts wäre zu sehen</translation>
+    </message>
+    <message>
+        <source>%1: %2 KiB is too much for a transfer function</source>
+        <translation>%1: %2 KiB sind zu viel für eine Transferfunktion</translation>
+    </message>
+    <message>
+        <source>%1: cannot be read</source>
+        <translation>%1: kann nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>point %1 is not a number, or too large for one</source>
+        <translation>Punkt %1 ist keine Zahl oder zu groß</translation>
+    </message>
+    <message>
+        <source>has more points than 32 bits count</source>
+        <translation>hat mehr Punkte, als 32 Bit zählen</translation>
+    </message>
+    <message>
+        <source>a face names point %1, which is not there</source>
+        <translation>ein Dreieck nennt Punkt %1, den es nicht gibt</translation>
+    </message>
+    <message>
+        <source>its points or faces have colours of their own, which are not shown</source>
+        <translation>Punkte oder Flächen haben eigene Farben, die nicht gezeigt werden</translation>
+    </message>
+    <message>
+        <source>is empty</source>
+        <translation>ist leer</translation>
+    </message>
+    <message>
+        <source>reading surface</source>
+        <translation>Oberfläche wird gelesen</translation>
+    </message>
+    <message>
+        <source>is damaged: point or normal %1 has no three numbers</source>
+        <translation>ist beschädigt: Punkt oder Normale %1 hat keine drei Zahlen</translation>
+    </message>
+    <message>
+        <source>is damaged: a face has %1 where a point&apos;s number belongs</source>
+        <translation>ist beschädigt: eine Fläche hat %1, wo die Nummer eines Punkts hingehört</translation>
+    </message>
+    <message>
+        <source>a face names point or normal %1, which is not there</source>
+        <translation>eine Fläche nennt Punkt oder Normale %1, die es nicht gibt</translation>
+    </message>
+    <message>
+        <source>a face names normal %1, which is not there</source>
+        <translation>eine Fläche nennt Normale %1, die es nicht gibt</translation>
+    </message>
+    <message>
+        <source>promises %1 %2, more than the file can hold; it is damaged or cut short</source>
+        <translation>verspricht %1 %2, mehr, als in der Datei sein können; sie ist beschädigt oder abgeschnitten</translation>
+    </message>
+    <message>
+        <source>is cut short</source>
+        <translation>ist abgeschnitten</translation>
+    </message>
+    <message>
+        <source>has %1 where a number belongs</source>
+        <translation>hat %1, wo eine Zahl hingehört</translation>
+    </message>
+    <message>
+        <source>has no points</source>
+        <translation>hat keine Punkte</translation>
+    </message>
+    <message>
+        <source>has points but no faces; a cloud of points is no surface</source>
+        <translation>hat Punkte, aber keine Flächen; eine Punktwolke ist keine Oberfläche</translation>
+    </message>
+    <message>
+        <source>its points have no x, y or z</source>
+        <translation>die Punkte haben kein x, y oder z</translation>
+    </message>
+    <message>
+        <source>its faces name no points: the list &apos;vertex_indices&apos; is missing</source>
+        <translation>die Flächen nennen keine Punkte: die Liste „vertex_indices“ fehlt</translation>
+    </message>
+    <message>
+        <source>has a list of %1 items</source>
+        <translation>hat eine Liste von %1 Einträgen</translation>
+    </message>
+    <message>
+        <source>items in a list</source>
+        <translation>Einträge in einer Liste</translation>
+    </message>
+    <message>
+        <source>surfaces are read from %1, not &apos;%2&apos;</source>
+        <translation>Oberflächen werden aus %1 gelesen, nicht „%2“</translation>
+    </message>
+    <message>
+        <source>has no triangles</source>
+        <translation>hat keine Dreiecke</translation>
+    </message>
+    <message>
+        <source>needs more memory than there is</source>
+        <translation>braucht mehr Speicher, als da ist</translation>
+    </message>
+    <message>
+        <source>is damaged (a length in it makes no sense)</source>
+        <translation>ist beschädigt (eine Länge darin ist unsinnig)</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>eine Zahl</translation>
+    </message>
+    <message>
+        <source>is damaged, or no STL file: it has %1 where %2 belongs</source>
+        <translation>ist beschädigt oder keine STL-Datei: hat %1, wo %2 hingehört</translation>
+    </message>
+    <message>
+        <source>its last solid has no end; the file may be cut short</source>
+        <translation>der letzte Körper hat kein Ende; die Datei kann abgeschnitten sein</translation>
+    </message>
+    <message>
+        <source>is cut short, or no STL file</source>
+        <translation>ist abgeschnitten oder keine STL-Datei</translation>
+    </message>
+    <message>
+        <source>promises %1 triangles, more than the file can hold; it is damaged or cut short</source>
+        <translation>verspricht %1 Dreiecke, mehr, als in der Datei sein können; sie ist beschädigt oder abgeschnitten</translation>
+    </message>
+    <message>
+        <source>structure %1 has no voxels, and so no surface</source>
+        <translation>Struktur %1 hat keine Voxel und deshalb keine Oberfläche</translation>
+    </message>
+    <message>
+        <source>is damaged: %1 %2 makes no sense</source>
+        <translation>ist beschädigt: %1 %2 ist unsinnig</translation>
+    </message>
+    <message>
+        <source>is damaged: its pieces have more values than the file can hold</source>
+        <translation>ist beschädigt: die Teile haben mehr Werte, als in der Datei sein können</translation>
+    </message>
+    <message>
+        <source>is damaged: it has no points</source>
+        <translation>ist beschädigt: hat keine Punkte</translation>
+    </message>
+    <message>
+        <source>is damaged: its points have no three coordinates</source>
+        <translation>ist beschädigt: die Punkte haben keine drei Koordinaten</translation>
+    </message>
+    <message>
+        <source>is damaged: its normals have no three coordinates</source>
+        <translation>ist beschädigt: die Normalen haben keine drei Koordinaten</translation>
+    </message>
+    <message>
+        <source>is damaged: its %1 have no connectivity or offsets</source>
+        <translation>ist beschädigt: bei %1 fehlen connectivity oder offsets</translation>
+    </message>
+    <message>
+        <source>is damaged: its %1 have offsets that go back</source>
+        <translation>ist beschädigt: bei %1 laufen die offsets rückwärts</translation>
+    </message>
+    <message>
+        <source>cannot be written (%1)</source>
+        <translation>kann nicht geschrieben werden (%1)</translation>
+    </message>
+    <message>
+        <source>normals of points are left out, and with them soft shading: %1 has those of triangles</source>
+        <translation>Normalen von Punkten sind weggelassen und mit ihnen weiche Schattierung: %1 hat die der Dreiecke</translation>
+    </message>
+    <message>
+        <source>colours are left out: %1 is written without</source>
+        <translation>Farben sind weggelassen: %1 wird ohne sie geschrieben</translation>
+    </message>
+    <message>
+        <source>%1 surfaces are written as one, without their names</source>
+        <translation>%1 Oberflächen sind als eine geschrieben, ohne ihre Namen</translation>
+    </message>
+    <message>
+        <source>surfaces are written as .stl, .ply, .glb, .obj or .vtp</source>
+        <translation>Oberflächen werden als .stl, .ply, .glb, .obj oder .vtp geschrieben</translation>
+    </message>
+    <message>
+        <source>an empty surface cannot be written</source>
+        <translation>eine leere Oberfläche kann nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>its operator %1 is no rotation</source>
+        <translation>der Operator %1 ist keine Drehung</translation>
+    </message>
+    <message>
+        <source>names more than %1 instances</source>
+        <translation>nennt mehr als %1 Instanzen</translation>
+    </message>
+    <message>
+        <source>the assembly %1 names an operator that is not there</source>
+        <translation>die Anordnung %1 nennt einen Operator, den es nicht gibt</translation>
+    </message>
+    <message>
+        <source>the assembly %1 makes no sense</source>
+        <translation>die Anordnung %1 ist unsinnig</translation>
+    </message>
+    <message>
+        <source>the structure of %1 does not lie where its beads are, and is left out</source>
+        <translation>die Struktur von %1 liegt nicht, wo ihre Kugeln sind, und ist weggelassen</translation>
+    </message>
+    <message>
+        <source>is no sound BinaryCIF: its MessagePack is damaged or cut short</source>
+        <translation>ist kein gültiges BinaryCIF: das MessagePack ist beschädigt oder abgeschnitten</translation>
+    </message>
+    <message>
+        <source>is no BinaryCIF: it has no data blocks</source>
+        <translation>ist kein BinaryCIF: hat keine Datenblöcke</translation>
+    </message>
+    <message>
+        <source>category _%1 promises %2 rows, more than the file can hold</source>
+        <translation>die Kategorie _%1 verspricht %2 Zeilen, mehr, als in der Datei sein können</translation>
+    </message>
+    <message>
+        <source>column %1 has %2 values in %3 rows</source>
+        <translation>die Spalte %1 hat %2 Werte in %3 Zeilen</translation>
+    </message>
+    <message>
+        <source>is no sound BinaryCIF: its MessagePack is damaged</source>
+        <translation>ist kein gültiges BinaryCIF: das MessagePack ist beschädigt</translation>
+    </message>
+    <message>
+        <source>is no packing of cellPACKgpu: %1 bytes are none that fit</source>
+        <translation>ist keine Packung von cellPACKgpu: %1 Bytes passen nicht</translation>
+    </message>
+    <message>
+        <source>its recipe, a JSON file that names its types, does not lie beside it</source>
+        <translation>das Rezept, eine JSON-Datei mit den Typen, liegt nicht daneben</translation>
+    </message>
+    <message>
+        <source>its curves are left out</source>
+        <translation>die Kurven sind weggelassen</translation>
+    </message>
+    <message>
+        <source>instance %1 stands nowhere</source>
+        <translation>Instanz %1 steht nirgends</translation>
+    </message>
+    <message>
+        <source>instance %1 is of type %2, which its recipe lacks</source>
+        <translation>Instanz %1 ist vom Typ %2, den das Rezept nicht hat</translation>
+    </message>
+    <message>
+        <source>balls stand for %1 types whose structures are not to be found</source>
+        <translation>Kugeln stehen für %1 Typen, deren Strukturen nicht zu finden sind</translation>
+    </message>
+    <message>
+        <source>reading model</source>
+        <translation>Modell wird gelesen</translation>
+    </message>
+    <message>
+        <source>has types but no instances</source>
+        <translation>hat Typen, aber keine Instanzen</translation>
+    </message>
+    <message>
+        <source>has types but no instances (_pdbx_struct_assembly_gen)</source>
+        <translation>hat Typen, aber keine Instanzen (_pdbx_struct_assembly_gen)</translation>
+    </message>
+    <message>
+        <source>its generators name no asyms, or no operators</source>
+        <translation>die Generatoren nennen keine asyms oder keine Operatoren</translation>
+    </message>
+    <message>
+        <source>%1 has no rotation</source>
+        <translation>%1 hat keine Drehung</translation>
+    </message>
+    <message>
+        <source>%1 has a rotation of %2 numbers</source>
+        <translation>%1 hat eine Drehung mit %2 Zahlen</translation>
+    </message>
+    <message>
+        <source>%1 has a rotation of %2 rows</source>
+        <translation>%1 hat eine Drehung mit %2 Zeilen</translation>
+    </message>
+    <message>
+        <source>%1 has a rotation of %2 columns</source>
+        <translation>%1 hat eine Drehung mit %2 Spalten</translation>
+    </message>
+    <message>
+        <source>%1 has a matrix that is no rotation</source>
+        <translation>%1 hat eine Matrix, die keine Drehung ist</translation>
+    </message>
+    <message>
+        <source>%1 has %2 beads and %3 radii</source>
+        <translation>%1 hat %2 Kugeln und %3 Radien</translation>
+    </message>
+    <message>
+        <source>balls stand for %1 types whose structures are not to be found, such as %2</source>
+        <translation>Kugeln stehen für %1 Typen, deren Strukturen nicht zu finden sind, etwa %2</translation>
+    </message>
+    <message>
+        <source>has a recipe but no instances</source>
+        <translation>hat ein Rezept, aber keine Instanzen</translation>
+    </message>
+    <message>
+        <source>is of a newer cellPACK, whose JSON is left-handed in its own way; open the mmCIF of the model</source>
+        <translation>ist von einem neueren cellPACK, dessen JSON auf seine Art linkshändig ist; die mmCIF-Datei des Modells öffnen</translation>
+    </message>
+    <message>
+        <source>%1 has an instance without a place</source>
+        <translation>%1 hat eine Instanz ohne Ort</translation>
+    </message>
+    <message>
+        <source>%1 lacks its curve %2</source>
+        <translation>%1 fehlt die Kurve %2</translation>
+    </message>
+    <message>
+        <source>rotations are read the other way round: so %1 % instead of %2 % of the directions on surfaces agree</source>
+        <translation>Drehungen werden andersherum gelesen: so stimmen %1 % statt %2 % der Richtungen auf Oberflächen</translation>
+    </message>
+    <message>
+        <source>the beads of %1 are not where its atoms are, and are left out</source>
+        <translation>die Kugeln von %1 liegen nicht, wo die Atome sind, und sind weggelassen</translation>
+    </message>
+    <message>
+        <source>%1 has a curve of %2 angstrom</source>
+        <translation>%1 hat eine Kurve von %2 Ångström</translation>
+    </message>
+    <message>
+        <source>has no atoms (_atom_site)</source>
+        <translation>hat keine Atome (_atom_site)</translation>
+    </message>
+    <message>
+        <source>its atoms have no places (_atom_site.Cartn_x, _y, _z)</source>
+        <translation>die Atome haben keine Orte (_atom_site.Cartn_x, _y, _z)</translation>
+    </message>
+    <message>
+        <source>atom %1 has no place</source>
+        <translation>Atom %1 hat keinen Ort</translation>
+    </message>
+    <message>
+        <source>has no encoding</source>
+        <translation>hat keine Kodierung</translation>
+    </message>
+    <message>
+        <source>has broken numbers where whole ones belong</source>
+        <translation>hat gebrochene Zahlen, wo ganze hingehören</translation>
+    </message>
+    <message>
+        <source>has no bytes</source>
+        <translation>hat keine Bytes</translation>
+    </message>
+    <message>
+        <source>has %1 encodings</source>
+        <translation>hat %1 Kodierungen</translation>
+    </message>
+    <message>
+        <source>is encoded, but not from bytes</source>
+        <translation>ist kodiert, aber nicht aus Bytes</translation>
+    </message>
+    <message>
+        <source>has the number %1, which is too large</source>
+        <translation>hat die Zahl %1, die zu groß ist</translation>
+    </message>
+    <message>
+        <source>has bytes of no known type</source>
+        <translation>hat Bytes von unbekanntem Typ</translation>
+    </message>
+    <message>
+        <source>is %1 of broken numbers</source>
+        <translation>ist %1 aus gebrochenen Zahlen</translation>
+    </message>
+    <message>
+        <source>has the factor 0</source>
+        <translation>hat den Faktor 0</translation>
+    </message>
+    <message>
+        <source>has an interval of fewer than two steps</source>
+        <translation>hat ein Intervall mit weniger als zwei Schritten</translation>
+    </message>
+    <message>
+        <source>has an encoding that is not known</source>
+        <translation>hat eine unbekannte Kodierung</translation>
+    </message>
+    <message>
+        <source>has a packed number that is too large</source>
+        <translation>hat eine gepackte Zahl, die zu groß ist</translation>
+    </message>
+    <message>
+        <source>ends within a number</source>
+        <translation>endet mitten in einer Zahl</translation>
+    </message>
+    <message>
+        <source>repeats values more often than there are rows</source>
+        <translation>wiederholt Werte öfter, als es Zeilen gibt</translation>
+    </message>
+    <message>
+        <source>has a difference that is too large</source>
+        <translation>hat eine Differenz, die zu groß ist</translation>
+    </message>
+    <message>
+        <source>has texts that reach beyond their end</source>
+        <translation>hat Texte, die über ihr Ende hinausreichen</translation>
+    </message>
+    <message>
+        <source>names text %1 of %2</source>
+        <translation>nennt Text %1 von %2</translation>
+    </message>
+    <message>
+        <source>is no sound CIF: %1</source>
+        <translation>ist kein gültiges CIF: %1</translation>
+    </message>
+    <message>
+        <source>writing model</source>
+        <translation>Modell wird geschrieben</translation>
+    </message>
+    <message>
+        <source>%1 &apos;point symmetry operation&apos;</source>
+        <translation>%1 „point symmetry operation“</translation>
+    </message>
+    <message>
+        <source>%1 lipids of the envelope, on two spheres around %2 angstrom, where no protein is</source>
+        <translation>%1 Lipide der Hülle, auf zwei Kugeln um %2 Ångström, wo kein Protein ist</translation>
+    </message>
+    <message>
+        <source>holds more than a million points</source>
+        <translation>enthält mehr als eine Million Punkte</translation>
+    </message>
+    <message>
+        <source>a strand of %1 nucleotides in the capsid, %2</source>
+        <translation>ein Strang von %1 Nukleotiden im Kapsid, %2</translation>
+    </message>
+    <message>
+        <source>along points of rna_allpoints.txt</source>
+        <translation>entlang den Punkten von rna_allpoints.txt</translation>
+    </message>
+    <message>
+        <source>on a walk at random</source>
+        <translation>auf einem Zufallsweg</translation>
+    </message>
+    <message>
+        <source>holds more than %1 MiB, which no model does</source>
+        <translation>enthält mehr als %1 MiB, wie kein Modell es tut</translation>
+    </message>
+    <message>
+        <source>an instance stands nowhere: its place is no number</source>
+        <translation>eine Instanz steht nirgends: ihr Ort ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>line %1 has no coordinates</source>
+        <translation>Zeile %1 hat keine Koordinaten</translation>
+    </message>
+    <message>
+        <source>line %1 is no operator</source>
+        <translation>Zeile %1 ist kein Operator</translation>
+    </message>
+    <message>
+        <source>line %1 ends an operator that is no rotation</source>
+        <translation>Zeile %1 beendet einen Operator, der keine Drehung ist</translation>
+    </message>
+    <message>
+        <source>has models but no instances of them (_pdbx_struct_assembly_gen)</source>
+        <translation>hat Modelle, aber keine Instanzen davon (_pdbx_struct_assembly_gen)</translation>
+    </message>
+    <message>
+        <source>has no instances of its models</source>
+        <translation>hat keine Instanzen seiner Modelle</translation>
+    </message>
+    <message>
+        <source>has no atoms</source>
+        <translation>hat keine Atome</translation>
+    </message>
+    <message>
+        <source>has %1 models in one place; the first is taken</source>
+        <translation>hat %1 Modelle an einem Ort; das erste wird genommen</translation>
+    </message>
+    <message>
+        <source>its assembly names no chain that is there</source>
+        <translation>die Anordnung nennt keine vorhandene Kette</translation>
+    </message>
+    <message>
+        <source>is no model that can be read</source>
+        <translation>ist kein lesbares Modell</translation>
+    </message>
+    <message>
+        <source>has compartments within compartments without end</source>
+        <translation>hat Kompartimente in Kompartimenten ohne Ende</translation>
+    </message>
+    <message>
+        <source>is no list of balls of 16 bytes each: it has %1 bytes</source>
+        <translation>ist keine Liste von Kugeln zu je 16 Bytes: hat %1 Bytes</translation>
+    </message>
+    <message>
+        <source>has a ball that is none</source>
+        <translation>hat eine Kugel, die keine ist</translation>
+    </message>
+    <message>
+        <source>the balls of %1 molecules become atoms without an element and a radius</source>
+        <translation>die Kugeln von %1 Molekülen werden Atome ohne Element und Radius</translation>
+    </message>
+    <message>
+        <source>coarser balls of molecules are left out</source>
+        <translation>gröbere Kugeln von Molekülen sind weggelassen</translation>
+    </message>
+    <message>
+        <source>atoms of rarer elements are written as carbon</source>
+        <translation>Atome seltenerer Elemente sind als Kohlenstoff geschrieben</translation>
+    </message>
+    <message>
+        <source>%1 strands are written as their instances, without their curves</source>
+        <translation>%1 Stränge sind als ihre Instanzen geschrieben, ohne ihre Kurven</translation>
+    </message>
+    <message>
+        <source>models are written as .cif, .cif.gz, .glb, .csv or .ply</source>
+        <translation>Modelle werden als .cif, .cif.gz, .glb, .csv oder .ply geschrieben</translation>
+    </message>
+    <message>
+        <source>an empty model cannot be written</source>
+        <translation>ein leeres Modell kann nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>a brain of %1 voxels along its longest axis: from %2 to %3 are made</source>
+        <translation>ein Gehirn von %1 Voxeln entlang der längsten Achse: von %2 bis %3 wird erzeugt</translation>
+    </message>
+    <message>
+        <source>%1 phalanx of %2</source>
+        <translation>%1 Phalanx von %2</translation>
+    </message>
+    <message>
+        <source>a sample of size %1 cannot be made; choose 16 to 1024, or 0 for its default</source>
+        <translation>ein Phantom der Größe %1 gibt es nicht; 16 bis 1024 wählen, oder 0 für die übliche</translation>
+    </message>
+    <message>
+        <source>a sample of %1 time steps cannot be made; choose 1 to %2, or 0 for its default</source>
+        <translation>ein Phantom mit %1 Zeitschritten gibt es nicht; 1 bis %2 wählen, oder 0 für die übliche Zahl</translation>
+    </message>
+    <message>
+        <source>a sample of contrast %1 cannot be made; choose up to %2, or 0 for its own</source>
+        <translation>ein Phantom mit Kontrast %1 gibt es nicht; höchstens %2 wählen, oder 0 für den eigenen</translation>
+    </message>
+    <message>
+        <source>%1 time steps: the sample &apos;%2&apos; does not move</source>
+        <translation>%1 Zeitschritte: das Phantom „%2“ bewegt sich nicht</translation>
+    </message>
+    <message>
+        <source>contrast %1: the sample &apos;%2&apos; has its own</source>
+        <translation>Kontrast %1: das Phantom „%2“ hat einen eigenen</translation>
+    </message>
+    <message>
+        <source>there is no sample &apos;%1&apos;; choose one of %2</source>
+        <translation>das Phantom „%1“ gibt es nicht; eines von %2 wählen</translation>
+    </message>
+    <message>
+        <source>scanning ultrasound</source>
+        <translation>Ultraschall wird aufgenommen</translation>
+    </message>
+    <message>
+        <source>making a virus</source>
+        <translation>Virus wird erzeugt</translation>
+    </message>
+    <message>
+        <source>cannot be deflated</source>
+        <translation>kann nicht komprimiert werden</translation>
+    </message>
+    <message>
+        <source>cannot be inflated</source>
+        <translation>kann nicht entpackt werden</translation>
+    </message>
+    <message>
+        <source>the compressed data is cut off</source>
+        <translation>die komprimierten Daten sind abgeschnitten</translation>
+    </message>
+    <message>
+        <source>the compressed data is damaged (%1)</source>
+        <translation>die komprimierten Daten sind beschädigt (%1)</translation>
+    </message>
+    <message>
+        <source>the file is cut short</source>
+        <translation>die Datei ist abgeschnitten</translation>
+    </message>
+    <message>
+        <source>names too many data files</source>
+        <translation>nennt zu viele Datendateien</translation>
+    </message>
+    <message>
+        <source>has an empty list of data files</source>
+        <translation>hat eine leere Liste von Datendateien</translation>
+    </message>
+    <message>
+        <source>its range of data files %1 is not possible</source>
+        <translation>der Bereich der Datendateien, %1, ist nicht möglich</translation>
+    </message>
+    <message>
+        <source>there is no such file</source>
+        <translation>diese Datei gibt es nicht</translation>
+    </message>
+    <message>
+        <source>is not a regular file</source>
+        <translation>ist keine gewöhnliche Datei</translation>
+    </message>
+    <message>
+        <source>cannot be opened (%1)</source>
+        <translation>kann nicht geöffnet werden (%1)</translation>
+    </message>
+    <message>
+        <source>cannot be read (%1)</source>
+        <translation>kann nicht gelesen werden (%1)</translation>
+    </message>
+    <message>
+        <source>its data file %1 lies outside the header&apos;s folder</source>
+        <translation>die Datendatei %1 liegt außerhalb des Ordners</translation>
+    </message>
+    <message>
+        <source>its data file %1 is missing</source>
+        <translation>die Datendatei %1 fehlt</translation>
+    </message>
+    <message>
+        <source>is no sound JSON: at byte %1 of %2</source>
+        <translation>ist kein gültiges JSON: bei Byte %1 von %2</translation>
+    </message>
+    <message>
+        <source>is no sound JSON: it holds a number that is too large</source>
+        <translation>ist kein gültiges JSON: enthält eine Zahl, die zu groß ist</translation>
+    </message>
+    <message>
+        <source>%1 has something for a number that is none, or is too large</source>
+        <translation>%1 hat statt einer Zahl etwas, das keine oder zu groß ist</translation>
+    </message>
+    <message>
+        <source>%1 is no list of numbers</source>
+        <translation>%1 ist keine Liste von Zahlen</translation>
+    </message>
+    <message>
+        <source>%1 is no place of three numbers</source>
+        <translation>%1 ist kein Ort aus drei Zahlen</translation>
+    </message>
+    <message>
+        <source>%1 has %2 numbers, not three a place</source>
+        <translation>%1 hat %2 Zahlen, nicht drei je Ort</translation>
+    </message>
+    <message>
+        <source>the data would start at byte %1, the file ends at %2</source>
+        <translation>die Daten begännen bei Byte %1, die Datei endet bei %2</translation>
+    </message>
+    <message>
+        <source>ends before the data</source>
+        <translation>endet vor den Daten</translation>
+    </message>
+    <message>
+        <source>is cut off: %1 bytes of data are missing</source>
+        <translation>ist abgeschnitten: %1 Bytes Daten fehlen</translation>
+    </message>
+    <message>
+        <source>has too few numbers</source>
+        <translation>hat zu wenige Zahlen</translation>
+    </message>
+    <message>
+        <source>%1 of %2 integers of 64 bits have more digits than a double and are rounded</source>
+        <translation>%1 von %2 ganzen Zahlen zu 64 Bit haben mehr Stellen als ein double und sind gerundet</translation>
+    </message>
+    <message>
+        <source>the data files do not divide the volume evenly</source>
+        <translation>die Datendateien teilen das Volumen nicht gleichmäßig</translation>
+    </message>
+    <message>
+        <source>there is no memory for %1 bytes</source>
+        <translation>für %1 Bytes ist kein Speicher da</translation>
+    </message>
+    <message>
+        <source>the file has no voxel spacing, 1 %1 is taken; give it as spacing in %1 (x, y, z)</source>
+        <translation>die Datei nennt keinen Voxelabstand, angenommen wird 1 %1; ihn als spacing in %1 angeben (x, y, z)</translation>
+    </message>
+    <message>
+        <source>the orientation in the file cannot be used; axes along x, y, z with %1 x %2 x %3 %4 were taken</source>
+        <translation>die Lage in der Datei ist unbrauchbar; Achsen entlang x, y, z mit %1 x %2 x %3 %4 wurden angenommen</translation>
+    </message>
+    <message>
+        <source>the origin in the file is not a number of use; 0 was taken</source>
+        <translation>der Ursprung in der Datei ist keine brauchbare Zahl; 0 wurde angenommen</translation>
+    </message>
+    <message>
+        <source>the file does not say how the body lies in it; axes were taken as right, anterior, superior</source>
+        <translation>die Datei sagt nicht, wie der Körper darin liegt; die Achsen wurden als rechts, anterior, superior angenommen</translation>
+    </message>
+    <message>
+        <source>a volume of %1 x %2 x %3 voxels, %4 channels and %5 frames makes no sense</source>
+        <translation>ein Volumen von %1 x %2 x %3 Voxeln, %4 Kanälen und %5 Zeitschritten ist unsinnig</translation>
+    </message>
+    <message>
+        <source>the header promises %1 bytes of voxels, but the file can hold %2 at most</source>
+        <translation>der Dateikopf verspricht %1 Bytes Voxel, in ihr können aber höchstens %2 sein</translation>
+    </message>
+    <message>
+        <source>is not a TIFF file that can be read</source>
+        <translation>ist keine lesbare TIFF-Datei</translation>
+    </message>
+    <message>
+        <source>%1 %2 is damaged or cut short</source>
+        <translation>%1 %2 ist beschädigt oder abgeschnitten</translation>
+    </message>
+    <message>
+        <source>a page is damaged</source>
+        <translation>eine Seite ist beschädigt</translation>
+    </message>
+    <message>
+        <source>pages that are packed by scheme %1 cannot be read</source>
+        <translation>nach Schema %1 gepackte Seiten können nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>its pages are not of one size, or are not packed alike</source>
+        <translation>die Seiten sind nicht gleich groß oder nicht gleich gepackt</translation>
+    </message>
+    <message>
+        <source>a page promises more than the file can hold</source>
+        <translation>eine Seite verspricht mehr, als in der Datei sein kann</translation>
+    </message>
+    <message>
+        <source>%1: is not a TIFF file</source>
+        <translation>%1: ist keine TIFF-Datei</translation>
+    </message>
+    <message>
+        <source>%1: the TIFF file is damaged: no page can be read</source>
+        <translation>%1: die TIFF-Datei ist beschädigt: keine Seite ist lesbar</translation>
+    </message>
+    <message>
+        <source>no reason given</source>
+        <translation>kein Grund genannt</translation>
+    </message>
+    <message>
+        <source>is damaged: a packed block of its values cannot be unpacked</source>
+        <translation>ist beschädigt: ein gepackter Block von Werten lässt sich nicht entpacken</translation>
+    </message>
+    <message>
+        <source>is not a VTK file of %1</source>
+        <translation>ist keine VTK-Datei mit %1</translation>
+    </message>
+    <message>
+        <source>is cut short: it has no element %1</source>
+        <translation>ist abgeschnitten: hat kein Element %1</translation>
+    </message>
+    <message>
+        <source>a header_type %1 is not known</source>
+        <translation>ein header_type %1 ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>a compressor %1 is not known</source>
+        <translation>ein Kompressor %1 ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>is cut short: its values lie behind the end of the file</source>
+        <translation>ist abgeschnitten: die Werte liegen hinter dem Ende der Datei</translation>
+    </message>
+    <message>
+        <source>is damaged or cut short: its base64 has other letters</source>
+        <translation>ist beschädigt oder abgeschnitten: das base64 hat fremde Zeichen</translation>
+    </message>
+    <message>
+        <source>is damaged: its base64 is padded wrongly</source>
+        <translation>ist beschädigt: das base64 ist falsch aufgefüllt</translation>
+    </message>
+    <message>
+        <source>samples of type %1 are not read</source>
+        <translation>Werte vom Typ %1 werden nicht gelesen</translation>
+    </message>
+    <message>
+        <source>%1 components make no sense</source>
+        <translation>%1 Komponenten sind unsinnig</translation>
+    </message>
+    <message>
+        <source>is cut short: it has no AppendedData</source>
+        <translation>ist abgeschnitten: hat kein AppendedData</translation>
+    </message>
+    <message>
+        <source>is damaged or cut short: the values of an array lie behind the end of the file</source>
+        <translation>ist beschädigt oder abgeschnitten: die Werte eines Felds liegen hinter dem Ende der Datei</translation>
+    </message>
+    <message>
+        <source>an array&apos;s format %1 is not known</source>
+        <translation>das Format %1 eines Felds ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>the header promises %1 values, more than a file of %2 bytes can hold</source>
+        <translation>der Dateikopf verspricht %1 Werte, mehr, als in %2 Bytes sein können</translation>
+    </message>
+    <message>
+        <source>is damaged: an array has %1 bytes where its values need %2</source>
+        <translation>ist beschädigt: ein Feld hat %1 Bytes, seine Werte brauchen %2</translation>
+    </message>
+    <message>
+        <source>is damaged: its block table promises %1 bytes where its values need %2</source>
+        <translation>ist beschädigt: die Blocktabelle verspricht %1 Bytes, die Werte brauchen %2</translation>
+    </message>
+    <message>
+        <source>is cut short within a block table</source>
+        <translation>ist in einer Blocktabelle abgeschnitten</translation>
+    </message>
+    <message>
+        <source>reading VTK values</source>
+        <translation>VTK-Werte werden gelesen</translation>
+    </message>
+    <message>
+        <source>is cut short: a packed block of its values is not there</source>
+        <translation>ist abgeschnitten: ein gepackter Block von Werten fehlt</translation>
+    </message>
+    <message>
+        <source>is damaged: its blocks do not fill its values</source>
+        <translation>ist beschädigt: die Blöcke füllen die Werte nicht</translation>
+    </message>
+    <message>
+        <source>has %1 numbers where %2 are needed</source>
+        <translation>hat %1 Zahlen, %2 sind nötig</translation>
+    </message>
+    <message>
+        <source>it has a document type or other things that no VTK file needs</source>
+        <translation>enthält einen Dokumenttyp oder anderes, was keine VTK-Datei braucht</translation>
+    </message>
+    <message>
+        <source>a tag &lt;%1&gt; closes nothing</source>
+        <translation>ein Tag &lt;%1&gt; schließt nichts</translation>
+    </message>
+    <message>
+        <source>it has too many elements</source>
+        <translation>hat zu viele Elemente</translation>
+    </message>
+    <message>
+        <source>is damaged: %1 (byte %2)</source>
+        <translation>ist beschädigt: %1 (Byte %2)</translation>
+    </message>
+    <message>
+        <source>is cut short: its XML has no end</source>
+        <translation>ist abgeschnitten: das XML hat kein Ende</translation>
+    </message>
+    <message>
+        <source>a tag has no end</source>
+        <translation>ein Tag hat kein Ende</translation>
+    </message>
+    <message>
+        <source>an attribute of &lt;%1&gt; is not understood</source>
+        <translation>ein Attribut von &lt;%1&gt; ist unverständlich</translation>
+    </message>
+    <message>
+        <source>has %1 voxels along an axis, where %2 are said</source>
+        <translation>hat %1 Voxel entlang einer Achse, angesagt sind %2</translation>
+    </message>
+    <message>
+        <source>its chunks or its type are not those of the first array of its level</source>
+        <translation>Chunks oder Typ sind nicht die des ersten Felds der Stufe</translation>
+    </message>
+    <message>
+        <source>holds no view setups or no time points</source>
+        <translation>enthält keine View-Setups oder keine Zeitpunkte</translation>
+    </message>
+    <message>
+        <source>each time point has a place of its own in the file; all were put where the first one lies</source>
+        <translation>jeder Zeitpunkt hat in der Datei einen eigenen Ort; alle wurden dorthin gelegt, wo der erste liegt</translation>
+    </message>
+    <message>
+        <source>the file places voxels in a unit of %1 of those of its voxel size; they were made as large as that</source>
+        <translation>die Datei legt die Voxel in einer Einheit aus, die das %1-Fache der ihrer Voxelgröße ist; sie wurden so groß gemacht</translation>
+    </message>
+    <message>
+        <source>level %1 of %2 is missing at all time points</source>
+        <translation>Stufe %1 von %2 fehlt zu allen Zeitpunkten</translation>
+    </message>
+    <message>
+        <source>the store holds no image %1</source>
+        <translation>der Datenspeicher enthält kein Bild %1</translation>
+    </message>
+    <message>
+        <source>there is no XML beside it that says how large voxels are and where they lie</source>
+        <translation>daneben liegt kein XML, das sagt, wie groß die Voxel sind und wo sie liegen</translation>
+    </message>
+    <message>
+        <source>the factors %1, %2, %3 of a level make no sense</source>
+        <translation>die Faktoren %1, %2, %3 einer Stufe sind unsinnig</translation>
+    </message>
+    <message>
+        <source>the resolutions of setup %1 are missing, or are no rows of three</source>
+        <translation>die Auflösungen von Setup %1 fehlen oder sind keine Dreierzeilen</translation>
+    </message>
+    <message>
+        <source>%1 levels make no sense</source>
+        <translation>%1 Stufen sind unsinnig</translation>
+    </message>
+    <message>
+        <source>its size of %1 in chunks of %2 makes no sense</source>
+        <translation>die Größe %1 in Chunks von %2 ist unsinnig</translation>
+    </message>
+    <message>
+        <source>its chunks of %1 samples are larger than 2 GiB</source>
+        <translation>die Chunks von %1 Werten sind größer als 2 GiB</translation>
+    </message>
+    <message>
+        <source>there is no memory to inflate it</source>
+        <translation>zum Entpacken fehlt der Speicher</translation>
+    </message>
+    <message>
+        <source>there is no memory to unpack it</source>
+        <translation>zum Auspacken fehlt der Speicher</translation>
+    </message>
+    <message>
+        <source>is too short for its check sum</source>
+        <translation>ist zu kurz für die Prüfsumme</translation>
+    </message>
+    <message>
+        <source>its check sum (crc32c) is wrong: it is damaged</source>
+        <translation>die Prüfsumme (crc32c) ist falsch: beschädigt</translation>
+    </message>
+    <message>
+        <source>holds %1 bytes of samples, where a chunk has %2</source>
+        <translation>enthält %1 Bytes Werte, ein Chunk hat %2</translation>
+    </message>
+    <message>
+        <source>holds whole numbers of the type %1 that need more than 32 bits, which cannot be held yet</source>
+        <translation>enthält ganze Zahlen vom Typ %1, die mehr als 32 Bit brauchen, was noch nicht geht</translation>
+    </message>
+    <message>
+        <source>a box from voxel %1 %2 %3 to before %4 %5 %6 does not lie in the %7 x %8 x %9 voxels</source>
+        <translation>ein Quader von Voxel %1 %2 %3 bis vor %4 %5 %6 liegt nicht in den %7 x %8 x %9 Voxeln</translation>
+    </message>
+    <message>
+        <source>has %1 axes, where an image has z, y and x</source>
+        <translation>hat %1 Achsen, ein Bild hat z, y und x</translation>
+    </message>
+    <message>
+        <source>a chunk lies beyond the file&apos;s end: the file is damaged or cut short</source>
+        <translation>ein Chunk liegt hinter dem Ende der Datei: sie ist beschädigt oder abgeschnitten</translation>
+    </message>
+    <message>
+        <source>the place of a chunk cannot be found: it is damaged%1</source>
+        <translation>der Ort eines Chunks ist nicht zu finden: er ist beschädigt%1</translation>
+    </message>
+    <message>
+        <source>its samples are no whole numbers or floats of 8 to 64 bits</source>
+        <translation>die Werte sind keine ganzen Zahlen oder Gleitkommazahlen von 8 bis 64 Bit</translation>
+    </message>
+    <message>
+        <source>samples cannot be read%1</source>
+        <translation>Werte können nicht gelesen werden%1</translation>
+    </message>
+    <message>
+        <source>has %1 axes, which makes no sense%2</source>
+        <translation>hat %1 Achsen, was unsinnig ist%2</translation>
+    </message>
+    <message>
+        <source>its samples lie in other files, which are not opened</source>
+        <translation>die Werte liegen in anderen Dateien, die nicht geöffnet werden</translation>
+    </message>
+    <message>
+        <source>its chunks do not fit it</source>
+        <translation>die Chunks passen nicht dazu</translation>
+    </message>
+    <message>
+        <source>a group cannot be read: it is damaged%1</source>
+        <translation>eine Gruppe kann nicht gelesen werden: sie ist beschädigt%1</translation>
+    </message>
+    <message>
+        <source>%1 is no short list of numbers%2</source>
+        <translation>%1 ist keine kurze Liste von Zahlen%2</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read%2</source>
+        <translation>%1 kann nicht gelesen werden%2</translation>
+    </message>
+    <message>
+        <source>%1 cannot be opened%2</source>
+        <translation>%1 kann nicht geöffnet werden%2</translation>
+    </message>
+    <message>
+        <source>cannot be opened as HDF5: it is none, is damaged or cut short%1</source>
+        <translation>kann nicht als HDF5 geöffnet werden: ist keines, ist beschädigt oder abgeschnitten%1</translation>
+    </message>
+    <message>
+        <source>is a file of HDF5 of no kind that is read here; those of Imaris and BigDataViewer are</source>
+        <translation>ist eine HDF5-Datei von einer Art, die hier nicht gelesen wird; gelesen werden die von Imaris und BigDataViewer</translation>
+    </message>
+    <message>
+        <source>is not whole: it is being written, or its writer was stopped; to go on, give the same command again or make the pyramid again in the window; or remove it</source>
+        <translation>ist nicht vollständig: es wird noch geschrieben, oder das Schreiben wurde angehalten; zum Fortsetzen denselben Befehl noch einmal geben oder im Fenster die Pyramide noch einmal erzeugen; oder es löschen</translation>
+    </message>
+    <message>
+        <source>there is no such file or folder</source>
+        <translation>diese Datei oder diesen Ordner gibt es nicht</translation>
+    </message>
+    <message>
+        <source>is no store: neither Zarr nor N5, no HDF5 of Imaris or BigDataViewer, and no XML of the latter; it may be damaged</source>
+        <translation>ist kein Datenspeicher: weder Zarr noch N5, kein HDF5 von Imaris oder BigDataViewer und kein XML von diesem; vielleicht beschädigt</translation>
+    </message>
+    <message>
+        <source>holds %1 of %2</source>
+        <translation>enthält %1 von %2</translation>
+    </message>
+    <message>
+        <source>is missing</source>
+        <translation>fehlt</translation>
+    </message>
+    <message>
+        <source>its %1 bytes are damaged, or unpack to more than the chunk holds</source>
+        <translation>die %1 Bytes sind beschädigt oder ergeben mehr, als der Chunk enthält</translation>
+    </message>
+    <message>
+        <source>the type %1 of its samples is not known</source>
+        <translation>der Typ %1 der Werte ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>its blocks are packed by %1, which is not known here; raw, gzip, bzip2, xz, lz4, blosc and zstd are</source>
+        <translation>die Blöcke sind mit %1 gepackt, was hier nicht bekannt ist; raw, gzip, bzip2, xz, lz4, blosc und zstd sind es</translation>
+    </message>
+    <message>
+        <source>is too short for the head of a block</source>
+        <translation>ist zu kurz für den Kopf eines Blocks</translation>
+    </message>
+    <message>
+        <source>its list of dimensions</source>
+        <translation>die Liste dimensions</translation>
+    </message>
+    <message>
+        <source>its blockSize</source>
+        <translation>die blockSize</translation>
+    </message>
+    <message>
+        <source>it has %1 axes, where 2 to %2 are read</source>
+        <translation>hat %1 Achsen, gelesen werden 2 bis %2</translation>
+    </message>
+    <message>
+        <source>its blocks have another number of axes than it has</source>
+        <translation>die Blöcke haben eine andere Zahl von Achsen</translation>
+    </message>
+    <message>
+        <source>is no block of samples of its dataset</source>
+        <translation>ist kein Block mit Werten dieses Datenfelds</translation>
+    </message>
+    <message>
+        <source>its size of %1 is not that of a block, %2</source>
+        <translation>die Größe %1 ist nicht die eines Blocks, %2</translation>
+    </message>
+    <message>
+        <source>has another number of samples than its size says</source>
+        <translation>hat eine andere Zahl von Werten, als die Größe sagt</translation>
+    </message>
+    <message>
+        <source>it has another type, or other channels or time steps, than the finest level</source>
+        <translation>hat einen anderen Typ oder andere Kanäle oder Zeitschritte als die feinste Stufe</translation>
+    </message>
+    <message>
+        <source>is no dataset of N5, and holds no levels s0, s1, ...</source>
+        <translation>ist kein Datenfeld in N5 und enthält keine Stufen s0, s1, ...</translation>
+    </message>
+    <message>
+        <source>its list of multiscales is empty</source>
+        <translation>die Liste multiscales ist leer</translation>
+    </message>
+    <message>
+        <source>its multiscales have no axes</source>
+        <translation>multiscales hat keine Achsen</translation>
+    </message>
+    <message>
+        <source>it has %1 axes; %2 are the most</source>
+        <translation>hat %1 Achsen; höchstens %2 sind möglich</translation>
+    </message>
+    <message>
+        <source>one of its axes has no name</source>
+        <translation>eine der Achsen hat keinen Namen</translation>
+    </message>
+    <message>
+        <source>the type of one of its axes is no word</source>
+        <translation>der Typ einer der Achsen ist kein Wort</translation>
+    </message>
+    <message>
+        <source>two of its axes are called %1</source>
+        <translation>zwei der Achsen heißen %1</translation>
+    </message>
+    <message>
+        <source>it has two axes, %1 and %2, where there is room for one beside those of space</source>
+        <translation>hat zwei Achsen, %1 und %2, wo neben denen des Raums nur für eine Platz ist</translation>
+    </message>
+    <message>
+        <source>it has %1 axes of space, not 2 or 3</source>
+        <translation>hat %1 Raumachsen, nicht 2 oder 3</translation>
+    </message>
+    <message>
+        <source>its multiscales have no datasets</source>
+        <translation>multiscales hat keine datasets</translation>
+    </message>
+    <message>
+        <source>it has %1 levels, which makes no sense</source>
+        <translation>hat %1 Stufen, was unsinnig ist</translation>
+    </message>
+    <message>
+        <source>one of its datasets has no path</source>
+        <translation>eines der datasets hat keinen Pfad</translation>
+    </message>
+    <message>
+        <source>a level has no coordinateTransformations</source>
+        <translation>eine Stufe hat keine coordinateTransformations</translation>
+    </message>
+    <message>
+        <source>a level has %1 scales, not one</source>
+        <translation>eine Stufe hat %1 Maßstäbe, nicht einen</translation>
+    </message>
+    <message>
+        <source>a sequence of transformations is no list</source>
+        <translation>eine Folge von Transformationen ist keine Liste</translation>
+    </message>
+    <message>
+        <source>it has a sequence in a sequence of transformations</source>
+        <translation>hat eine Folge in einer Folge von Transformationen</translation>
+    </message>
+    <message>
+        <source>the transformation %1 is not known here; scale and translation are</source>
+        <translation>die Transformation %1 ist hier nicht bekannt; scale und translation sind es</translation>
+    </message>
+    <message>
+        <source>a %1 is kept in an array of its own, which is not known here</source>
+        <translation>%1 liegt in einem eigenen Feld, was hier nicht bekannt ist</translation>
+    </message>
+    <message>
+        <source>a %1 has not one number for each axis</source>
+        <translation>%1 hat nicht eine Zahl je Achse</translation>
+    </message>
+    <message>
+        <source>a %1 holds something that is no number</source>
+        <translation>%1 enthält etwas, das keine Zahl ist</translation>
+    </message>
+    <message>
+        <source>its plate has no wells</source>
+        <translation>die Platte hat keine Wells</translation>
+    </message>
+    <message>
+        <source>a well of its plate has no path</source>
+        <translation>ein Well der Platte hat keinen Pfad</translation>
+    </message>
+    <message>
+        <source>an image of its well has no path</source>
+        <translation>ein Bild im Well hat keinen Pfad</translation>
+    </message>
+    <message>
+        <source>the store holds no image: no group of it says that it is one, and it is no array</source>
+        <translation>der Datenspeicher enthält kein Bild: keine Gruppe darin nennt sich so, und er ist kein Feld</translation>
+    </message>
+    <message>
+        <source>the store holds %1 images; %2 was taken; choose by series</source>
+        <translation>der Datenspeicher enthält %1 Bilder; %2 wurde genommen; mit series wählen</translation>
+    </message>
+    <message>
+        <source>the file gives no unit of lengths; millimetres were taken</source>
+        <translation>die Datei nennt keine Längeneinheit; Millimeter wurden angenommen</translation>
+    </message>
+    <message>
+        <source>the unit of lengths, %1, is not known; millimetres were taken</source>
+        <translation>die Längeneinheit %1 ist nicht bekannt; Millimeter wurden angenommen</translation>
+    </message>
+    <message>
+        <source>zstd cannot pack: %1</source>
+        <translation>zstd kann nicht packen: %1</translation>
+    </message>
+    <message>
+        <source>is no XML of BigDataViewer: it has no sequence of views</source>
+        <translation>ist kein XML von BigDataViewer: hat keine Folge von Ansichten</translation>
+    </message>
+    <message>
+        <source>its &lt;%1&gt; lacks &lt;%2&gt;</source>
+        <translation>in &lt;%1&gt; fehlt &lt;%2&gt;</translation>
+    </message>
+    <message>
+        <source>%1 is no number but %2</source>
+        <translation>%1 ist keine Zahl, sondern %2</translation>
+    </message>
+    <message>
+        <source>the id of a view setup</source>
+        <translation>die id eines View-Setups</translation>
+    </message>
+    <message>
+        <source>it has no view setups</source>
+        <translation>hat keine View-Setups</translation>
+    </message>
+    <message>
+        <source>the first time point</source>
+        <translation>der erste Zeitpunkt</translation>
+    </message>
+    <message>
+        <source>the last time point</source>
+        <translation>der letzte Zeitpunkt</translation>
+    </message>
+    <message>
+        <source>the id of a time point</source>
+        <translation>die id eines Zeitpunkts</translation>
+    </message>
+    <message>
+        <source>a step of time points</source>
+        <translation>eine Schrittweite von Zeitpunkten</translation>
+    </message>
+    <message>
+        <source>a time point</source>
+        <translation>ein Zeitpunkt</translation>
+    </message>
+    <message>
+        <source>the time point of a registration</source>
+        <translation>der Zeitpunkt einer Registrierung</translation>
+    </message>
+    <message>
+        <source>the setup of a registration</source>
+        <translation>das Setup einer Registrierung</translation>
+    </message>
+    <message>
+        <source>a transformation of the type %1 is not known here; affine is</source>
+        <translation>eine Transformation vom Typ %1 ist hier nicht bekannt; affine ist es</translation>
+    </message>
+    <message>
+        <source>an affine transformation has not twelve numbers</source>
+        <translation>eine affine Transformation hat nicht zwölf Zahlen</translation>
+    </message>
+    <message>
+        <source>its voxels are kept as %1, which is not known here; bdv.hdf5 and bdv.n5 are%2</source>
+        <translation>die Voxel liegen als %1 vor, was hier nicht bekannt ist; bdv.hdf5 und bdv.n5 sind es%2</translation>
+    </message>
+    <message>
+        <source>; open the .zarr itself</source>
+        <translation>; das .zarr selbst öffnen</translation>
+    </message>
+    <message>
+        <source>the folder %1 that it names does not lie beside it</source>
+        <translation>der genannte Ordner %1 liegt nicht daneben</translation>
+    </message>
+    <message>
+        <source>the folder %1 that it names is missing</source>
+        <translation>der genannte Ordner %1 fehlt</translation>
+    </message>
+    <message>
+        <source>the store is gone: it was removed or renamed, or its disk is away</source>
+        <translation>der Datenspeicher ist weg: gelöscht, umbenannt, oder sein Laufwerk fehlt</translation>
+    </message>
+    <message>
+        <source>has %1 bytes, where %2 are the most that make sense</source>
+        <translation>hat %1 Bytes, höchstens %2 sind sinnvoll</translation>
+    </message>
+    <message>
+        <source>the path %1 leads out of the store</source>
+        <translation>der Pfad %1 führt aus dem Datenspeicher hinaus</translation>
+    </message>
+    <message>
+        <source>Writing level %1 of 0 to %2</source>
+        <translation>Stufe %1 von 0 bis %2 wird geschrieben</translation>
+    </message>
+    <message>
+        <source>the folder cannot be made: %1</source>
+        <translation>der Ordner kann nicht angelegt werden: %1</translation>
+    </message>
+    <message>
+        <source>holds what was written of another volume, or in another way, and is not whole; remove it, or give another name</source>
+        <translation>enthält, was von einem anderen Volumen oder auf andere Weise geschrieben wurde, und ist nicht vollständig; es löschen oder einen anderen Namen angeben</translation>
+    </message>
+    <message>
+        <source>is there already; remove it, or give another name</source>
+        <translation>gibt es schon; es löschen oder einen anderen Namen angeben</translation>
+    </message>
+    <message>
+        <source>how the volume is turned is kept in an attribute that other programs do not know</source>
+        <translation>wie das Volumen gedreht ist, steht in einem Attribut, das andere Programme nicht kennen</translation>
+    </message>
+    <message>
+        <source>values are samples times %1 plus %2: other programs will show the samples</source>
+        <translation>Werte sind gespeicherte Zahlen mal %1 plus %2: andere Programme zeigen die gespeicherten Zahlen</translation>
+    </message>
+    <message>
+        <source>colours become channels for other programs</source>
+        <translation>Farben werden für andere Programme zu Kanälen</translation>
+    </message>
+    <message>
+        <source>cannot be removed: %1</source>
+        <translation>kann nicht gelöscht werden: %1</translation>
+    </message>
+    <message>
+        <source>its folder does not exist; create it first</source>
+        <translation>der Ordner dafür fehlt; ihn zuerst anlegen</translation>
+    </message>
+    <message>
+        <source>archives are of OME-Zarr 0.5; write a folder (.zarr) of 0.4</source>
+        <translation>Archive gibt es in OME-Zarr 0.5; für 0.4 einen Ordner (.zarr) schreiben</translation>
+    </message>
+    <message>
+        <source>Reading samples</source>
+        <translation>Werte werden gelesen</translation>
+    </message>
+    <message>
+        <source>samples of the type %1 cannot be read; whole numbers, floats of 16 to 64 bits and bool can</source>
+        <translation>Werte vom Typ %1 können nicht gelesen werden; ganze Zahlen, Gleitkommazahlen von 16 bis 64 Bit und bool schon</translation>
+    </message>
+    <message>
+        <source>its fill_value is no sample of its type</source>
+        <translation>fill_value ist kein Wert dieses Typs</translation>
+    </message>
+    <message>
+        <source>the separator in its chunks&apos; keys is neither / nor .</source>
+        <translation>das Trennzeichen in den Schlüsseln der Chunks ist weder / noch .</translation>
+    </message>
+    <message>
+        <source>it is a single number and no array</source>
+        <translation>ist eine einzelne Zahl und kein Feld</translation>
+    </message>
+    <message>
+        <source>its chunks have another number of axes than it has</source>
+        <translation>die Chunks haben eine andere Zahl von Achsen</translation>
+    </message>
+    <message>
+        <source>its list of chunks</source>
+        <translation>die Liste chunks</translation>
+    </message>
+    <message>
+        <source>the order of its samples is neither C nor F</source>
+        <translation>die Reihenfolge der Werte ist weder C noch F</translation>
+    </message>
+    <message>
+        <source>its metadata has %1, which is not known here</source>
+        <translation>die Metadaten haben %1, was hier nicht bekannt ist</translation>
+    </message>
+    <message>
+        <source>the storage transformer %1 is not known here</source>
+        <translation>der storage transformer %1 ist hier nicht bekannt</translation>
+    </message>
+    <message>
+        <source>its grid of chunks, %1, is not known here</source>
+        <translation>das Gitter der Chunks, %1, ist hier nicht bekannt</translation>
+    </message>
+    <message>
+        <source>its chunk_shape</source>
+        <translation>chunk_shape</translation>
+    </message>
+    <message>
+        <source>the way %1 of naming chunks is not known here</source>
+        <translation>die Art %1, Chunks zu benennen, ist hier nicht bekannt</translation>
+    </message>
+    <message>
+        <source>is no metadata of Zarr version 2 or 3</source>
+        <translation>sind keine Metadaten von Zarr, Version 2 oder 3</translation>
+    </message>
+    <message>
+        <source>its shape</source>
+        <translation>shape</translation>
+    </message>
+    <message>
+        <source>the index of the shard points beyond its end: it is damaged or cut short</source>
+        <translation>der Index des Shards zeigt hinter sein Ende: er ist beschädigt oder abgeschnitten</translation>
+    </message>
+    <message>
+        <source>is too short for the index of a shard</source>
+        <translation>ist zu kurz für den Index eines Shards</translation>
+    </message>
+    <message>
+        <source>its chunks are packed by the codec %1, which is not known here; gzip, zlib, zstd, lz4, blosc, crc32c, transpose and sharding_indexed are</source>
+        <translation>die Chunks sind mit dem Codec %1 gepackt, der hier nicht bekannt ist; gzip, zlib, zstd, lz4, blosc, crc32c, transpose und sharding_indexed sind es</translation>
+    </message>
+    <message>
+        <source>the byte order %1 is not known</source>
+        <translation>die Bytefolge %1 ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>the codec &apos;transpose&apos; gives no order of the array&apos;s axes</source>
+        <translation>der Codec „transpose“ nennt keine Reihenfolge der Achsen</translation>
+    </message>
+    <message>
+        <source>the shards&apos; index has no codecs</source>
+        <translation>der Index der Shards hat keine Codecs</translation>
+    </message>
+    <message>
+        <source>the shards&apos; index is packed by the codec %1, which is not known here</source>
+        <translation>der Index der Shards ist mit dem Codec %1 gepackt, der hier nicht bekannt ist</translation>
+    </message>
+    <message>
+        <source>the shards&apos; index lacks the codec &apos;bytes&apos;</source>
+        <translation>dem Index der Shards fehlt der Codec „bytes“</translation>
+    </message>
+    <message>
+        <source>it has shards within shards, which are not known here</source>
+        <translation>hat Shards in Shards, was hier nicht bekannt ist</translation>
+    </message>
+    <message>
+        <source>its shards are transposed as a whole, which is not known here</source>
+        <translation>die Shards sind als Ganzes transponiert, was hier nicht bekannt ist</translation>
+    </message>
+    <message>
+        <source>the chunk_shape of the shards</source>
+        <translation>chunk_shape der Shards</translation>
+    </message>
+    <message>
+        <source>the chunks in its shards do not divide the shards</source>
+        <translation>die Chunks in den Shards teilen diese nicht ganzzahlig</translation>
+    </message>
+    <message>
+        <source>the place %1 of the shards&apos; index is not known</source>
+        <translation>der Ort %1 des Index der Shards ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>%1 is no list of sizes</source>
+        <translation>%1 ist keine Liste von Größen</translation>
+    </message>
+    <message>
+        <source>%1 holds something that is no size</source>
+        <translation>%1 enthält etwas, das keine Größe ist</translation>
+    </message>
+    <message>
+        <source>its samples are filtered by %1, which is not known here</source>
+        <translation>die Werte sind mit %1 gefiltert, was hier nicht bekannt ist</translation>
+    </message>
+    <message>
+        <source>it has no list of codecs</source>
+        <translation>hat keine Liste von Codecs</translation>
+    </message>
+    <message>
+        <source>two of its codecs make bytes of samples</source>
+        <translation>zwei der Codecs machen Bytes aus Werten</translation>
+    </message>
+    <message>
+        <source>its shards are packed as a whole</source>
+        <translation>die Shards sind als Ganzes gepackt</translation>
+    </message>
+    <message>
+        <source>none of its codecs makes bytes of samples</source>
+        <translation>keiner der Codecs macht Bytes aus Werten</translation>
+    </message>
+    <message>
+        <source>the array of a level is missing</source>
+        <translation>das Feld einer Stufe fehlt</translation>
+    </message>
+    <message>
+        <source>it has %1 axes, where its image has %2</source>
+        <translation>hat %1 Achsen, das Bild hat %2</translation>
+    </message>
+    <message>
+        <source>a shape of %1 makes no sense</source>
+        <translation>eine Form von %1 ist unsinnig</translation>
+    </message>
+    <message>
+        <source>a member of the archive is cut short</source>
+        <translation>eine Datei im Archiv ist abgeschnitten</translation>
+    </message>
+    <message>
+        <source>a member of the archive promises %1 bytes, which it cannot hold</source>
+        <translation>eine Datei im Archiv verspricht %1 Bytes, die sie nicht enthalten kann</translation>
+    </message>
+    <message>
+        <source>there is no memory to inflate a member</source>
+        <translation>zum Entpacken einer Datei im Archiv fehlt der Speicher</translation>
+    </message>
+    <message>
+        <source>a deflated member of the archive is damaged</source>
+        <translation>eine komprimierte Datei im Archiv ist beschädigt</translation>
+    </message>
+    <message>
+        <source>is no ZIP archive, or one that is cut short</source>
+        <translation>ist kein ZIP-Archiv oder abgeschnitten</translation>
+    </message>
+    <message>
+        <source>the ZIP archive&apos;s directory is damaged</source>
+        <translation>das Verzeichnis des ZIP-Archivs ist beschädigt</translation>
+    </message>
+    <message>
+        <source>the ZIP archive is encrypted</source>
+        <translation>das ZIP-Archiv ist verschlüsselt</translation>
+    </message>
+    <message>
+        <source>the ZIP archive packs %1 by method %2; members may be stored or deflated</source>
+        <translation>das ZIP-Archiv packt %1 nach Verfahren %2; Dateien darin dürfen gespeichert oder mit deflate gepackt sein</translation>
+    </message>
+    <message>
+        <source>its place in the ZIP archive lies beyond the end</source>
+        <translation>der Ort im ZIP-Archiv liegt hinter dem Ende</translation>
+    </message>
+    <message>
+        <source>its place in the ZIP archive is damaged</source>
+        <translation>der Ort im ZIP-Archiv ist beschädigt</translation>
+    </message>
+    <message>
+        <source>cannot be listed: %1</source>
+        <translation>kann nicht aufgelistet werden: %1</translation>
+    </message>
+    <message>
+        <source>Joining the archive</source>
+        <translation>Archiv wird zusammengefügt</translation>
+    </message>
+    <message>
+        <source>is larger than any file of a store that we write</source>
+        <translation>ist größer als jede Datei, die für einen Datenspeicher geschrieben wird</translation>
+    </message>
+    <message>
+        <source>%1 is not installed: apt install %2</source>
+        <translation>%1 ist nicht installiert: apt install %2</translation>
+    </message>
+    <message>
+        <source>%1: cannot be started (%2)</source>
+        <translation>%1: kann nicht gestartet werden (%2)</translation>
+    </message>
+    <message>
+        <source>%1: videos are written as .mp4, .webm or .gif</source>
+        <translation>%1: Videos werden als .mp4, .webm oder .gif geschrieben</translation>
+    </message>
+    <message>
+        <source>%1 frames a second: expected more than 0, at most 1000</source>
+        <translation>%1 Bilder je Sekunde: mehr als 0 und höchstens 1000 angeben</translation>
+    </message>
+    <message>
+        <source>quality %1: expected 0 to 100</source>
+        <translation>Qualität %1: 0 bis 100 angeben</translation>
+    </message>
+    <message>
+        <source>%1: an %2 has no alpha; write .webm, .gif or pictures</source>
+        <translation>%1: ein %2 hat keine Durchsichtigkeit; .webm, .gif oder Bilder schreiben</translation>
+    </message>
+    <message>
+        <source>%1: programs show no more than %2 frames a second of a .gif, not %3</source>
+        <translation>%1: Programme zeigen höchstens %2 Bilder je Sekunde eines .gif, nicht %3</translation>
+    </message>
+    <message>
+        <source>%1: a .gif counts in hundredths of a second, so frames take %2 or %3 of them in turn</source>
+        <translation>%1: ein .gif zählt in Hundertstelsekunden, deshalb dauern Bilder abwechselnd %2 oder %3 davon</translation>
+    </message>
+    <message>
+        <source>%1: a frame of %2 x %3 pixels does not fit into a video of %4 x %5</source>
+        <translation>%1: ein Einzelbild von %2 x %3 Pixeln passt nicht in ein Video von %4 x %5</translation>
+    </message>
+    <message>
+        <source>%1: a frame has no channel %2</source>
+        <translation>%1: einem Einzelbild fehlt der Kanal %2</translation>
+    </message>
+    <message>
+        <source>%1: ffmpeg has failed%2%3</source>
+        <translation>%1: ffmpeg ist gescheitert%2%3</translation>
+    </message>
+    <message>
+        <source>the pictures are stored with white as zero (MONOCHROME1); they were turned round</source>
+        <translation>die Bilder sind mit Weiß als null gespeichert (MONOCHROME1); sie wurden umgekehrt</translation>
+    </message>
+    <message>
+        <source>the pictures are to be shown with white as zero (MONOCHROME1); values are the file&apos;s</source>
+        <translation>die Bilder sind mit Weiß als null zu zeigen (MONOCHROME1); die Werte sind die der Datei</translation>
+    </message>
+    <message>
+        <source>Decoding DICOM slices</source>
+        <translation>DICOM-Schichten werden dekodiert</translation>
+    </message>
+    <message>
+        <source>the slice differs from its series in size or pixel type</source>
+        <translation>die Schicht weicht in Größe oder Pixeltyp von ihrer Serie ab</translation>
+    </message>
+    <message>
+        <source>frame %1 of %2 is missing</source>
+        <translation>Einzelbild %1 von %2 fehlt</translation>
+    </message>
+    <message>
+        <source>Looking for DICOM images</source>
+        <translation>DICOM-Bilder werden gesucht</translation>
+    </message>
+    <message>
+        <source>none of the %1 files that this index lists lies beside it</source>
+        <translation>keine der %1 Dateien, die dieses Verzeichnis nennt, liegt daneben</translation>
+    </message>
+    <message>
+        <source>a rescale slope of %1 and an intercept of %2 are no numbers to scale by and are left out</source>
+        <translation>eine Steigung von %1 und ein Achsenabschnitt von %2 taugen nicht zum Umrechnen und sind weggelassen</translation>
+    </message>
+    <message>
+        <source>the dose has no grid scaling; its values are the stored numbers</source>
+        <translation>der Dosis fehlt die Skalierung; die Werte sind die gespeicherten Zahlen</translation>
+    </message>
+    <message>
+        <source>the dose is relative to one that the file does not tell</source>
+        <translation>die Dosis ist relativ zu einer, die die Datei nicht nennt</translation>
+    </message>
+    <message>
+        <source>correction for attenuation and decay</source>
+        <translation>Korrektur von Schwächung und Zerfall</translation>
+    </message>
+    <message>
+        <source>decay correction to the scan&apos;s start or the injection</source>
+        <translation>Zerfallskorrektur auf den Beginn des Scans oder die Injektion</translation>
+    </message>
+    <message>
+        <source>the patient&apos;s weight</source>
+        <translation>das Gewicht des Patienten</translation>
+    </message>
+    <message>
+        <source>the injected dose</source>
+        <translation>die injizierte Dosis</translation>
+    </message>
+    <message>
+        <source>the half-life</source>
+        <translation>die Halbwertszeit</translation>
+    </message>
+    <message>
+        <source>the time of injection</source>
+        <translation>der Zeitpunkt der Injektion</translation>
+    </message>
+    <message>
+        <source>the time of the scan</source>
+        <translation>der Zeitpunkt des Scans</translation>
+    </message>
+    <message>
+        <source>uptake values (SUV) cannot be had of these Bq/ml: the scan begins %1 minutes after injection</source>
+        <translation>Uptake-Werte (SUV) lassen sich aus diesen Bq/ml nicht gewinnen: der Scan beginnt %1 Minuten nach der Injektion</translation>
+    </message>
+    <message>
+        <source>values are SUVbw: the file&apos;s Bq/ml times %1 (%2 kg, %3 MBq%4)</source>
+        <translation>die Werte sind SUVbw: Bq/ml der Datei mal %1 (%2 kg, %3 MBq%4)</translation>
+    </message>
+    <message>
+        <source> %1 minutes before the scan</source>
+        <translation> %1 Minuten vor dem Scan</translation>
+    </message>
+    <message>
+        <source>DICOM pixels of %1 bits are not supported</source>
+        <translation>DICOM-Pixel mit %1 Bit werden nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>its header asks for %1 bytes of pixels</source>
+        <translation>der Dateikopf verlangt %1 Bytes Pixel</translation>
+    </message>
+    <message>
+        <source>pixels of %1 bits, %2 of them stored, are not supported</source>
+        <translation>Pixel mit %1 Bit, davon %2 gespeichert, werden nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>a palette for %1 samples of %2 bits is not supported</source>
+        <translation>eine Palette für %1 Werte zu %2 Bit wird nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>%1 samples per pixel are not supported</source>
+        <translation>%1 Werte je Pixel werden nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>the DICOM pixels cannot be read: missing, damaged, or of an unsupported kind</source>
+        <translation>die DICOM-Pixel können nicht gelesen werden: sie fehlen, sind beschädigt oder von nicht unterstützter Art</translation>
+    </message>
+    <message>
+        <source>its colour planes cannot be interleaved</source>
+        <translation>die Farbebenen lassen sich nicht verschränken</translation>
+    </message>
+    <message>
+        <source>the DICOM pixels cannot be read (%1)</source>
+        <translation>die DICOM-Pixel können nicht gelesen werden (%1)</translation>
+    </message>
+    <message>
+        <source>its header and its pixel data disagree about colours</source>
+        <translation>der Dateikopf und die Pixel widersprechen sich über die Farben</translation>
+    </message>
+    <message>
+        <source>the DICOM pixels cannot be decoded: cut off, damaged, or of an unsupported kind</source>
+        <translation>die DICOM-Pixel können nicht dekodiert werden: abgeschnitten, beschädigt oder von nicht unterstützter Art</translation>
+    </message>
+    <message>
+        <source>is DICOM compressed by gzip; unpack it first</source>
+        <translation>ist mit gzip gepacktes DICOM; es zuerst entpacken</translation>
+    </message>
+    <message>
+        <source>is no DICOM file, or cut off or damaged: its elements do not fit together</source>
+        <translation>ist keine DICOM-Datei, abgeschnitten oder beschädigt: die Elemente passen nicht zusammen</translation>
+    </message>
+    <message>
+        <source>is damaged, or no DICOM file</source>
+        <translation>ist beschädigt oder keine DICOM-Datei</translation>
+    </message>
+    <message>
+        <source>is a DICOM segmentation; open it as labels</source>
+        <translation>ist eine DICOM-Segmentierung; sie als Labels öffnen</translation>
+    </message>
+    <message>
+        <source>is a DICOM structure set; open it as labels</source>
+        <translation>ist ein DICOM-Structure-Set; es als Labels öffnen</translation>
+    </message>
+    <message>
+        <source>holds no image (DICOM modality %1)</source>
+        <translation>enthält kein Bild (DICOM-Modalität %1)</translation>
+    </message>
+    <message>
+        <source>its number of frames is not possible</source>
+        <translation>die Zahl der Einzelbilder ist nicht möglich</translation>
+    </message>
+    <message>
+        <source>the folder holds no DICOM images</source>
+        <translation>der Ordner enthält keine DICOM-Bilder</translation>
+    </message>
+    <message>
+        <source>holds no DICOM series %1</source>
+        <translation>enthält keine DICOM-Serie %1</translation>
+    </message>
+    <message>
+        <source>the folder holds %1 DICOM series; %2 was taken</source>
+        <translation>der Ordner enthält %1 DICOM-Serien; %2 wurde genommen</translation>
+    </message>
+    <message>
+        <source>the largest</source>
+        <translation>die größte</translation>
+    </message>
+    <message>
+        <source>the slice has %1 x %2 pixels, the others of its series %3 x %4</source>
+        <translation>die Schicht hat %1 x %2 Pixel, die anderen der Serie %3 x %4</translation>
+    </message>
+    <message>
+        <source>%1 images of another orientation were left out</source>
+        <translation>%1 Bilder anderer Ausrichtung wurden weggelassen</translation>
+    </message>
+    <message>
+        <source>slices differ in unit (%1); the volume has none</source>
+        <translation>die Schichten haben verschiedene Einheiten (%1); das Volumen hat keine</translation>
+    </message>
+    <message>
+        <source>its %1 slices lie too far apart for a volume of this size</source>
+        <translation>die %1 Schichten liegen für ein Volumen dieser Größe zu weit auseinander</translation>
+    </message>
+    <message>
+        <source>distances between slices run from %1 to %2 mm (%3 slices); resampled onto %4 slices %5 mm apart</source>
+        <translation>die Abstände der Schichten reichen von %1 bis %2 mm (%3 Schichten); umgerechnet auf %4 Schichten im Abstand von %5 mm</translation>
+    </message>
+    <message>
+        <source>, %1 missing ones filled in linearly</source>
+        <translation>, %1 fehlende linear ergänzt</translation>
+    </message>
+    <message>
+        <source>, %1 left empty where slices are more than %2 mm apart</source>
+        <translation>, %1 leer gelassen, wo Schichten mehr als %2 mm auseinanderliegen</translation>
+    </message>
+    <message>
+        <source>planes are missing: %1 of %2 are there, %3 mm apart</source>
+        <translation>Ebenen fehlen: %1 von %2 sind da, im Abstand von %3 mm</translation>
+    </message>
+    <message>
+        <source>the slices are stacked %1 degrees off their normal (gantry tilt); the volume is sheared accordingly</source>
+        <translation>die Schichten sind %1 Grad schräg zu ihrer Normalen gestapelt (Gantry-Kippung); das Volumen ist entsprechend geschert</translation>
+    </message>
+    <message>
+        <source>the slices have no position; they are stacked by number, %1 mm apart</source>
+        <translation>die Schichten haben keinen Ort; sie sind nach Nummer gestapelt, im Abstand von %1 mm</translation>
+    </message>
+    <message>
+        <source>%1 images repeat the place of another and were left out</source>
+        <translation>%1 Bilder wiederholen den Ort eines anderen und wurden weggelassen</translation>
+    </message>
+    <message>
+        <source>its %1 is damaged: it is not described by three numbers of which the last is 8 to 16 bits</source>
+        <translation>%1 ist beschädigt: nicht durch drei Zahlen beschrieben, deren letzte 8 bis 16 Bit ist</translation>
+    </message>
+    <message>
+        <source>its %1 is cut off: %2 words for %3 entries</source>
+        <translation>%1 ist abgeschnitten: %2 Wörter für %3 Einträge</translation>
+    </message>
+    <message>
+        <source>its palette comes in segments, which is not supported</source>
+        <translation>die Palette ist in Abschnitten gespeichert, was nicht unterstützt wird</translation>
+    </message>
+    <message>
+        <source>its palette is damaged: red, green and blue differ in length</source>
+        <translation>die Palette ist beschädigt: Rot, Grün und Blau sind verschieden lang</translation>
+    </message>
+    <message>
+        <source>its grid frame offsets are damaged: %1 for %2 planes</source>
+        <translation>die grid frame offsets sind beschädigt: %1 für %2 Ebenen</translation>
+    </message>
+    <message>
+        <source>the offsets of the dose&apos;s planes begin at %1 mm and not at 0; they are taken from there</source>
+        <translation>die Lagen der Dosisebenen beginnen bei %1 mm und nicht bei 0; sie sind von dort gezählt</translation>
+    </message>
+    <message>
+        <source>its header has a line %1 without &apos;=&apos;</source>
+        <translation>der Dateikopf hat eine Zeile %1 ohne „=“</translation>
+    </message>
+    <message>
+        <source>its header has no ElementDataFile</source>
+        <translation>dem Dateikopf fehlt ElementDataFile</translation>
+    </message>
+    <message>
+        <source>a DimSize of %1 is not possible</source>
+        <translation>eine DimSize von %1 ist nicht möglich</translation>
+    </message>
+    <message>
+        <source>a HeaderSize of %1 is not legal</source>
+        <translation>eine HeaderSize von %1 ist nicht erlaubt</translation>
+    </message>
+    <message>
+        <source>the header asks for %1 bytes of data, the file has %2</source>
+        <translation>der Dateikopf verlangt %1 Bytes Daten, die Datei hat %2</translation>
+    </message>
+    <message>
+        <source>%1 dimensions are not supported</source>
+        <translation>%1 Dimensionen werden nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>the slices are frames of a tracked sweep, not planes of one volume</source>
+        <translation>die Schichten sind Bilder einer geführten Bewegung, nicht Ebenen eines Volumens</translation>
+    </message>
+    <message>
+        <source>MRC mode %1 is not supported; 0, 1, 2 and 6 are</source>
+        <translation>MRC-Modus %1 wird nicht unterstützt; 0, 1, 2 und 6 schon</translation>
+    </message>
+    <message>
+        <source>is too short for an MRC header</source>
+        <translation>ist zu kurz für den Dateikopf von MRC</translation>
+    </message>
+    <message>
+        <source>an extended header of %1 bytes is not possible</source>
+        <translation>ein erweiterter Kopf von %1 Bytes ist nicht möglich</translation>
+    </message>
+    <message>
+        <source>is one half of a pair, and its .img file is missing</source>
+        <translation>ist die Hälfte eines Paars, die .img-Datei fehlt</translation>
+    </message>
+    <message>
+        <source>is one half of a pair, and its .hdr file is missing</source>
+        <translation>ist die Hälfte eines Paars, die .hdr-Datei fehlt</translation>
+    </message>
+    <message>
+        <source>voxels of NIfTI data type %1 are not %2</source>
+        <translation>Voxel vom NIfTI-Datentyp %1 sind nicht %2</translation>
+    </message>
+    <message>
+        <source>%1 dimensions are not possible</source>
+        <translation>%1 Dimensionen sind nicht möglich</translation>
+    </message>
+    <message>
+        <source>has more than five dimensions, which is not supported</source>
+        <translation>hat mehr als fünf Dimensionen, was nicht unterstützt wird</translation>
+    </message>
+    <message>
+        <source>has colour vectors, which are not supported</source>
+        <translation>hat Farbvektoren, was nicht unterstützt wird</translation>
+    </message>
+    <message>
+        <source>%1 samples per voxel are not possible</source>
+        <translation>%1 Werte je Voxel sind nicht möglich</translation>
+    </message>
+    <message>
+        <source>the file&apos;s sform matrix is singular and was left out</source>
+        <translation>die sform-Matrix der Datei ist singulär und wurde weggelassen</translation>
+    </message>
+    <message>
+        <source>is too short for a NIfTI header</source>
+        <translation>ist zu kurz für den Dateikopf von NIfTI</translation>
+    </message>
+    <message>
+        <source>is not a NIfTI file</source>
+        <translation>ist keine NIfTI-Datei</translation>
+    </message>
+    <message>
+        <source>has no NIfTI magic, but %1</source>
+        <translation>hat nicht das Kennzeichen von NIfTI, sondern %1</translation>
+    </message>
+    <message>
+        <source>the data cannot start at byte %1</source>
+        <translation>die Daten können nicht bei Byte %1 beginnen</translation>
+    </message>
+    <message>
+        <source>Writing NIfTI</source>
+        <translation>NIfTI wird geschrieben</translation>
+    </message>
+    <message>
+        <source>the name %1 is left out: NIfTI has no place for it</source>
+        <translation>der Name %1 ist weggelassen: NIfTI hat keinen Platz dafür</translation>
+    </message>
+    <message>
+        <source>the unit of values, %1, is left out: NIfTI has no place for it</source>
+        <translation>die Einheit der Werte, %1, ist weggelassen: NIfTI hat keinen Platz dafür</translation>
+    </message>
+    <message>
+        <source>that it is %1 is left out: NIfTI has no place for it</source>
+        <translation>dass es %1 ist, ist weggelassen: NIfTI hat keinen Platz dafür</translation>
+    </message>
+    <message>
+        <source>the names of channels are left out: NIfTI has no place for them</source>
+        <translation>die Namen der Kanäle sind weggelassen: NIfTI hat keinen Platz dafür</translation>
+    </message>
+    <message>
+        <source>colours are left as %1 values of a voxel: NIfTI has colours of 8 bits only</source>
+        <translation>Farben bleiben %1 Werte je Voxel: NIfTI hat nur Farben mit 8 Bit</translation>
+    </message>
+    <message>
+        <source>lengths are written in um: NIfTI knows no angstrom</source>
+        <translation>Längen sind in µm geschrieben: NIfTI kennt kein Ångström</translation>
+    </message>
+    <message>
+        <source>places are kept as floats, which puts voxels off by %1 of their size</source>
+        <translation>Orte sind als float gespeichert, was Voxel um %1 ihrer Größe verschiebt</translation>
+    </message>
+    <message>
+        <source>scale and offset are kept as floats, which changes values by up to %1</source>
+        <translation>Maßstab und Verschiebung sind als float gespeichert, was Werte um bis zu %1 ändert</translation>
+    </message>
+    <message>
+        <source>NIfTI is written as .nii or .nii.gz</source>
+        <translation>NIfTI wird als .nii oder .nii.gz geschrieben</translation>
+    </message>
+    <message>
+        <source>its header has a line %1 without a colon</source>
+        <translation>der Dateikopf hat eine Zeile %1 ohne Doppelpunkt</translation>
+    </message>
+    <message>
+        <source>is not a NRRD file</source>
+        <translation>ist keine NRRD-Datei</translation>
+    </message>
+    <message>
+        <source>its header ends in the first line</source>
+        <translation>der Dateikopf endet in der ersten Zeile</translation>
+    </message>
+    <message>
+        <source>its header has no end</source>
+        <translation>der Dateikopf hat kein Ende</translation>
+    </message>
+    <message>
+        <source>a dimension of %1 is not possible</source>
+        <translation>eine Dimension von %1 ist nicht möglich</translation>
+    </message>
+    <message>
+        <source>has %1 sizes for %2 dimensions</source>
+        <translation>hat %1 Größen für %2 Dimensionen</translation>
+    </message>
+    <message>
+        <source>has a wrong number of space directions</source>
+        <translation>hat eine falsche Zahl von Raumrichtungen</translation>
+    </message>
+    <message>
+        <source>a size of %1 is not possible</source>
+        <translation>eine Größe von %1 ist nicht möglich</translation>
+    </message>
+    <message>
+        <source>has an axis between those of space, which is not supported</source>
+        <translation>hat eine Achse zwischen denen des Raums, was nicht unterstützt wird</translation>
+    </message>
+    <message>
+        <source>has fewer than two dimensions of space</source>
+        <translation>hat weniger als zwei Raumdimensionen</translation>
+    </message>
+    <message>
+        <source>samples of type %1 are not supported</source>
+        <translation>Werte vom Typ %1 werden nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>the sizes are too large</source>
+        <translation>die Größen sind zu groß</translation>
+    </message>
+    <message>
+        <source>does not say its byte order: &apos;endian: little&apos; or &apos;endian: big&apos; is missing%1</source>
+        <translation>nennt die Bytefolge nicht: „endian: little“ oder „endian: big“ fehlt%1</translation>
+    </message>
+    <message>
+        <source>, it has %1</source>
+        <translation>, hat %1</translation>
+    </message>
+    <message>
+        <source>the encoding %1 is not supported; raw, gzip and ascii are</source>
+        <translation>die Kodierung %1 wird nicht unterstützt; raw, gzip und ascii schon</translation>
+    </message>
+    <message>
+        <source>has fewer lines than its line skip</source>
+        <translation>hat weniger Zeilen als line skip</translation>
+    </message>
+    <message>
+        <source>a line skip of %1 is not legal</source>
+        <translation>ein line skip von %1 ist nicht erlaubt</translation>
+    </message>
+    <message>
+        <source>a byte skip of %1 is not legal</source>
+        <translation>ein byte skip von %1 ist nicht erlaubt</translation>
+    </message>
+    <message>
+        <source>detached NRRD headers are not written; use .nrrd</source>
+        <translation>NRRD mit getrenntem Dateikopf wird nicht geschrieben; .nrrd verwenden</translation>
+    </message>
+    <message>
+        <source>NRRD has no scale: other programs read stored samples, of which a value is %1 times one plus %2</source>
+        <translation>NRRD kennt keinen Maßstab: andere Programme lesen gespeicherte Zahlen, ein Wert ist das %1-Fache plus %2</translation>
+    </message>
+    <message>
+        <source>the name is written in one line: NRRD has no other</source>
+        <translation>der Name ist in einer Zeile geschrieben: mehr hat NRRD nicht</translation>
+    </message>
+    <message>
+        <source>tiles of %1 x %2 make no sense</source>
+        <translation>Kacheln von %1 x %2 sind unsinnig</translation>
+    </message>
+    <message>
+        <source>Looking at the file</source>
+        <translation>Datei wird untersucht</translation>
+    </message>
+    <message>
+        <source>is compressed; it has no preview</source>
+        <translation>ist komprimiert; davon gibt es keine Vorschau</translation>
+    </message>
+    <message>
+        <source>ends before this plane</source>
+        <translation>endet vor dieser Ebene</translation>
+    </message>
+    <message>
+        <source>give its size, sample type, byte order and header length (raw.dims, raw.type, raw.bigEndian, raw.headerBytes)</source>
+        <translation>Größe, Typ der Werte, Bytefolge und Länge des Dateikopfs angeben (raw.dims, raw.type, raw.bigEndian, raw.headerBytes)</translation>
+    </message>
+    <message>
+        <source>the layout given needs %1 bytes, header included, but the file has %2</source>
+        <translation>die angegebene Anordnung braucht mit Dateikopf %1 Bytes, die Datei hat aber %2</translation>
+    </message>
+    <message>
+        <source>a file without a header: %1</source>
+        <translation>eine Datei ohne Dateikopf: %1</translation>
+    </message>
+    <message>
+        <source>raw.channels %1 or raw.headerBytes %2 makes no sense</source>
+        <translation>raw.channels %1 oder raw.headerBytes %2 ist unsinnig</translation>
+    </message>
+    <message>
+        <source>the layout given needs %1 slices, but the folder has %2 files</source>
+        <translation>die angegebene Anordnung braucht %1 Schichten, der Ordner hat aber %2 Dateien</translation>
+    </message>
+    <message>
+        <source>its level %1 has %2 GB of voxels, and %3 GB are the most that is read whole; velum-batch convert makes a store with coarser levels of it</source>
+        <translation>Stufe %1 hat %2 GB Voxel, höchstens %3 GB werden im Ganzen gelesen; velum-batch convert macht daraus einen Datenspeicher mit gröberen Stufen</translation>
+    </message>
+    <message>
+        <source>level %1 of 0 to %2, %3 voxels</source>
+        <translation>Stufe %1 von 0 bis %2, %3 Voxel</translation>
+    </message>
+    <message>
+        <source>streamed: pictures, sections and what grows have up to %1 voxels; what works on all voxels at once works on %2</source>
+        <translation>gestreamt: Bilder, Schnittbilder und Wachsen haben bis zu %1 Voxel; was auf allen Voxeln zugleich arbeitet, arbeitet auf %2</translation>
+    </message>
+    <message>
+        <source>%1, were read; the finest has %2</source>
+        <translation>%1, wurde gelesen; die feinste hat %2</translation>
+    </message>
+    <message>
+        <source>the file does not say where its coarser levels lie; they were taken as means of blocks, border on border</source>
+        <translation>die Datei sagt nicht, wo die gröberen Stufen liegen; sie wurden als Mittel von Blöcken genommen, Rand auf Rand</translation>
+    </message>
+    <message>
+        <source>neither the folder nor one below it holds a DICOM series, and it holds no TIFF or PNG planes; for headerless slices give their size and type</source>
+        <translation>weder der Ordner noch einer darunter enthält eine DICOM-Serie, und er enthält keine Ebenen in TIFF oder PNG; für Schichten ohne Dateikopf Größe und Typ angeben</translation>
+    </message>
+    <message>
+        <source>is empty or cannot be read</source>
+        <translation>ist leer oder nicht lesbar</translation>
+    </message>
+    <message>
+        <source>is a ZIP archive; unpack it first</source>
+        <translation>ist ein ZIP-Archiv; es zuerst entpacken</translation>
+    </message>
+    <message>
+        <source>is a Git LFS pointer, not the data</source>
+        <translation>ist ein Git-LFS-Verweis, nicht die Daten</translation>
+    </message>
+    <message>
+        <source>is a PNG picture; a folder of PNG planes can be read</source>
+        <translation>ist ein PNG-Bild; ein Ordner mit PNG-Ebenen ist lesbar</translation>
+    </message>
+    <message>
+        <source>is of no kind that can be read; for headerless samples give their size and type</source>
+        <translation>ist von keiner lesbaren Art; für Werte ohne Dateikopf Größe und Typ angeben</translation>
+    </message>
+    <message>
+        <source>it has %1 GB of voxels in one level, and half of the memory, %2 GB, is the most that is read whole; velum-batch convert makes a store of it, which is streamed</source>
+        <translation>hat %1 GB Voxel in einer Stufe, höchstens die Hälfte des Speichers, %2 GB, wird im Ganzen gelesen; velum-batch convert macht daraus einen Datenspeicher, der gestreamt wird</translation>
+    </message>
+    <message>
+        <source>has no header; give its size and type</source>
+        <translation>hat keinen Dateikopf; Größe und Typ angeben</translation>
+    </message>
+    <message>
+        <source>the traces have no inline and crossline numbers; they are shown as one line in the file&apos;s order</source>
+        <translation>die Spuren haben keine Inline- und Crossline-Nummern; sie werden als eine Linie in der Reihenfolge der Datei gezeigt</translation>
+    </message>
+    <message>
+        <source>%1: holds %2 traces as they were shot (gathers before stacking, offsets from %3 to %4); read are stacks with one trace for each inline and crossline (bytes 189/193 or 9/21), and single lines: stack it first</source>
+        <translation>%1: enthält %2 Spuren, wie sie geschossen wurden (Gather vor dem Stapeln, Offsets von %3 bis %4); gelesen werden Stapel mit einer Spur je Inline und Crossline (Bytes 189/193 oder 9/21) und einzelne Linien: zuerst stapeln</translation>
+    </message>
+    <message>
+        <source>%1: has no traces</source>
+        <translation>%1: hat keine Spuren</translation>
+    </message>
+    <message>
+        <source>%1: %2 traces are too few for a grid of %3 inlines by %4 crosslines; the line numbers are not in bytes 189/193 or 9/21</source>
+        <translation>%1: %2 Spuren sind zu wenige für ein Gitter von %3 Inlines mal %4 Crosslines; die Liniennummern stehen nicht in den Bytes 189/193 oder 9/21</translation>
+    </message>
+    <message>
+        <source>%1%2 of %3 traces share a place with an earlier one; %4</source>
+        <translation>%1%2 von %3 Spuren teilen den Ort einer früheren; %4</translation>
+    </message>
+    <message>
+        <source>the file is prestack: </source>
+        <translation>die Datei ist ungestapelt: </translation>
+    </message>
+    <message>
+        <source>the first offset is shown</source>
+        <translation>der erste Offset wird gezeigt</translation>
+    </message>
+    <message>
+        <source>that one is shown</source>
+        <translation>jene wird gezeigt</translation>
+    </message>
+    <message>
+        <source>%1 of %2 traces are missing and shown as 0</source>
+        <translation>%1 von %2 Spuren fehlen und werden als 0 gezeigt</translation>
+    </message>
+    <message>
+        <source>the file holds a single line; it is shown as one plane</source>
+        <translation>die Datei enthält eine einzelne Linie; sie wird als eine Ebene gezeigt</translation>
+    </message>
+    <message>
+        <source>has a variable number of extended text headers, of which none says that it is the last</source>
+        <translation>hat eine veränderliche Zahl erweiterter Textköpfe, von denen sich keiner den letzten nennt</translation>
+    </message>
+    <message>
+        <source>the %1 extended text headers that it claims are not there</source>
+        <translation>die %1 angekündigten erweiterten Textköpfe fehlen</translation>
+    </message>
+    <message>
+        <source>is a Git LFS pointer and not the data; fetch it with &apos;git lfs pull&apos;</source>
+        <translation>ist ein Git-LFS-Verweis und nicht die Daten; sie mit „git lfs pull“ holen</translation>
+    </message>
+    <message>
+        <source>is not SEG-Y: %1 bytes are fewer than its headers (%2)</source>
+        <translation>ist kein SEG-Y: %1 Bytes sind weniger als die Köpfe (%2)</translation>
+    </message>
+    <message>
+        <source>is not SEG-Y, or of a kind that is not read (sample format %1, %2 samples a trace)</source>
+        <translation>ist kein SEG-Y oder von einer Art, die nicht gelesen wird (Format der Werte %1, %2 Werte je Spur)</translation>
+    </message>
+    <message>
+        <source>has headers but no whole trace</source>
+        <translation>hat Köpfe, aber keine ganze Spur</translation>
+    </message>
+    <message>
+        <source>has %1 traces; that many are not read</source>
+        <translation>hat %1 Spuren; so viele werden nicht gelesen</translation>
+    </message>
+    <message>
+        <source>reading trace headers</source>
+        <translation>Köpfe der Spuren werden gelesen</translation>
+    </message>
+    <message>
+        <source>has traces of several lengths (%1 and %2 samples); only files of one are read</source>
+        <translation>hat Spuren verschiedener Längen (%1 und %2 Werte); gelesen werden nur Dateien mit einer</translation>
+    </message>
+    <message>
+        <source>%1 of %2 traces claim another length than the file&apos;s %3 samples, which was taken</source>
+        <translation>%1 von %2 Spuren nennen eine andere Länge als die %3 Werte der Datei, die genommen wurde</translation>
+    </message>
+    <message>
+        <source>reading traces</source>
+        <translation>Spuren werden gelesen</translation>
+    </message>
+    <message>
+        <source>sample interval %1: %2 ms of time shown as %3 m, or %4 m if the file is in depth</source>
+        <translation>Abtastintervall %1: %2 ms Zeit als %3 m gezeigt, oder %4 m, falls die Datei in Tiefe ist</translation>
+    </message>
+    <message>
+        <source>reading SEG-Y</source>
+        <translation>SEG-Y wird gelesen</translation>
+    </message>
+    <message>
+        <source>the file ends within a trace, which is left out</source>
+        <translation>die Datei endet in einer Spur, die weggelassen ist</translation>
+    </message>
+    <message>
+        <source>Reading metadata</source>
+        <translation>Metadaten werden gelesen</translation>
+    </message>
+    <message>
+        <source>its coarsest level is too large for a small picture</source>
+        <translation>die gröbste Stufe ist zu groß für ein kleines Bild</translation>
+    </message>
+    <message>
+        <source>samples of type &apos;%1&apos; are not read</source>
+        <translation>Werte vom Typ „%1“ werden nicht gelesen</translation>
+    </message>
+    <message>
+        <source>a plane of %1 x %2 x %3 pixels is not read</source>
+        <translation>eine Ebene von %1 x %2 x %3 Pixeln wird nicht gelesen</translation>
+    </message>
+    <message>
+        <source>cannot be read as a picture (%1)</source>
+        <translation>kann nicht als Bild gelesen werden (%1)</translation>
+    </message>
+    <message>
+        <source>page %1 is damaged (%2)</source>
+        <translation>Seite %1 ist beschädigt (%2)</translation>
+    </message>
+    <message>
+        <source>reading TIFF pages</source>
+        <translation>TIFF-Seiten werden gelesen</translation>
+    </message>
+    <message>
+        <source>page %1 is %2, but the first is %3</source>
+        <translation>Seite %1 ist %2, die erste aber %3</translation>
+    </message>
+    <message>
+        <source>the first page cannot be read</source>
+        <translation>die erste Seite kann nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>the pages have a colour table; they are read as colours</source>
+        <translation>die Seiten haben eine Farbtabelle; sie werden als Farben gelesen</translation>
+    </message>
+    <message>
+        <source>the folder has no .tif or .png planes</source>
+        <translation>der Ordner enthält keine Ebenen als .tif oder .png</translation>
+    </message>
+    <message>
+        <source>reading planes</source>
+        <translation>Ebenen werden gelesen</translation>
+    </message>
+    <message>
+        <source>a plane of a folder must have one page, this has %1</source>
+        <translation>eine Ebene eines Ordners muss eine Seite haben, diese hat %1</translation>
+    </message>
+    <message>
+        <source>the slice is %1, but the first, &apos;%2&apos;, is %3; all slices of a folder must agree</source>
+        <translation>die Schicht ist %1, die erste, „%2“, aber %3; alle Schichten eines Ordners müssen gleich sein</translation>
+    </message>
+    <message>
+        <source>reading TIFF</source>
+        <translation>TIFF wird gelesen</translation>
+    </message>
+    <message>
+        <source>page %1 is %2 x %3 (%4 samples of %5 bits), but the first is %6 x %7 (%8 of %9); a volume needs pages of one size</source>
+        <translation>Seite %1 ist %2 x %3 (%4 Werte zu %5 Bit), die erste aber %6 x %7 (%8 zu %9); ein Volumen braucht gleich große Seiten</translation>
+    </message>
+    <message>
+        <source>the file has thumbnails only</source>
+        <translation>die Datei enthält nur Vorschaubilder</translation>
+    </message>
+    <message>
+        <source>the file tells the size of a pixel but not the distance of planes; they are taken as equal</source>
+        <translation>die Datei nennt die Größe eines Pixels, aber nicht den Abstand der Ebenen; sie werden als gleich angenommen</translation>
+    </message>
+    <message>
+        <source>%1 x %2, %3 channels, %4</source>
+        <translation>%1 x %2, %3 Kanäle, %4</translation>
+    </message>
+    <message>
+        <source>the file is cut short: page %1 is not whole</source>
+        <translation>die Datei ist abgeschnitten: Seite %1 ist nicht vollständig</translation>
+    </message>
+    <message>
+        <source>the file is cut short after %1 whole pages</source>
+        <translation>die Datei ist nach %1 ganzen Seiten abgeschnitten</translation>
+    </message>
+    <message>
+        <source>the description promises %1 x %2 x %3 planes (z, channels, time), but the file has %4 pages%5</source>
+        <translation>die Beschreibung verspricht %1 x %2 x %3 Ebenen (z, Kanäle, Zeit), die Datei hat aber %4 Seiten%5</translation>
+    </message>
+    <message>
+        <source>; the others are in other files</source>
+        <translation>; die anderen sind in anderen Dateien</translation>
+    </message>
+    <message>
+        <source> that fit</source>
+        <translation>, die passen</translation>
+    </message>
+    <message>
+        <source>a stack of several channels of colours behind one page is not read; save it as OME-TIFF</source>
+        <translation>ein Stapel mehrerer Farbkanäle hinter einer Seite wird nicht gelesen; als OME-TIFF speichern</translation>
+    </message>
+    <message>
+        <source>a packed one-page stack is not read</source>
+        <translation>ein gepackter Stapel auf einer Seite wird nicht gelesen</translation>
+    </message>
+    <message>
+        <source>the grid&apos;s transform is not linear; resample it first</source>
+        <translation>die Transformation des Gitters ist nicht linear; es zuerst umrechnen</translation>
+    </message>
+    <message>
+        <source>the grid has no active voxels</source>
+        <translation>das Gitter hat keine aktiven Voxel</translation>
+    </message>
+    <message>
+        <source>the active voxels span %1 x %2 x %3; at most 4096 along an axis and 2 GiB of voxels are read</source>
+        <translation>die aktiven Voxel reichen über %1 x %2 x %3; höchstens 4096 je Achse und 2 GiB Voxel werden gelesen</translation>
+    </message>
+    <message>
+        <source>%1 active voxels in a file of %2 bytes span %3 x %4 x %5; at most %6 voxels for each active one, or %7 for each byte, are read. If the file is not damaged, crop the grid</source>
+        <translation>%1 aktive Voxel in einer Datei von %2 Bytes reichen über %3 x %4 x %5; höchstens %6 Voxel je aktivem oder %7 je Byte werden gelesen. Ist die Datei nicht beschädigt, das Gitter zuschneiden</translation>
+    </message>
+    <message>
+        <source>an OpenVDB file has no unit; its world units are taken as mm</source>
+        <translation>eine OpenVDB-Datei hat keine Einheit; ihre Welteinheiten werden als mm genommen</translation>
+    </message>
+    <message>
+        <source>of %1 grids the first of floats or doubles, %2, was taken</source>
+        <translation>von %1 Gittern wurde das erste mit float oder double, %2, genommen</translation>
+    </message>
+    <message>
+        <source>reading OpenVDB</source>
+        <translation>OpenVDB wird gelesen</translation>
+    </message>
+    <message>
+        <source>cannot be read by OpenVDB (%1)</source>
+        <translation>kann von OpenVDB nicht gelesen werden (%1)</translation>
+    </message>
+    <message>
+        <source>is damaged, or needs more memory than there is</source>
+        <translation>ist beschädigt oder braucht mehr Speicher, als da ist</translation>
+    </message>
+    <message>
+        <source>is damaged (%1)</source>
+        <translation>ist beschädigt (%1)</translation>
+    </message>
+    <message>
+        <source>is damaged: %1 (before byte %2 of %3)</source>
+        <translation>ist beschädigt: %1 (vor Byte %2 von %3)</translation>
+    </message>
+    <message>
+        <source>it ends before its grid does</source>
+        <translation>sie endet vor ihrem Gitter</translation>
+    </message>
+    <message>
+        <source>it has become shorter</source>
+        <translation>sie ist kürzer geworden</translation>
+    </message>
+    <message>
+        <source>a text of %1 bytes is too long</source>
+        <translation>ein Text von %1 Bytes ist zu lang</translation>
+    </message>
+    <message>
+        <source>it ends within a text</source>
+        <translation>sie endet in einem Text</translation>
+    </message>
+    <message>
+        <source>its tree has more than one buffer</source>
+        <translation>der Baum hat mehr als einen Puffer</translation>
+    </message>
+    <message>
+        <source>a tile is neither active nor inactive</source>
+        <translation>eine Kachel ist weder aktiv noch inaktiv</translation>
+    </message>
+    <message>
+        <source>a node lies off its lattice</source>
+        <translation>ein Knoten liegt nicht auf seinem Raster</translation>
+    </message>
+    <message>
+        <source>two nodes lie at one place</source>
+        <translation>zwei Knoten liegen an einem Ort</translation>
+    </message>
+    <message>
+        <source>a value stands where a node is</source>
+        <translation>ein Wert steht, wo ein Knoten ist</translation>
+    </message>
+    <message>
+        <source>a leaf has more than one buffer</source>
+        <translation>ein Blatt hat mehr als einen Puffer</translation>
+    </message>
+    <message>
+        <source>values are packed in an unknown way, %1</source>
+        <translation>Werte sind auf unbekannte Weise gepackt, %1</translation>
+    </message>
+    <message>
+        <source>a block of %1 bytes has %2</source>
+        <translation>ein Block von %1 Bytes hat %2</translation>
+    </message>
+    <message>
+        <source>a block of %1 bytes is longer than the file</source>
+        <translation>ein Block von %1 Bytes ist länger als die Datei</translation>
+    </message>
+    <message>
+        <source>a block of %1 bytes says that it has %2 of %3</source>
+        <translation>ein Block von %1 Bytes nennt %2 von %3</translation>
+    </message>
+    <message>
+        <source>its grid&apos;s transform %1 is not linear, or not known</source>
+        <translation>die Transformation %1 des Gitters ist nicht linear oder nicht bekannt</translation>
+    </message>
+    <message>
+        <source>is not an OpenVDB file</source>
+        <translation>ist keine OpenVDB-Datei</translation>
+    </message>
+    <message>
+        <source>is an OpenVDB file of version %1; %2 to %3 are read</source>
+        <translation>ist eine OpenVDB-Datei der Version %1; gelesen werden %2 bis %3</translation>
+    </message>
+    <message>
+        <source>its first grid is a %1, which is not read</source>
+        <translation>das erste Gitter ist ein %1, das nicht gelesen wird</translation>
+    </message>
+    <message>
+        <source>a grid ends before it begins</source>
+        <translation>ein Gitter endet, bevor es beginnt</translation>
+    </message>
+    <message>
+        <source>a compression %1 is not known</source>
+        <translation>eine Kompression %1 ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>its grid ends here and should at byte %1</source>
+        <translation>das Gitter endet hier und sollte bei Byte %1 enden</translation>
+    </message>
+    <message>
+        <source>has no grid of floats or doubles (it has: %1)</source>
+        <translation>hat kein Gitter mit float oder double (vorhanden: %1)</translation>
+    </message>
+    <message>
+        <source>writing OpenVDB</source>
+        <translation>OpenVDB wird geschrieben</translation>
+    </message>
+    <message>
+        <source>a .vdb of ours holds one channel and one time step, not %1 and %2</source>
+        <translation>ein .vdb von Velum enthält einen Kanal und einen Zeitschritt, nicht %1 und %2</translation>
+    </message>
+    <message>
+        <source>lengths are written in angstrom: OpenVDB takes so small voxels in mm for none</source>
+        <translation>Längen sind in Ångström geschrieben: so kleine Voxel in mm gelten OpenVDB als keine</translation>
+    </message>
+    <message>
+        <source>the name of the channel is left out: OpenVDB has no place for it</source>
+        <translation>der Name des Kanals ist weggelassen: OpenVDB hat keinen Platz dafür</translation>
+    </message>
+    <message>
+        <source>an extent of %1 makes no sense</source>
+        <translation>eine Ausdehnung von %1 ist unsinnig</translation>
+    </message>
+    <message>
+        <source>is damaged: a piece lies outside the image</source>
+        <translation>ist beschädigt: ein Teil liegt außerhalb des Bildes</translation>
+    </message>
+    <message>
+        <source>is damaged: its pieces have values of different types</source>
+        <translation>ist beschädigt: die Teile haben Werte verschiedener Typen</translation>
+    </message>
+    <message>
+        <source>%1 values make no sense</source>
+        <translation>%1 Werte sind unsinnig</translation>
+    </message>
+    <message>
+        <source>is damaged: its pieces do not fill the image</source>
+        <translation>ist beschädigt: die Teile füllen das Bild nicht</translation>
+    </message>
+    <message>
+        <source>reading VTK image</source>
+        <translation>VTK-Bild wird gelesen</translation>
+    </message>
+    <message>
+        <source>has no array of values</source>
+        <translation>hat kein Feld mit Werten</translation>
+    </message>
+    <message>
+        <source>the values stand in cells; each cell is taken as a voxel</source>
+        <translation>die Werte stehen in Zellen; jede Zelle gilt als ein Voxel</translation>
+    </message>
+    <message>
+        <source>64-bit integers are read as doubles</source>
+        <translation>ganze Zahlen mit 64 Bit werden als double gelesen</translation>
+    </message>
+    <message>
+        <source>a .vti holds one time step, not %1; write .nrrd or .nii</source>
+        <translation>ein .vti enthält einen Zeitschritt, nicht %1; .nrrd oder .nii schreiben</translation>
+    </message>
+    <message>
+        <source>writing VTK image</source>
+        <translation>VTK-Bild wird geschrieben</translation>
+    </message>
+    <message>
+        <source>.vti has no scale: other programs read stored samples, of which a value is %1 times one plus %2</source>
+        <translation>.vti kennt keinen Maßstab: andere Programme lesen gespeicherte Zahlen, ein Wert ist das %1-Fache plus %2</translation>
+    </message>
+    <message>
+        <source>lengths are written in mm: .vti has no unit of length for other programs</source>
+        <translation>Längen sind in mm geschrieben: .vti hat für andere Programme keine Längeneinheit</translation>
+    </message>
+    <message>
+        <source>is not a legacy VTK file</source>
+        <translation>ist keine VTK-Datei der alten Art</translation>
+    </message>
+    <message>
+        <source>an encoding &apos;%1&apos; is not known</source>
+        <translation>eine Kodierung „%1“ ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>holds a &apos;%1&apos;, not STRUCTURED_POINTS</source>
+        <translation>enthält „%1“, nicht STRUCTURED_POINTS</translation>
+    </message>
+    <message>
+        <source>has no SCALARS to show</source>
+        <translation>hat keine SCALARS zum Zeigen</translation>
+    </message>
+    <message>
+        <source>reading numbers</source>
+        <translation>Zahlen werden gelesen</translation>
+    </message>
+    <message>
+        <source>reading VTK structured points</source>
+        <translation>VTK-Punktgitter wird gelesen</translation>
+    </message>
+    <message>
+        <source>dimension %1, spacing %2 or origin %3 makes no sense</source>
+        <translation>Dimension %1, Abstand %2 oder Ursprung %3 ist unsinnig</translation>
+    </message>
+    <message>
+        <source>an empty volume cannot be written</source>
+        <translation>ein leeres Volumen kann nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>volumes are written as %1</source>
+        <translation>Volumen werden als %1 geschrieben</translation>
+    </message>
+    <message>
+        <source>a lattice needs one node along each axis</source>
+        <translation>ein Gitter braucht entlang jeder Achse einen Knoten</translation>
+    </message>
+    <message>
+        <source>a lattice of %1 layers is too high</source>
+        <translation>ein Gitter von %1 Lagen ist zu hoch</translation>
+    </message>
+    <message>
+        <source>measuring gradients</source>
+        <translation>Gradienten werden gemessen</translation>
+    </message>
+    <message>
+        <source>looking where types are dense</source>
+        <translation>dichte Typen werden gesucht</translation>
+    </message>
+    <message>
+        <source>taking noise out</source>
+        <translation>Rauschen wird entfernt</translation>
+    </message>
+    <message>
+        <source>looking for specks</source>
+        <translation>Flecken werden gesucht</translation>
+    </message>
+    <message>
+        <source>the box of voxels leaves the volume</source>
+        <translation>der Quader von Voxeln ragt aus dem Volumen</translation>
+    </message>
+    <message>
+        <source>evaluating forces</source>
+        <translation>Kräfte werden berechnet</translation>
+    </message>
+    <message>
+        <source>a lattice for the least cut needs two layers at least</source>
+        <translation>ein Gitter für den kleinsten Schnitt braucht mindestens zwei Lagen</translation>
+    </message>
+    <message>
+        <source>the rest plane at layer %1 lies outside the lattice</source>
+        <translation>die Ruheebene in Lage %1 liegt außerhalb des Gitters</translation>
+    </message>
+    <message>
+        <source>finding the least cut</source>
+        <translation>kleinster Schnitt wird gesucht</translation>
+    </message>
+    <message>
+        <source>too few nodes in the mask of a lattice</source>
+        <translation>zu wenige Knoten in der Maske eines Gitters</translation>
+    </message>
+    <message>
+        <source>a sheet&apos;s columns do not match the lattice</source>
+        <translation>die Spalten eines Tuchs passen nicht zum Gitter</translation>
+    </message>
+    <message>
+        <source>what membranes protect</source>
+        <translation>was Membranen schützen</translation>
+    </message>
+    <message>
+        <source>levels of detail</source>
+        <translation>Detailstufen</translation>
+    </message>
+    <message>
+        <source>what becomes of each instance</source>
+        <translation>was aus jeder Instanz wird</translation>
+    </message>
+    <message>
+        <source>following rays</source>
+        <translation>Strahlen werden verfolgt</translation>
+    </message>
+    <message>
+        <source>%1 instances are too many for this driver; %2 are the most: leave out what completes the model</source>
+        <translation>%1 Instanzen sind zu viele für diesen Treiber; höchstens %2 gehen: weglassen, was das Modell ergänzt</translation>
+    </message>
+    <message>
+        <source>%1 %2 could not be read and %3 seen coarse: %4</source>
+        <translation>%1 %2 nicht lesbar und nur grob zu sehen: %4</translation>
+    </message>
+    <message>
+        <source>%1shown %2 times coarser than pixels: the %3 bricks that are seen have no room in %4 MiB; Preferences &gt; Memory or --gpu-brick-memory gives more</source>
+        <translation>%1%2-mal gröber als Pixel gezeigt: die %3 sichtbaren Blöcke haben in %4 MiB keinen Platz; mehr gibt Einstellungen &gt; Speicher oder --gpu-brick-memory</translation>
+    </message>
+    <message>
+        <source>the driver&apos;s memory has no room for the borders of the structures; hide the labels</source>
+        <translation>der Speicher des Treibers hat keinen Platz für die Ränder der Strukturen; die Labels ausblenden</translation>
+    </message>
+    <message>
+        <source>structures are drawn %1 times coarser than they are: their borders have no room in %2 MiB</source>
+        <translation>Strukturen werden %1-mal gröber gezeichnet, als sie sind: ihre Ränder haben in %2 MiB keinen Platz</translation>
+    </message>
+    <message>
+        <source>the labels (%1 x %2 x %3) are larger than the driver&apos;s 3D textures (%4) or memory; crop or reduce them</source>
+        <translation>die Labels (%1 x %2 x %3) sind größer als die 3D-Texturen (%4) oder der Speicher des Treibers; sie zuschneiden oder verkleinern</translation>
+    </message>
+    <message>
+        <source>not as smooth as asked for: that takes more than %1 MiB or %2 texels along a side</source>
+        <translation>nicht so glatt wie verlangt: das braucht mehr als %1 MiB oder %2 Texel entlang einer Seite</translation>
+    </message>
+    <message>
+        <source>shown at 1/%1 of its resolution (%2 x %3 x %4 of %5 x %6 x %7 voxels): %8</source>
+        <translation>mit 1/%1 der Auflösung gezeigt (%2 x %3 x %4 von %5 x %6 x %7 Voxeln): %8</translation>
+    </message>
+    <message>
+        <source>the driver&apos;s 3D textures end at %1 texels</source>
+        <translation>die 3D-Texturen des Treibers enden bei %1 Texeln</translation>
+    </message>
+    <message>
+        <source>it needs %1 MiB of the %2 MiB that the driver has</source>
+        <translation>nötig sind %1 MiB von den %2 MiB, die der Treiber hat</translation>
+    </message>
+    <message>
+        <source>a scene holds %1 captions at most; remove one first</source>
+        <translation>eine Szene enthält höchstens %1 Bildtexte; zuerst einen entfernen</translation>
+    </message>
+    <message>
+        <source>%1 copies of %2 instances are drawn as a crowd, in which instances have no numbers: %3 can be had of up to %4 copies</source>
+        <translation>%1 Kopien von %2 Instanzen werden als Menge gezeichnet, in der Instanzen keine Nummern haben: %3 gibt es bis %4 Kopien</translation>
+    </message>
+    <message>
+        <source>the window &apos;%1&apos; is in %2, the values are %3; give level and width instead</source>
+        <translation>das Grauwertfenster „%1“ ist in %2, die Werte sind %3; stattdessen Mitte und Breite angeben</translation>
+    </message>
+    <message>
+        <source>of no known unit</source>
+        <translation>ohne bekannte Einheit</translation>
+    </message>
+    <message>
+        <source>a picture of a lit sphere is empty</source>
+        <translation>das Bild einer Lichtkugel ist leer</translation>
+    </message>
+    <message>
+        <source>a scene holds %1 marks at most; remove one first</source>
+        <translation>eine Szene enthält höchstens %1 Marken; zuerst eine entfernen</translation>
+    </message>
+    <message>
+        <source>a mark of the kind %1 has %2 points, not %3</source>
+        <translation>eine Marke der Art %1 hat %2 Punkte, nicht %3</translation>
+    </message>
+    <message>
+        <source>a mark of the kind %1 has %2 to %3 points, not %4</source>
+        <translation>eine Marke der Art %1 hat %2 bis %3 Punkte, nicht %4</translation>
+    </message>
+    <message>
+        <source>The file says of no type what it does, so that all are grey: choose the palette by type or by compartment</source>
+        <translation>Die Datei sagt bei keinem Typ, was er tut, deshalb sind alle grau: die Palette nach Typ oder nach Kompartiment wählen</translation>
+    </message>
+    <message>
+        <source>no %1 &apos;%2&apos;%3; there are %4</source>
+        <translation>%1 „%2“ gibt es nicht%3; es gibt: %4</translation>
+    </message>
+    <message>
+        <source>a picture of paper is empty</source>
+        <translation>das Bild eines Papiers ist leer</translation>
+    </message>
+    <message>
+        <source>a scene holds %1 cuts at most; remove one first</source>
+        <translation>eine Szene enthält höchstens %1 Schnitte; zuerst einen entfernen</translation>
+    </message>
+    <message>
+        <source>Level of a pyramid, 0 the finest; -1: the finest that fits into memory.</source>
+        <translation>Stufe einer Pyramide, 0 die feinste; -1: die feinste, die in den Speicher passt.</translation>
+    </message>
+    <message>
+        <source>scene: the text is not a JSON object</source>
+        <translation>Szene: der Text ist kein JSON-Objekt</translation>
+    </message>
+    <message>
+        <source>journal: a change is not a list of add, replace and remove</source>
+        <translation>Verlauf: eine Änderung ist keine Liste von add, replace und remove</translation>
+    </message>
+    <message>
+        <source>journal: a change does not fit: %1</source>
+        <translation>Verlauf: eine Änderung passt nicht: %1</translation>
+    </message>
+    <message>
+        <source>journal: a change leaves no scene</source>
+        <translation>Verlauf: eine Änderung lässt keine Szene übrig</translation>
+    </message>
+    <message>
+        <source>%1: there is no part &apos;%2&apos;</source>
+        <translation>%1: einen Teil „%2“ gibt es nicht</translation>
+    </message>
+    <message>
+        <source>scene: %1: %2</source>
+        <translation>Szene: %1: %2</translation>
+    </message>
+    <message>
+        <source> and %1 more</source>
+        <translation> und %1 weitere</translation>
+    </message>
+    <message>
+        <source>the file</source>
+        <translation>die Datei</translation>
+    </message>
+    <message>
+        <source>expected a number</source>
+        <translation>erwartet wird eine Zahl</translation>
+    </message>
+    <message>
+        <source>the number is not finite</source>
+        <translation>die Zahl ist nicht endlich</translation>
+    </message>
+    <message>
+        <source>%1 is outside %2 .. %3%4%5</source>
+        <translation>%1 liegt außerhalb von %2 bis %3%4%5</translation>
+    </message>
+    <message>
+        <source>%1 is not a whole number</source>
+        <translation>%1 ist keine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>expected an object</source>
+        <translation>erwartet wird ein Objekt</translation>
+    </message>
+    <message>
+        <source>expected true or false</source>
+        <translation>erwartet wird true oder false</translation>
+    </message>
+    <message>
+        <source>expected a text</source>
+        <translation>erwartet wird ein Text</translation>
+    </message>
+    <message>
+        <source>expected a word</source>
+        <translation>erwartet wird ein Wort</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not one of %2</source>
+        <translation>„%1“ ist keines von %2</translation>
+    </message>
+    <message>
+        <source>expected %1 numbers</source>
+        <translation>erwartet werden %1 Zahlen</translation>
+    </message>
+    <message>
+        <source>expected a list</source>
+        <translation>erwartet wird eine Liste</translation>
+    </message>
+    <message>
+        <source>the list has %1 items; %2 is the most</source>
+        <translation>die Liste hat %1 Einträge; höchstens %2 sind möglich</translation>
+    </message>
+    <message>
+        <source>no field &apos;%1&apos; in %2%3; there are %4</source>
+        <translation>ein Feld „%1“ gibt es nicht in %2%3; es gibt: %4</translation>
+    </message>
+    <message>
+        <source>a scene</source>
+        <translation>einer Szene</translation>
+    </message>
+    <message>
+        <source>%1 has %2 items, and more it cannot have</source>
+        <translation>%1 hat %2 Einträge, mehr gehen nicht</translation>
+    </message>
+    <message>
+        <source>%1 has no part &apos;%2&apos;</source>
+        <translation>%1 hat keinen Teil „%2“</translation>
+    </message>
+    <message>
+        <source>%1 has %2 items; &apos;%3&apos; is none of them (use + to append, * for each)</source>
+        <translation>%1 hat %2 Einträge; „%3“ ist keiner davon (+ hängt an, * nimmt jeden)</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true oder false</translation>
+    </message>
+    <message>
+        <source>whole number</source>
+        <translation>ganze Zahl</translation>
+    </message>
+    <message>
+        <source>any value</source>
+        <translation>irgendein Wert</translation>
+    </message>
+    <message>
+        <source>list of %1</source>
+        <translation>Liste von %1</translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation>höchstens %1</translation>
+    </message>
+    <message>
+        <source>%1brackets are nested deeper than in any scene</source>
+        <translation>%1Klammern sind tiefer verschachtelt als in jeder Szene</translation>
+    </message>
+    <message>
+        <source>%1the text is no JSON; %2</source>
+        <translation>%1der Text ist kein JSON; %2</translation>
+    </message>
+    <message>
+        <source>%1the text is not a JSON object; the file is damaged or of another kind</source>
+        <translation>%1der Text ist kein JSON-Objekt; die Datei ist beschädigt oder von anderer Art</translation>
+    </message>
+    <message>
+        <source>scene: no &quot;velum&quot; version number; this is not a scene of ours</source>
+        <translation>Szene: keine Versionsnummer „velum“; dies ist keine Szene von Velum</translation>
+    </message>
+    <message>
+        <source>scene: written by a newer Velum (scene version %1, this one reads up to %2); update Velum</source>
+        <translation>Szene: von einem neueren Velum geschrieben (Szenenversion %1, dieses liest bis %2); Velum aktualisieren</translation>
+    </message>
+    <message>
+        <source>no &quot;velumTransfer&quot; version number; this is not a transfer function of ours, or it is damaged</source>
+        <translation>keine Versionsnummer „velumTransfer“; dies ist keine Transferfunktion von Velum oder beschädigt</translation>
+    </message>
+    <message>
+        <source>written by a newer Velum (transfer version %1, this one reads up to %2); update Velum</source>
+        <translation>von einem neueren Velum geschrieben (Transferversion %1, dieses liest bis %2); Velum aktualisieren</translation>
+    </message>
+    <message>
+        <source>%1%2: expected %3[NAME] or %4[NAME].FIELD</source>
+        <translation>%1%2: erwartet wird %3[NAME] oder %4[NAME].FELD</translation>
+    </message>
+    <message>
+        <source>%1 has nothing that is called &apos;%2&apos;; there %3 %4</source>
+        <translation>%1 enthält nichts, was „%2“ heißt; es gibt: %4</translation>
+    </message>
+    <message>
+        <source>%1: %2 items are called &apos;%3&apos;: %4; say which by its id or its place</source>
+        <translation>%1: %2 Einträge heißen „%3“: %4; mit Nummer oder Platz angeben, welcher gemeint ist</translation>
+    </message>
+    <message>
+        <source>%1 has %2 items; &apos;%3&apos; is none of them (use * for each)</source>
+        <translation>%1 hat %2 Einträge; „%3“ ist keiner davon (* nimmt jeden)</translation>
+    </message>
+    <message>
+        <source>%1 is not there: it is null</source>
+        <translation>%1 gibt es nicht: es ist null</translation>
+    </message>
+    <message>
+        <source>cuts.%1.membrane: the cut is a %2; say cuts.%3.shape=membrane first</source>
+        <translation>cuts.%1.membrane: der Schnitt ist %2; zuerst cuts.%3.shape=membrane setzen</translation>
+    </message>
+    <message>
+        <source>%1 Unit: %2.</source>
+        <translation>%1 Einheit: %2.</translation>
+    </message>
+    <message>
+        <source>%1 has %2 items; &apos;%3&apos; is none of them</source>
+        <translation>%1 hat %2 Einträge; „%3“ ist keiner davon</translation>
+    </message>
+    <message>
+        <source>%1 cannot change in a film</source>
+        <translation>%1 kann sich in einem Film nicht ändern</translation>
+    </message>
+    <message>
+        <source>timeline: %1 has two tracks; they are one now, with the keys of both</source>
+        <translation>timeline: %1 hat zwei Spuren; sie sind nun eine, mit den Schlüsselbildern beider</translation>
+    </message>
+    <message>
+        <source>; where both had one at a time, the first one&apos;s stays (left out: %1)</source>
+        <translation>; wo beide zur selben Zeit eines hatten, bleibt das der ersten (weggelassen: %1)</translation>
+    </message>
+    <message>
+        <source>; of these only the first %1, more there cannot be</source>
+        <translation>; davon nur die ersten %1, mehr gehen nicht</translation>
+    </message>
+    <message>
+        <source>timeline.tracks has %1 items, and more it cannot have</source>
+        <translation>timeline.tracks hat %1 Einträge, mehr gehen nicht</translation>
+    </message>
+    <message>
+        <source>the track of %1 has %2 keys, and more it cannot have</source>
+        <translation>die Spur von %1 hat %2 Schlüsselbilder, mehr gehen nicht</translation>
+    </message>
+    <message>
+        <source>The machine has no memory left for this; use a smaller volume or picture.</source>
+        <translation>Der Rechner hat dafür keinen Speicher mehr; ein kleineres Volumen oder Bild verwenden.</translation>
+    </message>
+    <message>
+        <source>no graphics</source>
+        <translation>keine Grafik</translation>
+    </message>
+    <message>
+        <source>%1: there are no more</source>
+        <translation>%1: mehr gibt es nicht</translation>
+    </message>
+    <message>
+        <source>%1, not fewer: %2</source>
+        <translation>%1, nicht weniger: %2</translation>
+    </message>
+    <message>
+        <source>%1, not more: %2</source>
+        <translation>%1, nicht mehr: %2</translation>
+    </message>
+    <message>
+        <source>%1, the nearest to %2: several come and go at once</source>
+        <translation>%1, am nächsten zu %2: mehrere kommen und gehen zugleich</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no command%2; velum-batch help lists them</source>
+        <translation>„%1“ ist kein Befehl%2; velum-batch help nennt sie alle</translation>
+    </message>
+    <message>
+        <source>no default</source>
+        <translation>keine Voreinstellung</translation>
+    </message>
+    <message>
+        <source>%1: a %2 is not closed</source>
+        <translation>%1: nicht geschlossen: %2</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is one argument too many for %2</source>
+        <translation>„%1“ ist ein Argument zu viel für %2</translation>
+    </message>
+    <message>
+        <source>there is no cut; cut.add adds one</source>
+        <translation>es gibt keinen Schnitt; cut.add fügt einen hinzu</translation>
+    </message>
+    <message>
+        <source>there are several cuts; say which, by cut=NAME</source>
+        <translation>es gibt mehrere Schnitte; mit cut=NAME angeben, welcher gemeint ist</translation>
+    </message>
+    <message>
+        <source>nothing is open that could be cut</source>
+        <translation>es ist nichts offen, was sich schneiden ließe</translation>
+    </message>
+    <message>
+        <source>a path is missing</source>
+        <translation>ein Pfad fehlt</translation>
+    </message>
+    <message>
+        <source>there is nothing to %1</source>
+        <translation>es gibt nichts zu tun: %1</translation>
+    </message>
+    <message>
+        <source>set wants a field and a value</source>
+        <translation>set braucht ein Feld und einen Wert</translation>
+    </message>
+    <message>
+        <source>the cut is no plane, or there is no room for another</source>
+        <translation>der Schnitt ist keine Ebene, oder für einen weiteren ist kein Platz</translation>
+    </message>
+    <message>
+        <source>%1 has no keys</source>
+        <translation>%1 hat keine Schlüsselbilder</translation>
+    </message>
+    <message>
+        <source>%1 has no key at %2 s</source>
+        <translation>%1 hat kein Schlüsselbild bei %2 s</translation>
+    </message>
+    <message>
+        <source>Set key</source>
+        <translation>Schlüsselbild setzen</translation>
+    </message>
+    <message>
+        <source>Remove key</source>
+        <translation>Schlüsselbild entfernen</translation>
+    </message>
+    <message>
+        <source>%1 was not grown</source>
+        <translation>%1 wurde nicht durch Wachsen erzeugt</translation>
+    </message>
+    <message>
+        <source>growth.pullAt %1: there is nothing that could be pulled</source>
+        <translation>growth.pullAt %1: dort ist nichts, was sich herausziehen ließe</translation>
+    </message>
+    <message>
+        <source>Stop growing</source>
+        <translation>Wachsen anhalten</translation>
+    </message>
+    <message>
+        <source>growth.addSeed %1: the value there is none of its range</source>
+        <translation>growth.addSeed %1: der Wert dort liegt nicht im Bereich</translation>
+    </message>
+    <message>
+        <source>growth.notThis %1: it does not grow there</source>
+        <translation>growth.notThis %1: dort wächst es nicht</translation>
+    </message>
+    <message>
+        <source>growth.barrier wants the points of a stroke: [[X,Y,Z],[X,Y,Z]]</source>
+        <translation>growth.barrier braucht die Punkte eines Strichs: [[X,Y,Z],[X,Y,Z]]</translation>
+    </message>
+    <message>
+        <source>growth.change changes %1, not &apos;%2&apos;</source>
+        <translation>growth.change ändert %1, nicht „%2“</translation>
+    </message>
+    <message>
+        <source>Name of %1 as in the file</source>
+        <translation>Name von %1 wie in der Datei</translation>
+    </message>
+    <message>
+        <source>Rename %1 to %2</source>
+        <translation>%1 in %2 umbenennen</translation>
+    </message>
+    <message>
+        <source>look.window: there is no volume whose values it could show</source>
+        <translation>look.window: es gibt kein Volumen, dessen Werte es zeigen könnte</translation>
+    </message>
+    <message>
+        <source>look.window %1: give %2</source>
+        <translation>look.window %1: %2 angeben</translation>
+    </message>
+    <message>
+        <source>look.showThis %1: that is outside the volume</source>
+        <translation>look.showThis %1: das liegt außerhalb des Volumens</translation>
+    </message>
+    <message>
+        <source>channel %1: the volume mixes %2</source>
+        <translation>Kanal %1: das Volumen mischt %2</translation>
+    </message>
+    <message>
+        <source>the model has no instance %1</source>
+        <translation>das Modell hat keine Instanz %1</translation>
+    </message>
+    <message>
+        <source>structure %1 has no voxels that a point could follow</source>
+        <translation>Struktur %1 hat keine Voxel, denen ein Punkt folgen könnte</translation>
+    </message>
+    <message>
+        <source>point %1 of the mark follows nothing and has no place</source>
+        <translation>Punkt %1 der Marke folgt nichts und hat keinen Ort</translation>
+    </message>
+    <message>
+        <source>a name is of a structure or of a type of the model: give structure=NAME or type=PATH</source>
+        <translation>ein Name ist der einer Struktur oder eines Typs des Modells: structure=NAME oder type=PFAD angeben</translation>
+    </message>
+    <message>
+        <source>a region is of a structure: give structure=NAME</source>
+        <translation>ein Gebiet ist das einer Struktur: structure=NAME angeben</translation>
+    </message>
+    <message>
+        <source>no point of mark %1 lies in a structure or in an instance that it could follow</source>
+        <translation>kein Punkt der Marke %1 liegt in einer Struktur oder in einer Instanz, der er folgen könnte</translation>
+    </message>
+    <message>
+        <source>Style of lettering: %1</source>
+        <translation>Stil der Schrift: %1</translation>
+    </message>
+    <message>
+        <source>the cut is no membrane; cut.add membrane adds one</source>
+        <translation>der Schnitt ist keine Membran; cut.add membrane fügt eine hinzu</translation>
+    </message>
+    <message>
+        <source>membrane.protectValues: low must be less than high</source>
+        <translation>membrane.protectValues: low muss kleiner als high sein</translation>
+    </message>
+    <message>
+        <source>membrane.protectAt %1: that is outside the volume</source>
+        <translation>membrane.protectAt %1: das liegt außerhalb des Volumens</translation>
+    </message>
+    <message>
+        <source>membrane.pin %1: that is beside the frame of the membrane</source>
+        <translation>membrane.pin %1: das liegt neben dem Rahmen der Membran</translation>
+    </message>
+    <message>
+        <source>a scene has at most %1 cuts</source>
+        <translation>eine Szene hat höchstens %1 Schnitte</translation>
+    </message>
+    <message>
+        <source>there is no model whose types could be named</source>
+        <translation>es gibt kein Modell, dessen Typen sich benennen ließen</translation>
+    </message>
+    <message>
+        <source>the model has no type or compartment &apos;%1&apos;%2</source>
+        <translation>das Modell hat keinen Typ und kein Kompartiment „%1“%2</translation>
+    </message>
+    <message>
+        <source>all types</source>
+        <translation>alle Typen</translation>
+    </message>
+    <message>
+        <source>model.leaveBy type: say what is left of the types</source>
+        <translation>model.leaveBy type: angeben, was von den Typen übrig bleibt</translation>
+    </message>
+    <message>
+        <source>model.protect: the cut is no membrane</source>
+        <translation>model.protect: der Schnitt ist keine Membran</translation>
+    </message>
+    <message>
+        <source>no type has a number to be seen; model.target gives one</source>
+        <translation>kein Typ hat eine Anzahl, die zu sehen sein soll; model.target gibt eine</translation>
+    </message>
+    <message>
+        <source>model.bringToSize: there is no other data beside a model</source>
+        <translation>model.bringToSize: neben dem Modell gibt es keine anderen Daten</translation>
+    </message>
+    <message>
+        <source>Number of %1 to be seen</source>
+        <translation>Sichtbare Anzahl von %1</translation>
+    </message>
+    <message>
+        <source>Set number of %1</source>
+        <translation>Anzahl von %1 setzen</translation>
+    </message>
+    <message>
+        <source>Leave %1 as above</source>
+        <translation>%1 wie darüber übrig lassen</translation>
+    </message>
+    <message>
+        <source>Keep %1 in view</source>
+        <translation>%1 im Blick behalten</translation>
+    </message>
+    <message>
+        <source>Let %1 be hidden</source>
+        <translation>%1 verdecken lassen</translation>
+    </message>
+    <message>
+        <source>Protect by membrane:</source>
+        <translation>Durch Membran schützen:</translation>
+    </message>
+    <message>
+        <source>Draw membrane to</source>
+        <translation>Membran heranziehen an</translation>
+    </message>
+    <message>
+        <source>No force of</source>
+        <translation>Ohne Kraft:</translation>
+    </message>
+    <message>
+        <source>structure.protect: the cut is no membrane</source>
+        <translation>structure.protect: der Schnitt ist keine Membran</translation>
+    </message>
+    <message>
+        <source>Turn cut</source>
+        <translation>Schnitt drehen</translation>
+    </message>
+    <message>
+        <source>Tilt cut</source>
+        <translation>Schnitt kippen</translation>
+    </message>
+    <message>
+        <source>Resize cut</source>
+        <translation>Schnittgröße ändern</translation>
+    </message>
+    <message>
+        <source>Move cut</source>
+        <translation>Schnitt verschieben</translation>
+    </message>
+    <message>
+        <source>the table is known in whole volumes of one channel only</source>
+        <translation>den Tisch gibt es nur in ganzen Volumen mit einem Kanal</translation>
+    </message>
+    <message>
+        <source>Finding the body</source>
+        <translation>Körper wird gesucht</translation>
+    </message>
+    <message>
+        <source>no single body stands out from the air of this volume</source>
+        <translation>kein einzelner Körper hebt sich von der Luft dieses Volumens ab</translation>
+    </message>
+    <message>
+        <source>Found the body</source>
+        <translation>Körper gefunden</translation>
+    </message>
+    <message>
+        <source>Move view</source>
+        <translation>Ansicht bewegen</translation>
+    </message>
+    <message>
+        <source>Key view</source>
+        <translation>Ansicht als Schlüsselbild</translation>
+    </message>
+    <message>
+        <source>%1; unsaved work is not protected</source>
+        <translation>%1; ungespeicherte Arbeit ist nicht geschützt</translation>
+    </message>
+    <message>
+        <source>a scene of %1 MiB is too large for a journal</source>
+        <translation>eine Szene von %1 MiB ist zu groß für den Verlauf</translation>
+    </message>
+    <message>
+        <source>it is no file</source>
+        <translation>ist keine Datei</translation>
+    </message>
+    <message>
+        <source>it is larger than %1 MiB</source>
+        <translation>ist größer als %1 MiB</translation>
+    </message>
+    <message>
+        <source>the scan measures %1, the labels %2</source>
+        <translation>der Scan misst %1, die Labels %2</translation>
+    </message>
+    <message>
+        <source>check that they are of this scan, and the voxel size of both</source>
+        <translation>prüfen, ob sie zu diesem Scan gehören, und die Voxelgröße beider</translation>
+    </message>
+    <message>
+        <source>the labels do not overlap the scan at all: %1; %2</source>
+        <translation>die Labels überlappen den Scan gar nicht: %1; %2</translation>
+    </message>
+    <message>
+        <source>only %1 % of what is labelled lies in the scan: %2; %3</source>
+        <translation>nur %1 % des Bezeichneten der Labels liegen im Scan: %2; %3</translation>
+    </message>
+    <message>
+        <source>all of the labels lie in a few voxels of the scan: %1; %2</source>
+        <translation>alle Labels liegen in wenigen Voxeln des Scans: %1; %2</translation>
+    </message>
+    <message>
+        <source>%1: there is no such file</source>
+        <translation>%1: diese Datei gibt es nicht</translation>
+    </message>
+    <message>
+        <source>lit sphere %1: %2; it looks like porcelain</source>
+        <translation>Lichtkugel %1: %2; sie sieht aus wie Porzellan</translation>
+    </message>
+    <message>
+        <source>there is no lit sphere %1; it looks like porcelain</source>
+        <translation>es gibt keine Lichtkugel %1; sie sieht aus wie Porzellan</translation>
+    </message>
+    <message>
+        <source>%1: %2 MiB is too much for a scene file</source>
+        <translation>%1: %2 MiB sind zu viel für eine Szenendatei</translation>
+    </message>
+    <message>
+        <source>%1 has moved; it was found as %2</source>
+        <translation>%1 ist umgezogen; gefunden wurde es als %2</translation>
+    </message>
+    <message>
+        <source>%1 has changed since the scene was saved</source>
+        <translation>%1 hat sich geändert, seit die Szene gespeichert wurde</translation>
+    </message>
+    <message>
+        <source>%1: the picture holds no scene of ours</source>
+        <translation>%1: das Bild enthält keine Szene von Velum</translation>
+    </message>
+    <message>
+        <source>%1: there is no such file or folder</source>
+        <translation>%1: diese Datei oder diesen Ordner gibt es nicht</translation>
+    </message>
+    <message>
+        <source>%1: a look, which is put on what is open: Look &gt; Import look, or --transfer</source>
+        <translation>%1: ein Aussehen; es wird auf das Geöffnete gelegt: Aussehen &gt; Aussehen importieren, oder --transfer</translation>
+    </message>
+    <message>
+        <source>%1: the scene has a model already; open it by itself</source>
+        <translation>%1: die Szene hat schon ein Modell; es allein öffnen</translation>
+    </message>
+    <message>
+        <source>%1: %2 MiB is too much for a scene file; it was not written</source>
+        <translation>%1: %2 MiB sind zu viel für eine Szenendatei; sie wurde nicht geschrieben</translation>
+    </message>
+    <message>
+        <source>%1; &quot;Bring to size&quot; on the page Model enlarges it, or the command model.bringToSize</source>
+        <translation>%1; „Größe anpassen“ auf der Seite Modell vergrößert es, oder der Befehl model.bringToSize</translation>
+    </message>
+    <message>
+        <source>nothing was named to open</source>
+        <translation>es wurde nichts zum Öffnen genannt</translation>
+    </message>
+    <message>
+        <source>own paper: no picture is named; it is smooth</source>
+        <translation>eigenes Papier: kein Bild ist genannt; es ist glatt</translation>
+    </message>
+    <message>
+        <source>own paper: %1; it is smooth</source>
+        <translation>eigenes Papier: %1; es ist glatt</translation>
+    </message>
+    <message>
+        <source>%1: nothing can be written there: %2</source>
+        <translation>%1: dort kann nichts geschrieben werden: %2</translation>
+    </message>
+    <message>
+        <source>%1: %2 GiB are free; the pyramid may take up to %3 GiB</source>
+        <translation>%1: %2 GiB sind frei; die Pyramide braucht bis zu %3 GiB</translation>
+    </message>
+    <message>
+        <source>%1: cannot be read piece by piece</source>
+        <translation>%1: kann nicht stückweise gelesen werden</translation>
+    </message>
+    <message>
+        <source>it is damaged</source>
+        <translation>sie ist beschädigt</translation>
+    </message>
+    <message>
+        <source>no journal is in it</source>
+        <translation>darin ist kein Verlauf</translation>
+    </message>
+    <message>
+        <source>%1: unsaved work there cannot be looked for (%2)</source>
+        <translation>%1: ungespeicherte Arbeit kann dort nicht gesucht werden (%2)</translation>
+    </message>
+    <message>
+        <source>%1: this work is open in another window</source>
+        <translation>%1: diese Arbeit ist in einem anderen Fenster offen</translation>
+    </message>
+    <message>
+        <source>%1: this work cannot be taken (%2)</source>
+        <translation>%1: diese Arbeit kann nicht übernommen werden (%2)</translation>
+    </message>
+    <message>
+        <source>%1: the work there cannot be read (%2)</source>
+        <translation>%1: die Arbeit dort kann nicht gelesen werden (%2)</translation>
+    </message>
+    <message>
+        <source>%1: cannot be deleted (%2)</source>
+        <translation>%1: kann nicht gelöscht werden (%2)</translation>
+    </message>
+    <message>
+        <source>finish.paper: own is without a picture; give the file of one</source>
+        <translation>finish.paper: own hat kein Bild; die Datei eines Bildes angeben</translation>
+    </message>
+    <message>
+        <source>%1 ml that are not part of the largest body are hidden</source>
+        <translation>%1 ml, die nicht zum größten Körper gehören, sind ausgeblendet</translation>
+    </message>
+    <message>
+        <source>nothing lies beside the body</source>
+        <translation>neben dem Körper liegt nichts</translation>
+    </message>
+    <message>
+        <source>%1: there is no such sample</source>
+        <translation>%1: dieses Phantom gibt es nicht</translation>
+    </message>
+    <message>
+        <source>the scene&apos;s %1 %2 is not there, nor near the scene; put it back, or name it with --set %3=FILE</source>
+        <translation>%1 der Szene fehlt und ist auch nicht in ihrer Nähe: %2; zurücklegen oder mit --set %3=DATEI nennen</translation>
+    </message>
+    <message>
+        <source>%1: made of blocks, as of a coarser grid; shapes are smoothed by %2 %3 (smoothing 0: as in the file)</source>
+        <translation>%1: aus Blöcken, wie von einem gröberen Gitter; Formen sind um %2 %3 geglättet (Glättung 0: wie in der Datei)</translation>
+    </message>
+    <message>
+        <source>the journal cannot be written (%1)</source>
+        <translation>der Verlauf kann nicht geschrieben werden (%1)</translation>
+    </message>
+    <message>
+        <source>there is no volume to read anew</source>
+        <translation>es gibt kein Volumen, das neu gelesen werden könnte</translation>
+    </message>
+    <message>
+        <source>structures were grown in this volume and would lie elsewhere; remove them first</source>
+        <translation>in diesem Volumen sind Strukturen gewachsen und lägen anderswo; sie zuerst entfernen</translation>
+    </message>
+    <message>
+        <source>Add data</source>
+        <translation>Daten hinzufügen</translation>
+    </message>
+    <message>
+        <source>Carry over to other data</source>
+        <translation>Auf andere Daten übertragen</translation>
+    </message>
+    <message>
+        <source>%1: cannot be locked (%2)</source>
+        <translation>%1: kann nicht gesperrt werden (%2)</translation>
+    </message>
+    <message>
+        <source>%1: cannot be written; check the free space</source>
+        <translation>%1: kann nicht geschrieben werden; freien Platz prüfen</translation>
+    </message>
+    <message>
+        <source>%1: cannot be read again</source>
+        <translation>%1: kann nicht noch einmal gelesen werden</translation>
+    </message>
+    <message>
+        <source>%1 bytes in %2 file%3, %4</source>
+        <translation>Dateien: %2, %1 Bytes, %4</translation>
+    </message>
+    <message>
+        <source>%1: there are no such files</source>
+        <translation>%1: diese Dateien gibt es nicht</translation>
+    </message>
+    <message>
+        <source>%1 lies in the data&apos;s folder %2; have it elsewhere, as it would be data the next time</source>
+        <translation>%1 liegt im Ordner der Daten, %2; anderswo ablegen, da es sonst beim nächsten Mal zu den Daten zählt</translation>
+    </message>
+    <message>
+        <source>%1 and %2 would both become %3; let the pattern&apos;s * stand for what differs, as in &apos;studies/*/ct.nrrd&apos;, and have {name} or {dir} in the output&apos;s name</source>
+        <translation>%1 und %2 würden beide zu %3; das * des Musters muss für das stehen, was sie unterscheidet, wie in „studies/*/ct.nrrd“, und im Namen der Ausgabe {name} oder {dir} stehen</translation>
+    </message>
+    <message>
+        <source>%1 is not shown</source>
+        <translation>%1 ist ausgeblendet</translation>
+    </message>
+    <message>
+        <source>%1 lies beside the picture</source>
+        <translation>%1 liegt neben dem Bild</translation>
+    </message>
+    <message>
+        <source>%1 is left on %2 of %3 pixels</source>
+        <translation>%1 bleibt auf %2 von %3 Pixeln</translation>
+    </message>
+    <message>
+        <source>%1 %2: that is outside the volume</source>
+        <translation>%1 %2: das liegt außerhalb des Volumens</translation>
+    </message>
+    <message>
+        <source>%1 %2: give x,y,z</source>
+        <translation>%1 %2: x,y,z angeben</translation>
+    </message>
+    <message>
+        <source>%1 %2: no value along it is from %3 to %4; draw it elsewhere, or give the range</source>
+        <translation>%1 %2: kein Wert darauf liegt zwischen %3 und %4; anderswo zeichnen oder den Bereich angeben</translation>
+    </message>
+    <message>
+        <source>others %1: the value there is not from %2 to %3, so it does not grow there; choose a place that it takes</source>
+        <translation>others %1: der Wert dort liegt nicht zwischen %2 und %3, also wächst es dort nicht; eine Stelle wählen, die dazugehört</translation>
+    </message>
+    <message>
+        <source>guard and others: what is told where it leaks is not guarded; leave one of them out</source>
+        <translation>guard und others: was gesagt bekommt, wo es ausläuft, wird nicht bewacht; eines davon weglassen</translation>
+    </message>
+    <message>
+        <source>range: give A,B</source>
+        <translation>range: A,B angeben</translation>
+    </message>
+    <message>
+        <source>seeds %1: nothing is known of the values there; give the range</source>
+        <translation>seeds %1: die Werte dort sind unbekannt; den Bereich angeben</translation>
+    </message>
+    <message>
+        <source>range A,B: A must not be more than B</source>
+        <translation>range A,B: A darf nicht größer als B sein</translation>
+    </message>
+    <message>
+        <source>seeds %1: the value there is %2, not from %3 to %4; choose another place, or the range</source>
+        <translation>seeds %1: der Wert dort ist %2, nicht von %3 bis %4; eine andere Stelle oder den Bereich wählen</translation>
+    </message>
+    <message>
+        <source>distance needs plane: it is from the plane that it is measured</source>
+        <translation>distance braucht plane: der Abstand wird von der Ebene gemessen (plane)</translation>
+    </message>
+    <message>
+        <source>guard needs plane: it watches how wide the structure is away from the plane</source>
+        <translation>guard braucht plane: bewacht wird, wie breit die Struktur abseits der Ebene ist</translation>
+    </message>
+    <message>
+        <source>plane: give nx,ny,nz,d</source>
+        <translation>plane: nx,ny,nz,d angeben</translation>
+    </message>
+    <message>
+        <source>plane: the normal must not be 0,0,0</source>
+        <translation>plane: die Normale der Ebene darf nicht 0,0,0 sein</translation>
+    </message>
+    <message>
+        <source>within %1: no voxel has that label</source>
+        <translation>within %1: kein Voxel hat dieses Label</translation>
+    </message>
+    <message>
+        <source>there is no volume to grow in: name a file that has one</source>
+        <translation>es gibt kein Volumen zum Wachsen: eine Datei nennen, die eines hat</translation>
+    </message>
+    <message>
+        <source>seeds or strokes are needed: a place on the structure</source>
+        <translation>seeds oder strokes sind nötig: eine Stelle auf der Struktur</translation>
+    </message>
+    <message>
+        <source>the labels have no number left for another structure</source>
+        <translation>die Labels haben keine Zahl mehr für eine weitere Struktur</translation>
+    </message>
+    <message>
+        <source>%1, a part</source>
+        <translation>%1, ein Teil</translation>
+    </message>
+    <message>
+        <source>of %1 frames, not %2</source>
+        <translation>von %1 Einzelbildern, nicht %2</translation>
+    </message>
+    <message>
+        <source>%1 %2, not %3</source>
+        <translation>%1 %2, nicht %3</translation>
+    </message>
+    <message>
+        <source>%1: is no list of frames that Velum has written; choose another folder, or name</source>
+        <translation>%1: ist keine von Velum geschriebene Liste von Einzelbildern; einen anderen Ordner oder Namen wählen</translation>
+    </message>
+    <message>
+        <source>%1: tells of another film (%2); choose another folder, or --overwrite</source>
+        <translation>%1: gehört zu einem anderen Film (%2); einen anderen Ordner wählen, oder --overwrite</translation>
+    </message>
+    <message>
+        <source>%1: tells of another film than the lists beside it (%2)</source>
+        <translation>%1: gehört zu einem anderen Film als die Listen daneben (%2)</translation>
+    </message>
+    <message>
+        <source>Looking for frame %1</source>
+        <translation>Einzelbild %1 wird gesucht</translation>
+    </message>
+    <message>
+        <source>%1: the folder cannot be made (%2)</source>
+        <translation>%1: der Ordner kann nicht angelegt werden (%2)</translation>
+    </message>
+    <message>
+        <source>part %1: expected K/N, as 3/16, with K from 1 to N</source>
+        <translation>part %1: K/N angeben, etwa 3/16, mit K von 1 bis N</translation>
+    </message>
+    <message>
+        <source>%1: holds frames of several films (%2); keep each in a folder of its own</source>
+        <translation>%1: enthält Einzelbilder mehrerer Filme (%2); jeden in einem eigenen Ordner ablegen</translation>
+    </message>
+    <message>
+        <source>%1: there are no frames of a film</source>
+        <translation>%1: dort sind keine Einzelbilder eines Films</translation>
+    </message>
+    <message>
+        <source>%1: %2 of %3 frames missing or broken: %4; draw them with --resume</source>
+        <translation>%1: %2 von %3 Einzelbildern fehlen oder sind beschädigt: %4; mit --resume zeichnen</translation>
+    </message>
+    <message>
+        <source>Frame %1 of %2</source>
+        <translation>Einzelbild %1 von %2</translation>
+    </message>
+    <message>
+        <source>%1 h %2 min</source>
+        <translation>%1 h %2 min</translation>
+    </message>
+    <message>
+        <source>a film needs a name, such as turn.mp4 or frames/</source>
+        <translation>ein Film braucht einen Namen, etwa turn.mp4 oder frames/</translation>
+    </message>
+    <message>
+        <source>%1 pictures for a frame: expected 1 to %2</source>
+        <translation>%1 Bilder für ein Einzelbild: 1 bis %2 angeben</translation>
+    </message>
+    <message>
+        <source>shutter %1: expected 0 to 1</source>
+        <translation>Verschluss %1: 0 bis 1 angeben</translation>
+    </message>
+    <message>
+        <source>%1: films are written as .mp4, .webm or .gif, as pictures in .png, .tif or .exr, or into a folder</source>
+        <translation>%1: Filme werden als .mp4, .webm oder .gif geschrieben, als Bilder in .png, .tif oder .exr, oder in einen Ordner</translation>
+    </message>
+    <message>
+        <source>16 bits</source>
+        <translation>16 Bit</translation>
+    </message>
+    <message>
+        <source>frames to go on from</source>
+        <translation>Einzelbilder zum Fortsetzen</translation>
+    </message>
+    <message>
+        <source>%1: a video has no %2; write the frames to a folder, then the film of them</source>
+        <translation>%1: ein Video hat keine %2; die Einzelbilder in einen Ordner schreiben, dann den Film daraus</translation>
+    </message>
+    <message>
+        <source>%1 of %2 frames could not be drawn: %3 (%4)</source>
+        <translation>%1 von %2 Einzelbildern konnten nicht gezeichnet werden: %3 (%4)</translation>
+    </message>
+    <message>
+        <source>, layers</source>
+        <translation>, Ebenen</translation>
+    </message>
+    <message>
+        <source>, %1 dpi</source>
+        <translation>, %1 dpi</translation>
+    </message>
+    <message>
+        <source>%1 (%2 bytes)</source>
+        <translation>%1 (%2 Bytes)</translation>
+    </message>
+    <message>
+        <source>Frame %1 of %2%3</source>
+        <translation>Einzelbild %1 von %2%3</translation>
+    </message>
+    <message>
+        <source>, %1 left</source>
+        <translation>, noch %1</translation>
+    </message>
+    <message>
+        <source>no film &apos;%1&apos;: %2</source>
+        <translation>kein Film „%1“: %2</translation>
+    </message>
+    <message>
+        <source>there is no such cut that could come in</source>
+        <translation>es gibt keinen Schnitt, der hereinkommen könnte</translation>
+    </message>
+    <message>
+        <source>the volume has no time steps</source>
+        <translation>das Volumen hat keine Zeitschritte</translation>
+    </message>
+    <message>
+        <source>no structure is pulled out of a cut</source>
+        <translation>keine Struktur ist aus einem Schnitt herausgezogen</translation>
+    </message>
+    <message>
+        <source>no membrane is on</source>
+        <translation>keine Membran ist eingeschaltet</translation>
+    </message>
+    <message>
+        <source>there are no structures</source>
+        <translation>es gibt keine Strukturen</translation>
+    </message>
+    <message>
+        <source>there is no model of molecules</source>
+        <translation>es gibt kein Modell aus Molekülen</translation>
+    </message>
+    <message>
+        <source>no cut is on</source>
+        <translation>kein Schnitt ist eingeschaltet</translation>
+    </message>
+    <message>
+        <source>the structure is empty: there is nothing to fly to</source>
+        <translation>die Struktur ist leer: es gibt nichts, zu dem geflogen werden könnte</translation>
+    </message>
+    <message>
+        <source>a title needs words</source>
+        <translation>ein Titel braucht Wörter</translation>
+    </message>
+    <message>
+        <source>there is no structure &apos;%1&apos; in %2</source>
+        <translation>es gibt keine Struktur „%1“ in %2</translation>
+    </message>
+    <message>
+        <source>the scene</source>
+        <translation>der Szene</translation>
+    </message>
+    <message>
+        <source>the structure &apos;%1&apos; is empty</source>
+        <translation>die Struktur „%1“ ist leer</translation>
+    </message>
+    <message>
+        <source>without structures that the other labels do not have: %1%2</source>
+        <translation>ohne Strukturen, die die anderen Labels nicht haben: %1%2</translation>
+    </message>
+    <message>
+        <source>structures that were grown are left out: they are of other data</source>
+        <translation>gewachsene Strukturen sind weggelassen: sie gehören zu anderen Daten</translation>
+    </message>
+    <message>
+        <source>surfaces are left out: they are of other data</source>
+        <translation>Oberflächen sind weggelassen: sie gehören zu anderen Daten</translation>
+    </message>
+    <message>
+        <source>the scene has no volume in whose place another one could come</source>
+        <translation>die Szene hat kein Volumen, das sich durch ein anderes ersetzen ließe</translation>
+    </message>
+    <message>
+        <source>the volume is of another kind: it has the preset that fits it</source>
+        <translation>das Volumen ist von anderer Art: es hat die Vorgabe, die zu ihm passt</translation>
+    </message>
+    <message>
+        <source>a map of %1 pixels is not %2 x %3</source>
+        <translation>eine Karte von %1 Pixeln ist nicht %2 x %3</translation>
+    </message>
+    <message>
+        <source>%1:%2 min</source>
+        <translation>%1:%2 min</translation>
+    </message>
+    <message>
+        <source>step %1 of %2</source>
+        <translation>Schritt %1 von %2</translation>
+    </message>
+    <message>
+        <source>a map of %1 keys is not %2 x %3, or has no step</source>
+        <translation>eine Karte von %1 Schlüsseln ist nicht %2 x %3 oder hat keine Schrittweite</translation>
+    </message>
+    <message>
+        <source>the looks of %1 other channels are left out</source>
+        <translation>das Aussehen von %1 anderen Kanälen ist weggelassen</translation>
+    </message>
+    <message>
+        <source>lengths in it are in %1, which the file does not say</source>
+        <translation>Längen darin sind in %1, was die Datei nicht sagt</translation>
+    </message>
+    <message>
+        <source>%1: neither a scene, a picture of ours nor a transfer function; name one of these</source>
+        <translation>%1: weder eine Szene noch ein Bild von Velum noch eine Transferfunktion; eines davon nennen</translation>
+    </message>
+    <message>
+        <source>%1 instances are too many to find which of them hold %2 points: at most %3 can be looked at for one point; give pointInstances</source>
+        <translation>%1 Instanzen sind zu viele, um zu finden, welche davon %2 Punkte enthalten: für einen Punkt lassen sich höchstens %3 untersuchen; pointInstances angeben</translation>
+    </message>
+    <message>
+        <source>Measuring structures</source>
+        <translation>Strukturen werden vermessen</translation>
+    </message>
+    <message>
+        <source>there is no volume whose values could be measured</source>
+        <translation>es gibt kein Volumen, dessen Werte sich messen ließen</translation>
+    </message>
+    <message>
+        <source>it holds no voxel that has a value</source>
+        <translation>sie enthält kein Voxel mit einem Wert</translation>
+    </message>
+    <message>
+        <source>it meets no voxel that has a value</source>
+        <translation>sie trifft kein Voxel mit einem Wert</translation>
+    </message>
+    <message>
+        <source>there is no structure %1 that has voxels</source>
+        <translation>es gibt keine Struktur %1 mit Voxeln</translation>
+    </message>
+    <message>
+        <source>it lacks points</source>
+        <translation>ihr fehlen Punkte</translation>
+    </message>
+    <message>
+        <source>one of its legs has no length</source>
+        <translation>einer ihrer Schenkel hat keine Länge</translation>
+    </message>
+    <message>
+        <source>there is no surface under both points</source>
+        <translation>unter beiden Punkten ist keine Oberfläche</translation>
+    </message>
+    <message>
+        <source>the points lie outside of the volume</source>
+        <translation>die Punkte liegen außerhalb des Volumens</translation>
+    </message>
+    <message>
+        <source>there is no surface at %1, %2, %3</source>
+        <translation>bei %1, %2, %3 ist keine Oberfläche</translation>
+    </message>
+    <message>
+        <source>Measuring along the surface</source>
+        <translation>Entlang der Oberfläche wird gemessen</translation>
+    </message>
+    <message>
+        <source>Measuring values</source>
+        <translation>Werte werden gemessen</translation>
+    </message>
+    <message>
+        <source>%1: give %2, not %3 numbers</source>
+        <translation>%1: %2 angeben, nicht %3 Zahlen</translation>
+    </message>
+    <message>
+        <source>%1 %2: %3; expected points and a radius, x,y,z:x,y,z@radius</source>
+        <translation>%1 %2: %3; erwartet werden Punkte und ein Radius, x,y,z:x,y,z@radius</translation>
+    </message>
+    <message>
+        <source>a point has three numbers</source>
+        <translation>ein Punkt hat drei Zahlen</translation>
+    </message>
+    <message>
+        <source>the radius must be more than 0</source>
+        <translation>der Radius muss größer als 0 sein</translation>
+    </message>
+    <message>
+        <source>it goes on after its end</source>
+        <translation>es geht nach dem Ende weiter</translation>
+    </message>
+    <message>
+        <source>sketch: there is no volume under the strokes</source>
+        <translation>sketch: unter den Strichen ist kein Volumen</translation>
+    </message>
+    <message>
+        <source>sketch: the strokes lie outside the volume, or nothing under them differs from the rest by its values</source>
+        <translation>sketch: die Striche liegen außerhalb des Volumens, oder nichts unter ihnen unterscheidet sich durch seine Werte vom Rest</translation>
+    </message>
+    <message>
+        <source>types %1: no type or compartment of the model is called so%2</source>
+        <translation>types %1: kein Typ und kein Kompartiment des Modells heißt so%2</translation>
+    </message>
+    <message>
+        <source> (is %1 meant?)</source>
+        <translation> (ist %1 gemeint?)</translation>
+    </message>
+    <message>
+        <source>values A,B: A must be less than B</source>
+        <translation>values A,B: A muss kleiner als B sein</translation>
+    </message>
+    <message>
+        <source>place %1,%2,%3: that is outside the volume</source>
+        <translation>place %1,%2,%3: das liegt außerhalb des Volumens</translation>
+    </message>
+    <message>
+        <source>leastPiece %1: give a number of voxels, 1 or more, or auto</source>
+        <translation>leastPiece %1: eine Zahl von Voxeln angeben, 1 oder mehr, oder auto</translation>
+    </message>
+    <message>
+        <source>axis 0,0,0: it has no direction</source>
+        <translation>axis 0,0,0: das ist keine Richtung</translation>
+    </message>
+    <message>
+        <source>sketch: it fits the curve to its strokes: leave values and place out</source>
+        <translation>sketch: passt die Kurve an die Striche an: values und place weglassen</translation>
+    </message>
+    <message>
+        <source>there is no model whose types a membrane could go around</source>
+        <translation>es gibt kein Modell, um dessen Typen eine Membran gehen könnte</translation>
+    </message>
+    <message>
+        <source>the model is of another scale than the data beside it, by whose grid sheets go; bring it to size first (model.bringToSize)</source>
+        <translation>das Modell hat einen anderen Maßstab als die Daten daneben, nach deren Gitter Tücher gehen; zuerst seine Größe anpassen (model.bringToSize)</translation>
+    </message>
+    <message>
+        <source>there is no volume to clip</source>
+        <translation>es gibt kein Volumen zum Beschneiden</translation>
+    </message>
+    <message>
+        <source>lies beside the frame: move it, or make the frame larger</source>
+        <translation>liegt neben dem Rahmen: sie verschieben oder den Rahmen vergrößern</translation>
+    </message>
+    <message>
+        <source>is %1 from the rest plane, and the sheet goes %2 to either side: deepen the reach to %3</source>
+        <translation>ist %1 von der Ruheebene entfernt, und das Tuch geht %2 nach jeder Seite: die Reichweite auf %3 vergrößern</translation>
+    </message>
+    <message>
+        <source>Move pin</source>
+        <translation>Nadel verschieben</translation>
+    </message>
+    <message>
+        <source>Resize force</source>
+        <translation>Größe der Kraft ändern</translation>
+    </message>
+    <message>
+        <source>Move force</source>
+        <translation>Kraft verschieben</translation>
+    </message>
+    <message>
+        <source>Counting what is seen</source>
+        <translation>Sichtbares wird gezählt</translation>
+    </message>
+    <message>
+        <source>there is no model to count in</source>
+        <translation>es gibt kein Modell, in dem gezählt werden könnte</translation>
+    </message>
+    <message>
+        <source>%1: bars are written as .svg or .csv</source>
+        <translation>%1: Balken werden als .svg oder .csv geschrieben</translation>
+    </message>
+    <message>
+        <source>%1, %2 x %3 pixels</source>
+        <translation>%1, %2 x %3 Pixel</translation>
+    </message>
+    <message>
+        <source>Next to nothing is seen of %1: what is around %2 hides %3.</source>
+        <translation>Von %1 ist fast nichts zu sehen: was um %2 liegt, verdeckt %3.</translation>
+    </message>
+    <message>
+        <source>there is no model: open one first</source>
+        <translation>es gibt kein Modell: zuerst eines öffnen</translation>
+    </message>
+    <message>
+        <source>%1: expected %2</source>
+        <translation>%1: erwartet wird %2</translation>
+    </message>
+    <message>
+        <source>a whole number of instances, or a share such as 20%</source>
+        <translation>eine ganze Zahl von Instanzen oder ein Anteil mit %-Zeichen, etwa 20 %</translation>
+    </message>
+    <message>
+        <source>the legend leaves out what the data do not have: %1</source>
+        <translation>die Legende lässt weg, was die Daten nicht haben: %1</translation>
+    </message>
+    <message>
+        <source>there is no model to export: open one first</source>
+        <translation>es gibt kein Modell zum Exportieren: zuerst eines öffnen</translation>
+    </message>
+    <message>
+        <source>%1: models are written as .cif, .cif.gz, .glb, .csv or .ply</source>
+        <translation>%1: Modelle werden als .cif, .cif.gz, .glb, .csv oder .ply geschrieben</translation>
+    </message>
+    <message>
+        <source>Choosing instances</source>
+        <translation>Instanzen werden gewählt</translation>
+    </message>
+    <message>
+        <source>nothing of the model shows: cuts, or types that are hidden, leave no instance of it</source>
+        <translation>vom Modell ist nichts zu sehen: Schnitte oder ausgeblendete Typen lassen keine Instanz übrig</translation>
+    </message>
+    <message>
+        <source>of %1 copies of the model the first is written</source>
+        <translation>von %1 Kopien des Modells wird die erste geschrieben</translation>
+    </message>
+    <message>
+        <source>colours are those of types: shades of chains and elements are left out</source>
+        <translation>die Farben sind die der Typen: Abstufungen von Ketten und Elementen sind weggelassen</translation>
+    </message>
+    <message>
+        <source>the model</source>
+        <translation>das Modell</translation>
+    </message>
+    <message>
+        <source>%1 is %2 times smaller than the other data, and not seen beside them</source>
+        <translation>%1 ist %2-mal kleiner als die anderen Daten und neben ihnen nicht zu sehen</translation>
+    </message>
+    <message>
+        <source>%1 is %2 times larger than the other data, which are not seen beside it</source>
+        <translation>%1 ist %2-mal größer als die anderen Daten, die daneben nicht zu sehen sind</translation>
+    </message>
+    <message>
+        <source>the number of %1</source>
+        <translation>die Anzahl von %1</translation>
+    </message>
+    <message>
+        <source>; %1 set by hand %2 down, to %3</source>
+        <translation>; von Hand gesetzt und nun weniger: %1, auf %3</translation>
+    </message>
+    <message>
+        <source>; %1 set by hand %2</source>
+        <translation>; von Hand gesetzt und unverändert: %1</translation>
+    </message>
+    <message>
+        <source>%1 of %2 %3 drawn</source>
+        <translation>%1 von %2 %3 gezeichnet</translation>
+    </message>
+    <message>
+        <source>other cuts take the rest, or these spare none of it</source>
+        <translation>andere Schnitte nehmen den Rest, oder diese sparen nichts davon aus</translation>
+    </message>
+    <message>
+        <source>other cuts take the rest, or numbers set by hand hold it back</source>
+        <translation>andere Schnitte nehmen den Rest, oder von Hand gesetzte Zahlen halten ihn zurück</translation>
+    </message>
+    <message>
+        <source>, not %1: there are no more</source>
+        <translation>, nicht %1: mehr gibt es nicht</translation>
+    </message>
+    <message>
+        <source>, not %1: %2</source>
+        <translation>, nicht %1: %2</translation>
+    </message>
+    <message>
+        <source>no cut is on whose share could be set</source>
+        <translation>kein Schnitt ist eingeschaltet, dessen Anteil sich setzen ließe</translation>
+    </message>
+    <message>
+        <source>other cuts take the rest</source>
+        <translation>andere Schnitte nehmen den Rest</translation>
+    </message>
+    <message>
+        <source>these lie outside of the cuts</source>
+        <translation>diese liegen außerhalb der Schnitte</translation>
+    </message>
+    <message>
+        <source>%1 of %2 %3 seen</source>
+        <translation>%1 von %2 %3 zu sehen</translation>
+    </message>
+    <message>
+        <source>, not %1, as so many are drawn</source>
+        <translation>, nicht %1, so viele sind gezeichnet</translation>
+    </message>
+    <message>
+        <source>, not %1: all are drawn, and %2 are behind others or outside the picture</source>
+        <translation>, nicht %1: alle sind gezeichnet, und %2 liegen hinter anderen oder außerhalb des Bildes</translation>
+    </message>
+    <message>
+        <source>, not %1: all %2 that can be drawn are, and %3 are behind others or outside the picture</source>
+        <translation>, nicht %1: alle %2, die sich zeichnen lassen, sind gezeichnet, und %3 liegen hinter anderen oder außerhalb des Bildes</translation>
+    </message>
+    <message>
+        <source>, not %1: these lie outside of the cuts</source>
+        <translation>, nicht %1: diese liegen außerhalb der Schnitte</translation>
+    </message>
+    <message>
+        <source>, the nearest to %1 in %2 pictures</source>
+        <translation>, am nächsten zu %1 in %2 Bildern</translation>
+    </message>
+    <message>
+        <source>%1: %2 have this name; say which: %3, %4</source>
+        <translation>%1: %2 haben diesen Namen; angeben, welcher gemeint ist: %3, %4</translation>
+    </message>
+    <message>
+        <source>name a type or a compartment of the model</source>
+        <translation>einen Typ oder ein Kompartiment des Modells nennen</translation>
+    </message>
+    <message>
+        <source>%1: the model has no type or compartment of this name%2</source>
+        <translation>%1: das Modell hat keinen Typ und kein Kompartiment dieses Namens%2</translation>
+    </message>
+    <message>
+        <source>; info lists them</source>
+        <translation>; info zählt sie auf</translation>
+    </message>
+    <message>
+        <source>the picture has no layer %1</source>
+        <translation>das Bild hat keine Ebene %1</translation>
+    </message>
+    <message>
+        <source>%1 is not drawn, or outside of the picture</source>
+        <translation>%1 ist nicht gezeichnet oder liegt außerhalb des Bildes</translation>
+    </message>
+    <message>
+        <source>nothing hides %1</source>
+        <translation>nichts verdeckt %1</translation>
+    </message>
+    <message>
+        <source>%1 of %2 is hidden</source>
+        <translation>%1 von %2 ist verdeckt</translation>
+    </message>
+    <message>
+        <source>what is no model</source>
+        <translation>was kein Modell ist</translation>
+    </message>
+    <message>
+        <source>, the rest by %1 more</source>
+        <translation>, der Rest durch %1 weitere</translation>
+    </message>
+    <message>
+        <source>the two pictures differ in size</source>
+        <translation>die beiden Bilder sind verschieden groß</translation>
+    </message>
+    <message>
+        <source>Way to %1</source>
+        <translation>Weg zu %1</translation>
+    </message>
+    <message>
+        <source>Only instances are cleared: what the volume shows before them stays; cut it, or choose a look that one sees through</source>
+        <translation>Freigestellt werden nur Instanzen: was das Volumen davor zeigt, bleibt; es schneiden oder ein Aussehen wählen, durch das man hindurchsieht</translation>
+    </message>
+    <message>
+        <source>lengths are in %1, which no file of surfaces says</source>
+        <translation>Längen sind in %1, was keine Datei mit Oberflächen sagt</translation>
+    </message>
+    <message>
+        <source>there is no membrane with id %1</source>
+        <translation>es gibt keine Membran mit der Nummer %1</translation>
+    </message>
+    <message>
+        <source>of a streamed volume the level that is in memory is written, %1 x %2 x %3 voxels</source>
+        <translation>von einem gestreamten Volumen wird die Stufe geschrieben, die im Speicher ist, %1 x %2 x %3 Voxel</translation>
+    </message>
+    <message>
+        <source>of %1 time steps the one that is shown is written</source>
+        <translation>von %1 Zeitschritten wird der gezeigte geschrieben</translation>
+    </message>
+    <message>
+        <source>size %1: expected WIDTHxHEIGHT in pixels, 1 to 65536, or with a unit: 1280x720, 12x8cm, 120x80mm, 5x3in</source>
+        <translation>size %1: BREITExHÖHE in Pixeln angeben, 1 bis 65536, oder mit Einheit: 1280x720, 12x8cm, 120x80mm, 5x3in</translation>
+    </message>
+    <message>
+        <source>%1; with lines and letters as .svg or .pdf</source>
+        <translation>%1; mit Linien und Buchstaben als .svg oder .pdf</translation>
+    </message>
+    <message>
+        <source>the plate has %1 pixels an inch; journals ask for %2 or more: make it %3 pixels wide</source>
+        <translation>die Tafel hat %1 Pixel je Zoll; Zeitschriften verlangen mindestens %2: sie %3 Pixel breit machen</translation>
+    </message>
+    <message>
+        <source>the thinnest line is %1 pt wide; journals ask for %2 pt or more</source>
+        <translation>die dünnste Linie ist %1 pt breit; Zeitschriften verlangen mindestens %2 pt</translation>
+    </message>
+    <message>
+        <source>the smallest letters have %1 pt; journals ask for %2 pt or more</source>
+        <translation>die kleinsten Buchstaben haben %1 pt; Zeitschriften verlangen mindestens %2 pt</translation>
+    </message>
+    <message>
+        <source>the largest letters have %1 pt; journals ask for %2 pt or less</source>
+        <translation>die größten Buchstaben haben %1 pt; Zeitschriften verlangen höchstens %2 pt</translation>
+    </message>
+    <message>
+        <source>Tracing lines</source>
+        <translation>Linien werden nachgezeichnet</translation>
+    </message>
+    <message>
+        <source>width and level, as 400 50</source>
+        <translation>Breite und Mitte, etwa 400 50</translation>
+    </message>
+    <message>
+        <source>, or </source>
+        <translation> oder </translation>
+    </message>
+    <message>
+        <source>%1 has no voxels to export</source>
+        <translation>%1 hat keine Voxel zum Exportieren</translation>
+    </message>
+    <message>
+        <source>there are no structures to export: nothing is labelled</source>
+        <translation>es gibt keine Strukturen zum Exportieren: kein Label ist vergeben</translation>
+    </message>
+    <message>
+        <source>Choosing structures</source>
+        <translation>Strukturen werden gewählt</translation>
+    </message>
+    <message>
+        <source>Surface of %1</source>
+        <translation>Oberfläche von %1</translation>
+    </message>
+    <message>
+        <source>there are no structures: open labels first, or grow some</source>
+        <translation>es gibt keine Strukturen: zuerst Labels öffnen oder welche wachsen lassen</translation>
+    </message>
+    <message>
+        <source>there is no structure &apos;%1&apos;%2; name one, or give its number (see info)</source>
+        <translation>es gibt keine Struktur „%1“%2; eine nennen oder ihre Zahl angeben (siehe info)</translation>
+    </message>
+    <message>
+        <source>measuring structures</source>
+        <translation>Strukturen werden vermessen</translation>
+    </message>
+    <message>
+        <source>measuring values</source>
+        <translation>Werte werden gemessen</translation>
+    </message>
+    <message>
+        <source>a plate has at most 32767 pixels along each axis: make it smaller</source>
+        <translation>eine Tafel hat höchstens 32767 Pixel je Achse: sie kleiner machen</translation>
+    </message>
+    <message>
+        <source>the drawing cannot be drawn: </source>
+        <translation>die Zeichnung kann nicht gezeichnet werden: </translation>
+    </message>
+    <message>
+        <source>the file cannot be read</source>
+        <translation>die Datei kann nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>the scene inside it is damaged: it ends early</source>
+        <translation>die Szene darin ist beschädigt: sie endet zu früh</translation>
+    </message>
+    <message>
+        <source>the scene inside it is damaged, or too long</source>
+        <translation>die Szene darin ist beschädigt oder zu lang</translation>
+    </message>
+    <message>
+        <source>the scene inside it is damaged</source>
+        <translation>die Szene darin ist beschädigt</translation>
+    </message>
+    <message>
+        <source>the scene inside it is too long</source>
+        <translation>die Szene darin ist zu lang</translation>
+    </message>
+    <message>
+        <source>%1 MiB of scene are too much for a drawing</source>
+        <translation>%1 MiB Szene sind zu viel für eine Zeichnung</translation>
+    </message>
+    <message>
+        <source>a plate cannot be written as PNG: </source>
+        <translation>eine Tafel kann nicht als PNG geschrieben werden: </translation>
+    </message>
+    <message>
+        <source>tracing regions</source>
+        <translation>Gebiete werden nachgezeichnet</translation>
+    </message>
+    <message>
+        <source>tracing lines</source>
+        <translation>Linien werden nachgezeichnet</translation>
+    </message>
+    <message>
+        <source>the drawing cannot be written as PDF: </source>
+        <translation>die Zeichnung kann nicht als PDF geschrieben werden: </translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no language of Velum; it speaks en and de</source>
+        <translation>„%1“ ist keine Sprache von Velum; es spricht en und de</translation>
+    </message>
+    <message>
+        <source>%1: pictures of the window are written as .png, .jpg or .bmp</source>
+        <translation>%1: Bilder des Fensters werden als .png, .jpg oder .bmp geschrieben</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not %2, a whole number of %3 to %4</source>
+        <translation>„%1“ ist nicht %2, eine ganze Zahl von %3 bis %4</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no page of the side panel</source>
+        <translation>„%1“ ist keine Seite der Seitenleiste</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no command of the window</source>
+        <translation>„%1“ ist kein Befehl des Fensters</translation>
+    </message>
+    <message>
+        <source>%1: cannot be done now</source>
+        <translation>%1: ist jetzt nicht möglich</translation>
+    </message>
+    <message>
+        <source>no unsaved work was left behind</source>
+        <translation>es gibt keine liegengebliebene ungespeicherte Arbeit</translation>
+    </message>
+    <message>
+        <source>4.5 is needed: install or update the graphics driver; Mesa&apos;s software driver will do</source>
+        <translation>nötig ist 4.5: den Grafiktreiber installieren oder aktualisieren; der Softwaretreiber von Mesa genügt</translation>
+    </message>
+    <message>
+        <source>this display (%1) gives windows no OpenGL; %2</source>
+        <translation>dieser Bildschirm (%1) gibt Fenstern kein OpenGL; %2</translation>
+    </message>
+    <message>
+        <source>the graphics driver makes no OpenGL context; %1</source>
+        <translation>der Grafiktreiber erzeugt keinen OpenGL-Kontext; %1</translation>
+    </message>
+    <message>
+        <source>the graphics driver offers OpenGL %1.%2; %3</source>
+        <translation>der Grafiktreiber bietet OpenGL %1.%2; %3</translation>
+    </message>
+    <message>
+        <source>labels</source>
+        <translation>Labels</translation>
+    </message>
+    <message>
+        <source>the file is prestack</source>
+        <translation>die Datei ist ungestapelt</translation>
+    </message>
+    <message>
+        <source>Cut along the view</source>
+        <translation>Quer zur Blickrichtung schneiden</translation>
+    </message>
+    <message>
+        <source>Remove cut</source>
+        <translation>Schnitt entfernen</translation>
+    </message>
+    <message>
+        <source>Duplicate cut</source>
+        <translation>Schnitt duplizieren</translation>
+    </message>
+    <message>
+        <source>Flip cut</source>
+        <translation>Schnitt wenden</translation>
+    </message>
+    <message>
+        <source>Rename cut</source>
+        <translation>Schnitt umbenennen</translation>
+    </message>
+    <message>
+        <source>Move cut in the list</source>
+        <translation>Schnitt in der Liste verschieben</translation>
+    </message>
+    <message>
+        <source>Put all back</source>
+        <translation>Alle zurücklegen</translation>
+    </message>
+    <message>
+        <source>Second plane</source>
+        <translation>Zweite Ebene</translation>
+    </message>
+    <message>
+        <source>Film: turn</source>
+        <translation>Film: Drehteller</translation>
+    </message>
+    <message>
+        <source>Film: cut</source>
+        <translation>Film: Schnitte kommen</translation>
+    </message>
+    <message>
+        <source>Film: membrane</source>
+        <translation>Film: Membranen sinken ein</translation>
+    </message>
+    <message>
+        <source>Film: pull out</source>
+        <translation>Film: Herausziehen</translation>
+    </message>
+    <message>
+        <source>Film: equalize</source>
+        <translation>Film: Abgleichen</translation>
+    </message>
+    <message>
+        <source>Film: fly</source>
+        <translation>Film: Flug</translation>
+    </message>
+    <message>
+        <source>Film: time steps</source>
+        <translation>Film: Zeitschritte</translation>
+    </message>
+    <message>
+        <source>Film: before and after</source>
+        <translation>Film: Vorher und nachher</translation>
+    </message>
+    <message>
+        <source>Film: title</source>
+        <translation>Film: Titel</translation>
+    </message>
+    <message>
+        <source>Ease key</source>
+        <translation>Übergang des Schlüsselbilds</translation>
+    </message>
+    <message>
+        <source>Move key</source>
+        <translation>Schlüsselbild verschieben</translation>
+    </message>
+    <message>
+        <source>Remove track</source>
+        <translation>Spur entfernen</translation>
+    </message>
+    <message>
+        <source>Clear film</source>
+        <translation>Film löschen</translation>
+    </message>
+    <message>
+        <source>Draw barrier</source>
+        <translation>Barriere ziehen</translation>
+    </message>
+    <message>
+        <source>Add caption</source>
+        <translation>Bildtext hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove caption</source>
+        <translation>Bildtext entfernen</translation>
+    </message>
+    <message>
+        <source>Choose preset</source>
+        <translation>Vorgabe wählen</translation>
+    </message>
+    <message>
+        <source>Choose finish</source>
+        <translation>Ausführung wählen</translation>
+    </message>
+    <message>
+        <source>Choose look</source>
+        <translation>Aussehen wählen</translation>
+    </message>
+    <message>
+        <source>Change window</source>
+        <translation>Grauwertfenster ändern</translation>
+    </message>
+    <message>
+        <source>Show channel alone</source>
+        <translation>Kanal allein zeigen</translation>
+    </message>
+    <message>
+        <source>Change channel&apos;s colour</source>
+        <translation>Farbe des Kanals ändern</translation>
+    </message>
+    <message>
+        <source>Choose lit sphere</source>
+        <translation>Lichtkugel wählen</translation>
+    </message>
+    <message>
+        <source>Change rendering</source>
+        <translation>Darstellung ändern</translation>
+    </message>
+    <message>
+        <source>Make the look a surface</source>
+        <translation>Aussehen zur Oberfläche machen</translation>
+    </message>
+    <message>
+        <source>Import look</source>
+        <translation>Aussehen importieren</translation>
+    </message>
+    <message>
+        <source>Change background</source>
+        <translation>Hintergrund ändern</translation>
+    </message>
+    <message>
+        <source>Add membrane</source>
+        <translation>Membran hinzufügen</translation>
+    </message>
+    <message>
+        <source>Protect values</source>
+        <translation>Werte schützen</translation>
+    </message>
+    <message>
+        <source>Add pin</source>
+        <translation>Nadel hinzufügen</translation>
+    </message>
+    <message>
+        <source>Change membrane: rule</source>
+        <translation>Membran ändern: Regel</translation>
+    </message>
+    <message>
+        <source>Move to keep</source>
+        <translation>Dorthin, wo es erhalten bleibt</translation>
+    </message>
+    <message>
+        <source>Bring model to size</source>
+        <translation>Größe des Modells anpassen</translation>
+    </message>
+    <message>
+        <source>Meet numbers to be seen</source>
+        <translation>Sichtbare Anzahlen erreichen</translation>
+    </message>
+    <message>
+        <source>Show whole</source>
+        <translation>Ganz zeigen</translation>
+    </message>
+    <message>
+        <source>Show cut</source>
+        <translation>Geschnitten zeigen</translation>
+    </message>
+    <message>
+        <source>Invert what is shown</source>
+        <translation>Eingeblendetes umkehren</translation>
+    </message>
+    <message>
+        <source>distance</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>path</source>
+        <translation>Weg</translation>
+    </message>
+    <message>
+        <source>area</source>
+        <translation>Fläche</translation>
+    </message>
+    <message>
+        <source>arrow</source>
+        <translation>Pfeil</translation>
+    </message>
+    <message>
+        <source>label</source>
+        <translation>Text</translation>
+    </message>
+    <message>
+        <source>name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>circle</source>
+        <translation>Kreis</translation>
+    </message>
+    <message>
+        <source>box</source>
+        <translation>Quader</translation>
+    </message>
+    <message>
+        <source>region</source>
+        <translation>Gebiet</translation>
+    </message>
+    <message>
+        <source>profile</source>
+        <translation>Profil</translation>
+    </message>
+    <message>
+        <source>preset</source>
+        <translation>Vorgabe</translation>
+    </message>
+    <message>
+        <source>finish</source>
+        <translation>Ausführung</translation>
+    </message>
+    <message>
+        <source>look</source>
+        <translation>Aussehen</translation>
+    </message>
+    <message>
+        <source>style</source>
+        <translation>Stil</translation>
+    </message>
+    <message>
+        <source>window</source>
+        <translation>Grauwertfenster</translation>
+    </message>
+    <message>
+        <source>lit sphere</source>
+        <translation>Lichtkugel</translation>
+    </message>
+</context>
+<context>
     <name>QFileDialog</name>
     <message>
         <source>%1 already exists.
@@ -107,106 +5186,38 @@ Ersetzen?</translation>
     </message>
     <message>
         <source>Width and level as numbers, or a name</source>
-        <translation>Breite und Mitte als Zahlen, oder ein Name</translation>
+        <translation>Breite und Mitte als Zahlen oder ein Name</translation>
     </message>
 </context>
 <context>
     <name>Words</name>
     <message>
-        <source>Add caption</source>
-        <translation>Bildtext hinzufügen</translation>
-    </message>
-    <message>
         <source>Add cut</source>
         <translation>Schnitt hinzufügen</translation>
-    </message>
-    <message>
-        <source>Add membrane</source>
-        <translation>Membran hinzufügen</translation>
-    </message>
-    <message>
-        <source>Add pin</source>
-        <translation>Nadel hinzufügen</translation>
     </message>
     <message>
         <source>Align cut</source>
         <translation>Schnitt ausrichten</translation>
     </message>
     <message>
-        <source>Bring model to size</source>
-        <translation>Größe des Modells anpassen</translation>
-    </message>
-    <message>
-        <source>Change background</source>
-        <translation>Hintergrund ändern</translation>
-    </message>
-    <message>
-        <source>Change channel&apos;s colour</source>
-        <translation>Farbe des Kanals ändern</translation>
-    </message>
-    <message>
-        <source>Change rendering</source>
-        <translation>Darstellung ändern</translation>
-    </message>
-    <message>
         <source>Change tint</source>
         <translation>Tönung ändern</translation>
-    </message>
-    <message>
-        <source>Change window</source>
-        <translation>Grauwertfenster ändern</translation>
     </message>
     <message>
         <source>Choose channel</source>
         <translation>Kanal wählen</translation>
     </message>
     <message>
-        <source>Choose finish</source>
-        <translation>Ausführung wählen</translation>
-    </message>
-    <message>
-        <source>Choose lit sphere</source>
-        <translation>Lichtkugel wählen</translation>
-    </message>
-    <message>
-        <source>Choose look</source>
-        <translation>Aussehen wählen</translation>
-    </message>
-    <message>
         <source>Choose paper</source>
         <translation>Papier wählen</translation>
-    </message>
-    <message>
-        <source>Choose preset</source>
-        <translation>Vorgabe wählen</translation>
-    </message>
-    <message>
-        <source>Clear film</source>
-        <translation>Film löschen</translation>
-    </message>
-    <message>
-        <source>Cut along the view</source>
-        <translation>Quer zur Blickrichtung schneiden</translation>
     </message>
     <message>
         <source>Cut to pull out of</source>
         <translation>Schnitt zum Herausziehen</translation>
     </message>
     <message>
-        <source>Draw barrier</source>
-        <translation>Barriere ziehen</translation>
-    </message>
-    <message>
-        <source>Duplicate cut</source>
-        <translation>Schnitt duplizieren</translation>
-    </message>
-    <message>
         <source>Fade what has no label</source>
-        <translation>Ausblenden, was kein Label hat</translation>
-    </message>
-    <message>
-        <source>Flip cut</source>
-        <translation>Schnitt wenden</translation>
+        <translation>Verblassen lassen, was kein Label hat</translation>
     </message>
     <message>
         <source>Hide labels</source>
@@ -225,14 +5236,6 @@ Ersetzen?</translation>
         <translation>Dieses Gewebe ausblenden</translation>
     </message>
     <message>
-        <source>Import look</source>
-        <translation>Aussehen importieren</translation>
-    </message>
-    <message>
-        <source>Invert what is shown</source>
-        <translation>Eingeblendetes umkehren</translation>
-    </message>
-    <message>
         <source>Labels on sections</source>
         <translation>Labels auf Schnittbildern</translation>
     </message>
@@ -241,48 +5244,12 @@ Ersetzen?</translation>
         <translation>Tuch durchlassen</translation>
     </message>
     <message>
-        <source>Make the look a surface</source>
-        <translation>Aussehen zur Oberfläche machen</translation>
-    </message>
-    <message>
-        <source>Meet numbers to be seen</source>
-        <translation>Sichtbare Anzahlen erreichen</translation>
-    </message>
-    <message>
-        <source>Move cut</source>
-        <translation>Schnitt verschieben</translation>
-    </message>
-    <message>
-        <source>Move cut in the list</source>
-        <translation>Schnitt in der Liste verschieben</translation>
-    </message>
-    <message>
-        <source>Move force</source>
-        <translation>Kraft verschieben</translation>
-    </message>
-    <message>
-        <source>Move key</source>
-        <translation>Schlüsselbild verschieben</translation>
-    </message>
-    <message>
         <source>Move key of camera</source>
         <translation>Schlüsselbild der Kamera verschieben</translation>
     </message>
     <message>
-        <source>Move pin</source>
-        <translation>Nadel verschieben</translation>
-    </message>
-    <message>
         <source>Move point of mark</source>
         <translation>Punkt der Marke verschieben</translation>
-    </message>
-    <message>
-        <source>Move to keep</source>
-        <translation>Dorthin, wo es erhalten bleibt</translation>
-    </message>
-    <message>
-        <source>Move view</source>
-        <translation>Ansicht ändern</translation>
     </message>
     <message>
         <source>Plane through three points</source>
@@ -293,52 +5260,12 @@ Ersetzen?</translation>
         <translation>Vor dem Tuch schützen</translation>
     </message>
     <message>
-        <source>Protect values</source>
-        <translation>Werte schützen</translation>
-    </message>
-    <message>
         <source>Pull sheet</source>
         <translation>Tuch heranziehen</translation>
     </message>
     <message>
         <source>Push sheet</source>
         <translation>Tuch wegdrücken</translation>
-    </message>
-    <message>
-        <source>Put all back</source>
-        <translation>Alle zurücklegen</translation>
-    </message>
-    <message>
-        <source>Remove caption</source>
-        <translation>Bildtext entfernen</translation>
-    </message>
-    <message>
-        <source>Remove cut</source>
-        <translation>Schnitt entfernen</translation>
-    </message>
-    <message>
-        <source>Remove track</source>
-        <translation>Spur entfernen</translation>
-    </message>
-    <message>
-        <source>Rename cut</source>
-        <translation>Schnitt umbenennen</translation>
-    </message>
-    <message>
-        <source>Resize force</source>
-        <translation>Größe der Kraft ändern</translation>
-    </message>
-    <message>
-        <source>Second plane</source>
-        <translation>Zweite Ebene</translation>
-    </message>
-    <message>
-        <source>Show channel alone</source>
-        <translation>Kanal allein zeigen</translation>
-    </message>
-    <message>
-        <source>Show cut</source>
-        <translation>Geschnitten zeigen</translation>
     </message>
     <message>
         <source>Show labels</source>
@@ -1278,7 +6205,7 @@ Ersetzen?</translation>
     </message>
     <message>
         <source>a membrane goes round the skull</source>
-        <translation>eine Membran geht um den Schädel</translation>
+        <translation>eine Membran um den Schädel</translation>
     </message>
     <message>
         <source>A trunk</source>
@@ -1286,7 +6213,7 @@ Ersetzen?</translation>
     </message>
     <message>
         <source>organs pulled out of a cut</source>
-        <translation>Organe, aus einem Schnitt gezogen</translation>
+        <translation>Organe, herausgezogen</translation>
     </message>
     <message>
         <source>A virus</source>
@@ -1502,7 +6429,7 @@ Ersetzen?</translation>
     </message>
     <message>
         <source>Distance at which structures have faded; 0: the reach.</source>
-        <translation>Abstand, in dem Strukturen ausgeblendet sind; 0: die Reichweite.</translation>
+        <translation>Abstand, in dem Strukturen verblasst sind; 0: die Reichweite.</translation>
     </message>
     <message>
         <source>Seconds</source>
@@ -1766,7 +6693,7 @@ Ersetzen?</translation>
     </message>
     <message>
         <source>Chooses how kernels push, with the cloth that goes with it.</source>
-        <translation>Wählt, wie Kernels drücken, mit dem dazugehörigen Tuch.</translation>
+        <translation>Wählt, wie Kernel drücken, mit dem dazugehörigen Tuch.</translation>
     </message>
     <message>
         <source>Moves a membrane along its axis to where it keeps what it protects.</source>
@@ -1894,7 +6821,7 @@ Ersetzen?</translation>
     </message>
     <message>
         <source>Shows one of the channels that are mixed alone, or all again.</source>
-        <translation>Zeigt einen der gemischten Kanäle allein, oder wieder alle.</translation>
+        <translation>Zeigt einen der gemischten Kanäle allein oder wieder alle.</translation>
     </message>
     <message>
         <source>Gives a channel that is mixed a colour.</source>
@@ -2253,10 +7180,6 @@ Ersetzen?</translation>
         <translation>Strich entfernen</translation>
     </message>
     <message>
-        <source>Resize cut</source>
-        <translation>Größe des Schnitts ändern</translation>
-    </message>
-    <message>
         <source>Sketch what to let through</source>
         <translation>Skizzieren, was durchgelassen wird</translation>
     </message>
@@ -2269,10 +7192,6 @@ Ersetzen?</translation>
         <translation>Deckkraft nach Gradient ausschalten</translation>
     </message>
     <message>
-        <source>Turn cut</source>
-        <translation>Schnitt drehen</translation>
-    </message>
-    <message>
         <source>Use gradient opacity</source>
         <translation>Deckkraft nach Gradient einschalten</translation>
     </message>
@@ -2283,6 +7202,22 @@ Ersetzen?</translation>
     <message>
         <source>Lets each point of marks follow what is there: the instance of the model that holds it, or the structure in which it lies, in its middle.</source>
         <translation>Jeden Punkt von Marken dem folgen lassen, was dort ist: der Instanz des Modells, die ihn enthält, oder der Struktur, in der er liegt, in ihrer Mitte.</translation>
+    </message>
+    <message>
+        <source>Cut %1</source>
+        <translation>%1 durchschneiden</translation>
+    </message>
+    <message>
+        <source>Grow on: %1</source>
+        <translation>Weiterwachsen: %1</translation>
+    </message>
+    <message>
+        <source>Let follow %1</source>
+        <translation>Folgen lassen: %1</translation>
+    </message>
+    <message>
+        <source>Let go %1</source>
+        <translation>Loslassen: %1</translation>
     </message>
 </context>
 <context>
@@ -2592,7 +7527,7 @@ Ersetzen?</translation>
     </message>
     <message>
         <source>Show or hide this channel; Alt+click: show it alone, or all again</source>
-        <translation>Kanal ein- oder ausblenden; Alt+Klick: ihn allein zeigen, oder wieder alle</translation>
+        <translation>Kanal ein- oder ausblenden; Alt+Klick: ihn allein zeigen oder wieder alle</translation>
     </message>
     <message>
         <source>Colour of the channel</source>
@@ -2677,7 +7612,7 @@ Ersetzen?</translation>
     </message>
     <message>
         <source>Copy what is selected, or all lines</source>
-        <translation>Auswahl kopieren, oder alle Zeilen</translation>
+        <translation>Auswahl oder alle Zeilen kopieren</translation>
     </message>
     <message>
         <source>&amp;Save...</source>
@@ -2787,7 +7722,7 @@ Ersetzen?</translation>
     </message>
     <message>
         <source>Section (grey values)</source>
-        <translation>Schnittbild (Grauwerte)</translation>
+        <translation>Schnittbild</translation>
     </message>
     <message>
         <source>Flip</source>
@@ -2933,7 +7868,7 @@ Ersetzen?</translation>
     </message>
     <message>
         <source>Another shape, or a plane that is placed another way</source>
-        <translation>Eine andere Form, oder eine anders gelegte Ebene</translation>
+        <translation>Eine andere Form oder eine anders gelegte Ebene</translation>
     </message>
     <message>
         <source>An elastic sheet that cuts around what matters instead of through it (M)</source>
@@ -3127,7 +8062,7 @@ BigDataViewer; Zellmodelle; dazu Labels und Oberflächen; eine Velum-Szene oder 
     <name>velum::gui::EqualizeSteps</name>
     <message>
         <source>1 Cut</source>
-        <translation>1 Schneiden</translation>
+        <translation>1 Schnitt</translation>
     </message>
     <message>
         <source>Add a plane that opens the model</source>
@@ -3139,7 +8074,7 @@ BigDataViewer; Zellmodelle; dazu Labels und Oberflächen; eine Velum-Szene oder 
     </message>
     <message>
         <source>2 Balance</source>
-        <translation>2 Abgleichen</translation>
+        <translation>2 Abgleich</translation>
     </message>
     <message>
         <source>Go to the bars</source>
@@ -3151,7 +8086,7 @@ BigDataViewer; Zellmodelle; dazu Labels und Oberflächen; eine Velum-Szene oder 
     </message>
     <message>
         <source>3 Clear</source>
-        <translation>3 Freiräumen</translation>
+        <translation>3 Frei</translation>
     </message>
     <message>
         <source>Keep the selected types in view: what stands before them goes</source>
@@ -3159,7 +8094,7 @@ BigDataViewer; Zellmodelle; dazu Labels und Oberflächen; eine Velum-Szene oder 
     </message>
     <message>
         <source>Select what the picture is about and press Clear: then nothing stands before it. Or go on without.</source>
-        <translation>Auswählen, worum es im Bild geht, und Freiräumen drücken: dann steht nichts davor. Oder ohne dies fortfahren.</translation>
+        <translation>Auswählen, worum es im Bild geht, und „Frei“ drücken: dann steht nichts davor. Oder ohne dies fortfahren.</translation>
     </message>
     <message>
         <source>4 Save</source>
@@ -3651,7 +8586,7 @@ BigDataViewer; Zellmodelle; dazu Labels und Oberflächen; eine Velum-Szene oder 
     </message>
     <message>
         <source>Open a folder of DICOM images, or a store in Zarr or N5</source>
-        <translation>Ordner mit DICOM-Bildern oder einen Speicher in Zarr oder N5 öffnen</translation>
+        <translation>Ordner mit DICOM-Bildern oder einen Datenspeicher in Zarr oder N5 öffnen</translation>
     </message>
     <message>
         <source>Open &amp;recent</source>
@@ -3762,7 +8697,7 @@ BigDataViewer; Zellmodelle; dazu Labels und Oberflächen; eine Velum-Szene oder 
     </message>
     <message>
         <source>The %1 of the scene is missing: %2</source>
-        <translation>Der Szene fehlt: %1: %2</translation>
+        <translation>Der Szene fehlen Daten (%1): %2</translation>
     </message>
     <message>
         <source>It was %1, and is not near the scene, nor where you worked last.</source>
@@ -4498,7 +9433,7 @@ Nützlich, wo sich zwei Strukturen ähnlicher Werte berühren</translation>
     <name>velum::gui::JobRunner</name>
     <message>
         <source>Still busy: wait, or cancel what is running first.</source>
-        <translation>Noch beschäftigt: warten, oder zuerst abbrechen, was läuft.</translation>
+        <translation>Noch beschäftigt: warten oder zuerst abbrechen, was läuft.</translation>
     </message>
     <message>
         <source>stopping</source>
@@ -4564,7 +9499,7 @@ Nützlich, wo sich zwei Strukturen ähnlicher Werte berühren</translation>
     </message>
     <message>
         <source>Words of its name, or keys as they are written</source>
-        <translation>Wörter des Namens, oder Tasten, wie sie geschrieben werden</translation>
+        <translation>Wörter des Namens oder Tasten, wie sie geschrieben werden</translation>
     </message>
     <message>
         <source>Commands and their keys</source>
@@ -4792,7 +9727,7 @@ In den Ansichten sagt es Strg+Umschalt+Klick jederzeit</translation>
     </message>
     <message>
         <source>Where the names stand: in columns left and right, or around what is seen</source>
-        <translation>Wo die Namen stehen: in Spalten links und rechts, oder rund um das Sichtbare</translation>
+        <translation>Wo die Namen stehen: in Spalten links und rechts oder rund um das Sichtbare</translation>
     </message>
     <message>
         <source>Order of the names</source>
@@ -5185,7 +10120,7 @@ In den Ansichten sagt es Strg+Umschalt+Klick jederzeit</translation>
     </message>
     <message>
         <source>Remove	Del</source>
-        <translation>Entfernen	Del</translation>
+        <translation>Entfernen	Entf</translation>
     </message>
     <message>
         <source>Take it away</source>
@@ -5296,7 +10231,7 @@ In den Ansichten sagt es Strg+Umschalt+Klick jederzeit</translation>
     </message>
     <message>
         <source>A mark is shown and listed at all time steps of a series, or drawn at one of them alone</source>
-        <translation>Eine Marke wird zu allen Zeitschritten einer Serie gezeigt, oder nur zu einem gezeichnet</translation>
+        <translation>Eine Marke wird zu allen Zeitschritten einer Serie gezeigt oder nur zu einem gezeichnet</translation>
     </message>
     <message>
         <source>Change time step of mark</source>
@@ -5316,7 +10251,7 @@ In den Ansichten sagt es Strg+Umschalt+Klick jederzeit</translation>
     </message>
     <message>
         <source>Hidden here: the picture shows nothing of what it points at</source>
-        <translation>Hier verdeckt: Das Bild zeigt nichts von dem, worauf sie weist</translation>
+        <translation>Hier verdeckt: das Bild zeigt nichts von dem, worauf sie weist</translation>
     </message>
 </context>
 <context>
@@ -5617,7 +10552,7 @@ In den Ansichten sagt es Strg+Umschalt+Klick jederzeit</translation>
     </message>
     <message>
         <source>What the section would cut and the sheet can pass by: keep it whole, remove it whole, or leave it on the side on which more of it lies</source>
-        <translation>Was das Schnittbild schnitte und das Tuch umgehen kann: ganz erhalten, ganz entfernen, oder auf der Seite lassen, auf der mehr davon liegt</translation>
+        <translation>Was das Schnittbild schnitte und das Tuch umgehen kann: ganz erhalten, ganz entfernen oder auf der Seite lassen, auf der mehr davon liegt</translation>
     </message>
     <message>
         <source>Keep</source>
@@ -5645,7 +10580,7 @@ In den Ansichten sagt es Strg+Umschalt+Klick jederzeit</translation>
     </message>
     <message>
         <source>Half-width of a kernel, in kernels</source>
-        <translation>Halbe Breite eines Kernels, in Kernels</translation>
+        <translation>Halbe Breite eines Kernels, in Kerneln</translation>
     </message>
     <message>
         <source>Stiff</source>
@@ -5681,7 +10616,7 @@ In den Ansichten sagt es Strg+Umschalt+Klick jederzeit</translation>
     </message>
     <message>
         <source>%1 kernels, %2 × %3 particles</source>
-        <translation>%1 Kernels, %2 × %3 Partikel</translation>
+        <translation>%1 Kernel, %2 × %3 Partikel</translation>
     </message>
     <message>
         <source>At rest</source>
@@ -5716,7 +10651,7 @@ In den Ansichten sagt es Strg+Umschalt+Klick jederzeit</translation>
     </message>
     <message>
         <source>Click the sheet of the membrane and hold it there, or drag it on</source>
-        <translation>Das Tuch der Membran anklicken und dort halten, oder weiterziehen</translation>
+        <translation>Das Tuch der Membran anklicken und dort halten oder weiterziehen</translation>
     </message>
     <message>
         <source>P&amp;ush sheet</source>
@@ -5724,7 +10659,7 @@ In den Ansichten sagt es Strg+Umschalt+Klick jederzeit</translation>
     </message>
     <message>
         <source>Drag a ball in a section, or click in the picture: the sheet goes around it</source>
-        <translation>Eine Kugel in einem Schnittbild aufziehen, oder ins Bild klicken: das Tuch geht um sie herum</translation>
+        <translation>Eine Kugel in einem Schnittbild aufziehen oder ins Bild klicken: das Tuch geht um sie herum</translation>
     </message>
     <message>
         <source>Pu&amp;ll sheet</source>
@@ -5732,7 +10667,7 @@ In den Ansichten sagt es Strg+Umschalt+Klick jederzeit</translation>
     </message>
     <message>
         <source>Drag a ball in a section, or click in the picture: the sheet is drawn to its middle</source>
-        <translation>Eine Kugel in einem Schnittbild aufziehen, oder ins Bild klicken: das Tuch wird zu ihrer Mitte gezogen</translation>
+        <translation>Eine Kugel in einem Schnittbild aufziehen oder ins Bild klicken: das Tuch wird zu ihrer Mitte gezogen</translation>
     </message>
 </context>
 <context>
@@ -5984,7 +10919,7 @@ In den Ansichten sagt es Strg+Umschalt+Klick jederzeit</translation>
     </message>
     <message>
         <source>Colours and names of types over the picture, also in files: those that are seen most, or that are listed</source>
-        <translation>Farben und Namen von Typen über dem Bild, auch in Dateien: die am meisten zu sehenden, oder die aufgenommenen</translation>
+        <translation>Farben und Namen von Typen über dem Bild, auch in Dateien: die am meisten zu sehenden oder die aufgenommenen</translation>
     </message>
     <message>
         <source>Bring to size</source>
@@ -6299,7 +11234,7 @@ In den Ansichten sagt es Strg+Umschalt+Klick jederzeit</translation>
     </message>
     <message>
         <source>Colours and names of types over the picture, also in files: those that are seen most, or that are listed</source>
-        <translation>Farben und Namen von Typen über dem Bild, auch in Dateien: die am meisten zu sehenden, oder die aufgenommenen</translation>
+        <translation>Farben und Namen von Typen über dem Bild, auch in Dateien: die am meisten zu sehenden oder die aufgenommenen</translation>
     </message>
 </context>
 <context>
@@ -6338,7 +11273,7 @@ In den Ansichten sagt es Strg+Umschalt+Klick jederzeit</translation>
     </message>
     <message>
         <source>, %1 beads</source>
-        <translation>, %1 Perlen</translation>
+        <translation>, %1 Kugeln</translation>
     </message>
     <message>
         <source>as the file says</source>
@@ -6350,7 +11285,7 @@ In den Ansichten sagt es Strg+Umschalt+Klick jederzeit</translation>
     </message>
     <message>
         <source>from the volume of its beads</source>
-        <translation>aus dem Volumen seiner Perlen</translation>
+        <translation>aus dem Volumen seiner Kugeln</translation>
     </message>
     <message>
         <source>%1 each, %2</source>
@@ -6715,7 +11650,7 @@ Automatisch: so viele, wie Rauschen nicht erklärt. 1: alles zählt.</translatio
     </message>
     <message>
         <source>An eighth of the machine&apos;s (%1 MiB)</source>
-        <translation>Ein Achtel dessen des Rechners (%1 MiB)</translation>
+        <translation>Ein Achtel des Arbeitsspeichers (%1 MiB)</translation>
     </message>
     <message>
         <source>Most of the machine&apos;s memory that keeps bricks of a streamed volume; 64 MiB at least, half of it at most. Counts at once</source>
@@ -6727,7 +11662,7 @@ Automatisch: so viele, wie Rauschen nicht erklärt. 1: alles zählt.</translatio
     </message>
     <message>
         <source>A quarter of the card&apos;s, 2048 MiB at most</source>
-        <translation>Ein Viertel dessen der Karte, höchstens 2048 MiB</translation>
+        <translation>Ein Viertel des Speichers der Karte, höchstens 2048 MiB</translation>
     </message>
     <message>
         <source>Most of the graphics card&apos;s memory for a streamed volume: where less is there than is seen, all is shown coarser. Counts at once, and the picture begins anew</source>
@@ -6755,7 +11690,7 @@ Automatisch: so viele, wie Rauschen nicht erklärt. 1: alles zählt.</translatio
     </message>
     <message>
         <source>The level of detail at which volumes open. A level that is chosen here is read whole, or the next that fits into half of the memory. Counts for what is opened next</source>
-        <translation>Die Detailstufe, mit der sich Volumen öffnen. Eine hier gewählte Stufe wird ganz gelesen, oder die nächste, die in den halben Speicher passt. Gilt für das, was als Nächstes geöffnet wird</translation>
+        <translation>Die Detailstufe, mit der sich Volumen öffnen. Eine hier gewählte Stufe wird ganz gelesen oder die nächste, die in den halben Speicher passt. Gilt für das, was als Nächstes geöffnet wird</translation>
     </message>
     <message>
         <source>Level of &amp;detail</source>
@@ -6834,7 +11769,7 @@ Automatisch: so viele, wie Rauschen nicht erklärt. 1: alles zählt.</translatio
     <name>velum::gui::PullSteps</name>
     <message>
         <source>1 Cut</source>
-        <translation>1 Schneiden</translation>
+        <translation>1 Schnitt</translation>
     </message>
     <message>
         <source>Add a plane that opens what is shown</source>
@@ -6846,7 +11781,7 @@ Automatisch: so viele, wie Rauschen nicht erklärt. 1: alles zählt.</translatio
     </message>
     <message>
         <source>2 Pull</source>
-        <translation>2 Herausziehen</translation>
+        <translation>2 Ziehen</translation>
     </message>
     <message>
         <source>Take up the tool that drags structures out of the cut</source>
@@ -6858,7 +11793,7 @@ Automatisch: so viele, wie Rauschen nicht erklärt. 1: alles zählt.</translatio
     </message>
     <message>
         <source>3 Finish</source>
-        <translation>3 Ausführen</translation>
+        <translation>3 Finish</translation>
     </message>
     <message>
         <source>Go to the page Finish</source>
@@ -7023,11 +11958,11 @@ Automatisch: so viele, wie Rauschen nicht erklärt. 1: alles zählt.</translatio
     </message>
     <message>
         <source>A pyramid beside it would let it open at once, but it cannot be written: %1</source>
-        <translation>Eine Pyramide daneben ließe es sofort öffnen, kann aber nicht geschrieben werden: %1</translation>
+        <translation>Mit einer Pyramide daneben würde es sich sofort öffnen, sie kann aber nicht geschrieben werden: %1</translation>
     </message>
     <message>
         <source>A pyramid beside it, %1, lets it open at once and be streamed. It takes up to %2 of the disk, of which %3 are free, and about %4 on a machine that has little else to do; you can go on working meanwhile. The file itself stays as it is.</source>
-        <translation>Eine Pyramide daneben, %1, öffnet es sofort und lässt es streamen. Sie braucht bis zu %2 auf dem Datenträger, wovon %3 frei sind, und etwa %4 auf einem Rechner, der sonst wenig zu tun hat; weiterarbeiten ist währenddessen möglich. Die Datei selbst bleibt, wie sie ist.</translation>
+        <translation>Mit einer Pyramide daneben, %1, öffnet es sich sofort und wird gestreamt. Sie braucht bis zu %2 auf dem Datenträger, wovon %3 frei sind, und etwa %4 auf einem Rechner, der sonst wenig zu tun hat; weiterarbeiten ist währenddessen möglich. Die Datei selbst bleibt, wie sie ist.</translation>
     </message>
     <message>
         <source>It was begun and stopped; what is there already is not written again.</source>
@@ -7118,7 +12053,7 @@ Automatisch: so viele, wie Rauschen nicht erklärt. 1: alles zählt.</translatio
     </message>
     <message>
         <source>, header of %1 bytes</source>
-        <translation>, Vorspann von %1 Bytes</translation>
+        <translation>, Dateikopf von %1 Bytes</translation>
     </message>
     <message>
         <source>Open %1</source>
@@ -7126,7 +12061,7 @@ Automatisch: so viele, wie Rauschen nicht erklärt. 1: alles zählt.</translatio
     </message>
     <message>
         <source>%1 has no header that says what its samples are. The picture shows how they would be read.</source>
-        <translation>%1 hat keinen Vorspann, der sagt, was die Werte sind. Das Bild zeigt, wie sie gelesen würden.</translation>
+        <translation>%1 hat keinen Dateikopf, der sagt, was die Werte sind. Das Bild zeigt, wie sie gelesen würden.</translation>
     </message>
     <message>
         <source>&amp;Open</source>
@@ -7210,7 +12145,7 @@ Automatisch: so viele, wie Rauschen nicht erklärt. 1: alles zählt.</translatio
     </message>
     <message>
         <source>&amp;Header</source>
-        <translation>Vor&amp;spann</translation>
+        <translation>Datei&amp;kopf</translation>
     </message>
     <message>
         <source>Voxel size</source>
@@ -7278,6 +12213,10 @@ Automatisch: so viele, wie Rauschen nicht erklärt. 1: alles zählt.</translatio
     <message>
         <source>Its keys stand from %L1 s to %L2 s of the film; undo takes them back.</source>
         <translation>Seine Schlüsselbilder stehen von %L1 s bis %L2 s des Films; Rückgängig nimmt sie zurück.</translation>
+    </message>
+    <message>
+        <source>&quot;Title&quot;</source>
+        <translation>&quot;Titel&quot;</translation>
     </message>
 </context>
 <context>
@@ -7472,7 +12411,7 @@ Automatisch: so viele, wie Rauschen nicht erklärt. 1: alles zählt.</translatio
     </message>
     <message>
         <source>A video, or a picture for each frame</source>
-        <translation>Ein Video, oder ein Bild für jedes Einzelbild</translation>
+        <translation>Ein Video oder ein Bild für jedes Einzelbild</translation>
     </message>
     <message>
         <source>Format</source>
@@ -7528,7 +12467,7 @@ Automatisch: so viele, wie Rauschen nicht erklärt. 1: alles zählt.</translatio
     </message>
     <message>
         <source>The whole film, or the part of it that is played</source>
-        <translation>Der ganze Film, oder der Teil, der abgespielt wird</translation>
+        <translation>Der ganze Film oder der Teil, der abgespielt wird</translation>
     </message>
     <message>
         <source>Whole film</source>
@@ -7540,7 +12479,7 @@ Automatisch: so viele, wie Rauschen nicht erklärt. 1: alles zählt.</translatio
     </message>
     <message>
         <source>Frames a second</source>
-        <translation>Einzelbilder je Sekunde</translation>
+        <translation>Bilder je Sekunde</translation>
     </message>
     <message>
         <source>Range</source>
@@ -7584,7 +12523,7 @@ Automatisch: so viele, wie Rauschen nicht erklärt. 1: alles zählt.</translatio
     </message>
     <message>
         <source>In each EXR frame, or as pictures beside each PNG frame</source>
-        <translation>In jedem EXR-Einzelbild, oder als Bilder neben jedem PNG-Einzelbild</translation>
+        <translation>In jedem EXR-Einzelbild oder als Bilder neben jedem PNG-Einzelbild</translation>
     </message>
     <message>
         <source>Quality</source>
@@ -7592,7 +12531,7 @@ Automatisch: so viele, wie Rauschen nicht erklärt. 1: alles zählt.</translatio
     </message>
     <message>
         <source>Motion blur</source>
-        <translation>Bewegungsunschärfe</translation>
+        <translation>Unschärfe</translation>
     </message>
     <message>
         <source>Video quality</source>
@@ -7631,7 +12570,7 @@ Ersetzen?</translation>
         <source>Frames with this name are there already.
 Those of this very film are kept, those of another film are replaced. Go on?</source>
         <translation>Einzelbilder mit diesem Namen gibt es schon.
-Die dieses Films werden behalten, die eines anderen Films ersetzt. Fortfahren?</translation>
+Die von genau diesem Film bleiben, die eines anderen werden ersetzt. Fortfahren?</translation>
     </message>
     <message>
         <source>Copied: %1</source>
@@ -7698,7 +12637,7 @@ Die dieses Films werden behalten, die eines anderen Films ersetzt. Fortfahren?</
     </message>
     <message>
         <source>Pixels, or a size on paper at the resolution below</source>
-        <translation>Pixel, oder eine Größe auf Papier mit der Auflösung darunter</translation>
+        <translation>Pixel oder eine Größe auf Papier mit der Auflösung darunter</translation>
     </message>
     <message>
         <source>Resolution</source>
@@ -7714,7 +12653,7 @@ Die dieses Films werden behalten, die eines anderen Films ersetzt. Fortfahren?</
     </message>
     <message>
         <source>Keep the shape</source>
-        <translation>Verhältnis behalten</translation>
+        <translation>Seitenverhältnis behalten</translation>
     </message>
     <message>
         <source>Width and height change together</source>
@@ -7934,6 +12873,10 @@ mit %n Segmentierungen</numerusform>
         <source>None</source>
         <translation>Keine</translation>
     </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 zu %2</translation>
+    </message>
 </context>
 <context>
     <name>velum::gui::ShareBar</name>
@@ -7958,11 +12901,11 @@ mit %n Segmentierungen</numerusform>
     </message>
     <message>
         <source>&amp;Remove pin	Del</source>
-        <translation>&amp;Nadel entfernen	Del</translation>
+        <translation>&amp;Nadel entfernen	Entf</translation>
     </message>
     <message>
         <source>&amp;Remove force	Del</source>
-        <translation>&amp;Kraft entfernen	Del</translation>
+        <translation>&amp;Kraft entfernen	Entf</translation>
     </message>
 </context>
 <context>
@@ -7989,7 +12932,7 @@ mit %n Segmentierungen</numerusform>
     </message>
     <message>
         <source>Click the sheet in any view and hold it there, or drag it on. Shift: several. (P)</source>
-        <translation>Das Tuch in einer Ansicht anklicken und dort halten, oder weiterziehen. Umschalt: mehrere. (P)</translation>
+        <translation>Das Tuch in einer Ansicht anklicken und dort halten oder weiterziehen. Umschalt: mehrere. (P)</translation>
     </message>
     <message>
         <source>Push sheet</source>
@@ -7997,7 +12940,7 @@ mit %n Segmentierungen</numerusform>
     </message>
     <message>
         <source>Drag a ball in a section, or click in the picture: the sheet goes around it (B)</source>
-        <translation>Eine Kugel in einem Schnittbild aufziehen, oder ins Bild klicken: das Tuch geht um sie herum (B)</translation>
+        <translation>Eine Kugel in einem Schnittbild aufziehen oder ins Bild klicken: das Tuch geht um sie herum (B)</translation>
     </message>
     <message>
         <source>Pull sheet</source>
@@ -8005,7 +12948,7 @@ mit %n Segmentierungen</numerusform>
     </message>
     <message>
         <source>Drag a ball in a section, or click in the picture: the sheet is drawn to its middle (Shift+B)</source>
-        <translation>Eine Kugel in einem Schnittbild aufziehen, oder ins Bild klicken: das Tuch wird zu ihrer Mitte gezogen (Umschalt+B)</translation>
+        <translation>Eine Kugel in einem Schnittbild aufziehen oder ins Bild klicken: das Tuch wird zu ihrer Mitte gezogen (Umschalt+B)</translation>
     </message>
     <message>
         <source>Select it in the views; Del removes it</source>
@@ -8591,13 +13534,13 @@ Doppelklick auf eine Zahl ändert sie; Entf entfernt eine Struktur.</translation
     </message>
     <message>
         <source>How much of it is seen, hidden and removed: it is not in the picture</source>
-        <translation>Wie viel davon sichtbar, verdeckt und entfernt ist: es ist nicht im Bild</translation>
+        <translation>Wie viel davon sichtbar, verdeckt und entfernt ist: sie ist nicht im Bild</translation>
     </message>
     <message>
         <source>Of where it would be in the picture, %1.
 Drag the knob to pull it out of the cuts (Ctrl+Right, Ctrl+Left)</source>
-        <translation>Von dem, wo es im Bild wäre, %1.
-Am Knopf ziehen, um es aus den Schnitten zu ziehen (Strg+Rechts, Strg+Links)</translation>
+        <translation>Von dem, wo sie im Bild wäre, %1.
+Am Knopf ziehen, um sie aus den Schnitten zu ziehen (Strg+Rechts, Strg+Links)</translation>
     </message>
     <message>
         <source>Shown alone: click to show what was shown before</source>
@@ -8740,7 +13683,7 @@ Am Knopf ziehen, um es aus den Schnitten zu ziehen (Strg+Rechts, Strg+Links)</tr
     </message>
     <message>
         <source>Search name or number</source>
-        <translation>Name oder Nummer suchen</translation>
+        <translation>Suchen</translation>
     </message>
     <message>
         <source>Lists the structures whose name holds these words, or that have this number (Ctrl+F)</source>
@@ -8894,7 +13837,7 @@ Am Knopf ziehen, um es aus den Schnitten zu ziehen (Strg+Rechts, Strg+Links)</tr
     </message>
     <message>
         <source>Search a structure by name or number</source>
-        <translation>Eine Struktur nach Name oder Nummer suchen</translation>
+        <translation>Eine Struktur nach Suchen</translation>
     </message>
     <message>
         <source>&amp;Hide or show</source>
@@ -8910,7 +13853,7 @@ Am Knopf ziehen, um es aus den Schnitten zu ziehen (Strg+Rechts, Strg+Links)</tr
     </message>
     <message>
         <source>Show the selected structure alone, or what was shown before</source>
-        <translation>Die ausgewählte Struktur allein zeigen, oder was vorher zu sehen war</translation>
+        <translation>Die ausgewählte Struktur allein zeigen oder was vorher zu sehen war</translation>
     </message>
     <message>
         <source>Show &amp;all</source>
@@ -8934,7 +13877,7 @@ Am Knopf ziehen, um es aus den Schnitten zu ziehen (Strg+Rechts, Strg+Links)</tr
     </message>
     <message>
         <source>The selected cut spares the selected structure, or cuts it again</source>
-        <translation>Der ausgewählte Schnitt spart die ausgewählte Struktur aus, oder schneidet sie wieder</translation>
+        <translation>Der ausgewählte Schnitt spart die ausgewählte Struktur aus oder schneidet sie wieder</translation>
     </message>
     <message>
         <source>&amp;Export...</source>
@@ -8999,7 +13942,7 @@ Am Knopf ziehen, um es aus den Schnitten zu ziehen (Strg+Rechts, Strg+Links)</tr
     </message>
     <message>
         <source>Play the film, or the time steps of a series</source>
-        <translation>Den Film abspielen, oder die Zeitschritte einer Serie</translation>
+        <translation>Den Film oder die Zeitschritte einer Serie abspielen</translation>
     </message>
     <message>
         <source>&amp;Next step</source>
@@ -9007,7 +13950,7 @@ Am Knopf ziehen, um es aus den Schnitten zu ziehen (Strg+Rechts, Strg+Links)</tr
     </message>
     <message>
         <source>The next time step, or the next key of a film</source>
-        <translation>Der nächste Zeitschritt, oder das nächste Schlüsselbild eines Films</translation>
+        <translation>Der nächste Zeitschritt oder das nächste Schlüsselbild eines Films</translation>
     </message>
     <message>
         <source>&amp;Step before</source>
@@ -9015,7 +13958,7 @@ Am Knopf ziehen, um es aus den Schnitten zu ziehen (Strg+Rechts, Strg+Links)</tr
     </message>
     <message>
         <source>The time step before, or the key before of a film</source>
-        <translation>Der vorige Zeitschritt, oder das vorige Schlüsselbild eines Films</translation>
+        <translation>Der vorige Zeitschritt oder das vorige Schlüsselbild eines Films</translation>
     </message>
 </context>
 <context>
@@ -9348,7 +14291,7 @@ Am Knopf ziehen, um es aus den Schnitten zu ziehen (Strg+Rechts, Strg+Links)</tr
 Shift+drag: move all. Alt+drag: stretch. Right or double click a point, or Del: remove it.
 In the colours: click adds, double click changes, right click removes. Wheel: zoom. Double click the axis: whole range.
 Keys: PgUp and PgDn go from one to the next, Ins adds, arrows move, Enter changes a colour, + and - zoom.</source>
-        <translation>Auf die Linie klicken: Punkt hinzufügen. Einen Punkt ziehen: ihn verschieben. Zwischen Punkten ziehen: alle verschieben, oder alle Deckkräfte skalieren.
+        <translation>Auf die Linie klicken: Punkt hinzufügen. Einen Punkt ziehen: ihn verschieben. Zwischen Punkten ziehen: alle verschieben oder alle Deckkräfte skalieren.
 Umschalt+Ziehen: alle verschieben. Alt+Ziehen: dehnen. Rechts- oder Doppelklick auf einen Punkt, oder Entf: ihn entfernen.
 In den Farben: Klick fügt hinzu, Doppelklick ändert, Rechtsklick entfernt. Rad: Zoom. Doppelklick auf die Achse: ganzer Bereich.
 Tasten: Bild auf und Bild ab gehen von einem zum nächsten, Einfg fügt hinzu, Pfeile verschieben, Eingabe ändert eine Farbe, + und - zoomen.</translation>
@@ -9383,7 +14326,7 @@ Tasten: Bild auf und Bild ab gehen von einem zum nächsten, Einfg fügt hinzu, P
     </message>
     <message>
         <source>Click the line to add a point, drag to move it</source>
-        <translation>Klick auf die Linie: neuer Punkt; ziehen</translation>
+        <translation>Klick auf die Linie: neuer Punkt; Ziehen verschiebt</translation>
     </message>
     <message>
         <source>Value</source>
@@ -9678,7 +14621,7 @@ Tasten: Bild auf und Bild ab gehen von einem zum nächsten, Einfg fügt hinzu, P
     </message>
     <message>
         <source>Type width and level of the grey window, or its name, in the section</source>
-        <translation>Breite und Mitte des Grauwertfensters, oder seinen Namen, im Schnittbild eintippen</translation>
+        <translation>Breite und Mitte des Grauwertfensters oder seinen Namen im Schnittbild eintippen</translation>
     </message>
     <message>
         <source>Orien&amp;tation cube</source>
@@ -9751,7 +14694,7 @@ Tasten: Bild auf und Bild ab gehen von einem zum nächsten, Einfg fügt hinzu, P
     </message>
     <message>
         <source>Say what the samples of a file without a header are</source>
-        <translation>Sagen, was die Werte einer Datei ohne Vorspann sind</translation>
+        <translation>Sagen, was die Werte einer Datei ohne Dateikopf sind</translation>
     </message>
     <message>
         <source>Level of de&amp;tail...</source>

@@ -1,24 +1,16 @@
-// The window in German: all of its words, its numbers, its letters; and the list of words of tables below the window.
+// The list of words of tables below the window, for its other languages.
 #include "gui/kit/Language.h"
 
-#include <QAbstractButton>
-#include <QComboBox>
-#include <QLabel>
-#include <QMenuBar>
-#include <QTranslator>
-#include <QXmlStreamReader>
-#include <clocale>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <regex>
-#include <set>
 
-#include "ModelFixture.h"
-#include "gui/kit/NumberField.h"
-#include "gui/kit/SideTabs.h"
-#include "gui/kit/Words.h"
-#include "gui/window/PreferencesDialog.h"
-#include "gui/window/SavePictureDialog.h"
+#include "core/Counts.h"
+#include "core/Error.h"
 #include "scene/Finishes.h"
 #include "scene/GreyWindows.h"
 #include "scene/LitSpheres.h"
@@ -36,8 +28,6 @@
 
 namespace velum::gui {
 namespace {
-
-const std::filesystem::path kSource = VELUM_SOURCE_DIR;
 
 /// Each text once, in order.
 struct Words {
@@ -112,174 +102,13 @@ TEST(Language, TheListOfWordsOfTablesIsWhatTablesHave) {
     now += "    QT_TRANSLATE_NOOP(\"Words\", \"" + text + "\"),\n";
   }
   now += "};\n";
-  std::filesystem::path path = kSource / "translations" / "TableWords.h";
+  std::filesystem::path path = std::filesystem::path(VELUM_SOURCE_DIR) / "translations" / "TableWords.h";
   std::ifstream in(path, std::ios::binary);
   if (std::string((std::istreambuf_iterator<char>(in)), {}) == now) return;
   std::string beside = path.string() + ".new";
   std::ofstream(beside, std::ios::binary) << now;
   FAIL() << "words of tables have changed; accept them with\n  mv " << beside << " " << path.string()
          << "\nand translate them (docs/ADDING.md)";
-}
-
-/// What a translation says in English where it says something else, without the marks of letters.
-QSet<QString> englishTexts() {
-  QFile file(QString::fromStdString((kSource / "translations/velum_de.ts").string()));
-  EXPECT_TRUE(file.open(QIODevice::ReadOnly));
-  QXmlStreamReader xml(&file);
-  QSet<QString> english, german;
-  QString source;
-  while (!xml.atEnd()) {
-    xml.readNext();
-    if (!xml.isStartElement()) continue;
-    if (xml.name() == QStringLiteral("source")) source = xml.readElementText().remove('&');
-    if (xml.name() == QStringLiteral("translation"))
-      (source == xml.readElementText(QXmlStreamReader::IncludeChildElements).remove('&').trimmed() ? german : english)
-          << source;
-  }
-  return english - german;
-}
-
-/// A window that was made in German, with a cell model or data.
-class German : public ModelWindow {
- protected:
-  void SetUp() override {
-    mLocale = QLocale();
-    speak("de");
-    Window::SetUp();
-  }
-  void TearDown() override {
-    Window::TearDown();
-    for (auto* words : qApp->findChildren<QTranslator*>()) {
-      QCoreApplication::removeTranslator(words);
-      delete words;
-    }
-    QLocale::setDefault(mLocale);
-  }
-
-  /// No text that is seen, nor any tip or name, is one that has a translation.
-  void expectNothingEnglish(const QWidget& owner) {
-    static const QSet<QString> english = englishTexts();
-    ASSERT_GT(english.size(), 1500);
-    auto check = [&](QString text, const QObject& of) {
-      text.remove('&');
-      if (text.isEmpty()) return;
-      ++mTexts;
-      EXPECT_FALSE(english.contains(text))
-          << of.metaObject()->className() << " " << of.objectName().toStdString() << ": " << text.toStdString();
-    };
-    for (const auto* action : owner.findChildren<QAction*>()) {
-      check(action->text(), *action);
-      check(action->toolTip(), *action);
-      check(action->statusTip(), *action);
-    }
-    for (const auto* menu : owner.findChildren<QMenu*>()) check(menu->title(), *menu);
-    for (const auto* widget : owner.findChildren<QWidget*>()) {
-      check(widget->toolTip(), *widget);
-      check(widget->accessibleName(), *widget);
-      if (const auto* label = qobject_cast<const QLabel*>(widget)) check(label->text(), *label);
-      if (const auto* button = qobject_cast<const QAbstractButton*>(widget)) check(button->text(), *button);
-      if (const auto* box = qobject_cast<const QComboBox*>(widget))
-        for (int i = 0; i < box->count(); ++i) check(box->itemText(i), *box);
-      if (const auto* tabs = qobject_cast<const QTabWidget*>(widget))
-        for (int i = 0; i < tabs->count(); ++i) check(tabs->tabText(i), *tabs), check(tabs->tabToolTip(i), *tabs);
-    }
-  }
-  /// No two of them have the same letter.
-  void expectDifferentLetters(const QStringList& texts, const QString& where) {
-    QMap<QString, QString> letters;
-    for (const QString& text : texts) {
-      QString letter = QKeySequence::mnemonic(text).toString();
-      if (letter.isEmpty()) continue;
-      EXPECT_FALSE(letters.contains(letter)) << (where + ": " + text + " and " + letters[letter]).toStdString();
-      letters[letter] = text;
-    }
-  }
-  void expectDifferentLetters(const QMenu& menu) {
-    QStringList texts;
-    for (const QAction* action : menu.actions()) texts << action->text();
-    expectDifferentLetters(texts, menu.title());
-  }
-
-  int mTexts = 0;
-
- private:
-  QLocale mLocale;
-};
-
-TEST_F(German, MenusAndPagesSayNothingInEnglish) {
-  openPhantom();
-  expectNothingEnglish(*mWindow);
-  EXPECT_GT(mTexts, 1000);
-  EXPECT_EQ(mWindow->menuBar()->actions()[0]->text(), "&Datei");
-  EXPECT_EQ(child<SideTabs>("sideTabs")->tabText(0), "Look");
-  // A script's names of pages are the English ones.
-  EXPECT_TRUE(child<SideTabs>("sideTabs")->showPage("cuts"));
-  PreferencesDialog preferences(mWindow->actions(), mWindow.get());
-  expectNothingEnglish(preferences);
-  SavePictureDialog picture({640, 480}, {640, 480}, scene(), mWindow.get());
-  expectNothingEnglish(picture);
-}
-
-TEST_F(German, AModelSaysNothingInEnglish) {
-  openModel();
-  expectNothingEnglish(*mWindow);
-  for (const auto* menu : mWindow->menuBar()->findChildren<QMenu*>()) expectDifferentLetters(*menu);
-}
-
-TEST_F(German, LettersOfMenusAndDialogsDiffer) {
-  openPhantom();
-  QStringList bar;
-  for (const QAction* action : mWindow->menuBar()->actions()) bar << action->text();
-  for (const auto* button : mWindow->findChildren<QAbstractButton*>())
-    if (button->window() == mWindow.get()) bar << button->text();
-  expectDifferentLetters(bar, "the window");
-  for (const QAction* action : mWindow->menuBar()->actions()) {
-    expectDifferentLetters(*action->menu());
-    for (const QAction* entry : action->menu()->actions())
-      if (entry->menu()) expectDifferentLetters(*entry->menu());
-  }
-  PreferencesDialog preferences(mWindow->actions(), mWindow.get());
-  QStringList texts;
-  for (const auto* button : preferences.findChildren<QAbstractButton*>()) texts << button->text();
-  for (const auto* label : preferences.findChildren<QLabel*>())
-    if (label->buddy()) texts << label->text();
-  for (const auto* tabs : preferences.findChildren<QTabWidget*>())
-    for (int i = 0; i < tabs->count(); ++i) texts << tabs->tabText(i);
-  expectDifferentLetters(texts, "preferences");
-}
-
-TEST_F(German, NumbersHaveACommaAndAreTypedWithEither) {
-  openPhantom();
-  NumberField field;
-  field.setDecimals(2);
-  field.setRange(0, 100);
-  field.setSuffix(" %");
-  for (const char* typed : {"12.5", "12,5", "12,5 %"}) {
-    field.setValue(1);
-    field.enter(typed);
-    EXPECT_EQ(field.value(), 12.5) << typed;
-    EXPECT_EQ(field.text(), "12,50 %");
-  }
-  EXPECT_EQ(localNumber("1.5 mm, -0.25"), "1,5 mm, -0,25");
-  EXPECT_EQ(std::string(std::localeconv()->decimal_point), ".");
-  EXPECT_EQ(scene::getField(scene(), "lighting.ambient").find(','), std::string::npos);
-}
-
-TEST_F(German, OneAndSeveralDiffer) {
-  auto say = [](const char* context, const char* text, int n) {
-    return QCoreApplication::translate(context, text, nullptr, n);
-  };
-  EXPECT_EQ(say("velum::gui::EqualizerBar", "%n cuts", 1), "1 Schnitt");
-  EXPECT_EQ(say("velum::gui::EqualizerBar", "%n cuts", 2), "2 Schnitte");
-  EXPECT_EQ(say("velum::gui::StatusLine", "%n structure(s)", 1), "1 Struktur");
-  EXPECT_EQ(say("velum::gui::StatusLine", "%n structure(s)", 0), "0 Strukturen");
-}
-
-TEST_F(German, StepsOfTheHistoryAreSaidInGerman) {
-  EXPECT_EQ(stepText("Add cut"), QString::fromUtf8("Schnitt hinzufügen"));
-  EXPECT_EQ(stepText("Hide aorta"), "aorta ausblenden");
-  EXPECT_EQ(stepText("Something new"), "Something new");
-  for (const char* pattern : stepPatterns()) EXPECT_NE(wordsOf(pattern), pattern);
 }
 
 TEST(Language, OthersAreRefused) { EXPECT_THROW(speak("fr"), ArgumentError); }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "gui/kit/CoreWords.h"
 #include "gui/kit/Text.h"
 #include "gui/service/SelectedCut.h"
 #include "session/command/CutCommands.h"
@@ -111,8 +112,7 @@ void FocusForm::showCut(const scene::Cut& cut, const std::vector<std::string>& p
   for (const scene::FocusType& type : cut.model.focus->types)
     names << toText(scene::shownName(mDocument.shown().model, type.type, session::shortName(type.type)));
   std::string words = session::clearingWords(mDocument.shown());
-  mFocus->setText(tr("In view: %1").arg(names.join(", ")) +
-                  (words.empty() ? "" : "\n" + QString::fromStdString(words)));
+  mFocus->setText(tr("In view: %1").arg(names.join(", ")) + (words.empty() ? "" : "\n" + inWords(words)));
   mLock->setChecked(cut.model.focus->lock.has_value());
 }
 

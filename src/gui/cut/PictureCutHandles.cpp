@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "gui/kit/Theme.h"
+#include "gui/kit/Words.h"
 #include "gui/service/SelectedCut.h"
 #include "gui/tool/HandlePaint.h"
 #include "session/extrusion/Pull.h"
@@ -123,7 +124,7 @@ void PictureCutHandles::drag(const PointerEvent& event) {
   scene::Cut moved = session::dragCut(mStart, mStartGizmo, mHandle, view.camera(), view.size(), mFrom, event.at.pixel(),
                                       session::makeCutSnap(mDocument.shown(), event.keys & Qt::ShiftModifier));
   mPointer = event.at.place();
-  mTag = QString::fromStdString(session::dragText(scene::lengthFormat(mDocument.shown()), mStart, moved, mHandle));
+  mTag = localNumber(session::dragText(scene::lengthFormat(mDocument.shown()), mStart, moved, mHandle));
   placeCut(mDocument, moved, session::dragLabel(mStart, mHandle), true);
   mToolbox.repaint(event.at.view());
 }

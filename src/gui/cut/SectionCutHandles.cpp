@@ -5,6 +5,7 @@
 
 #include "gui/kit/Points.h"
 #include "gui/kit/Theme.h"
+#include "gui/kit/Words.h"
 #include "gui/service/SelectedCut.h"
 #include "gui/tool/HandlePaint.h"
 #include "session/extrusion/Pull.h"
@@ -150,7 +151,7 @@ void SectionCutHandles::drag(const PointerEvent& event) {
   scene::Cut now = session::dragSectionCut(mStart, mStartFrame, mHandle, mFrom, event.at.pixel(),
                                            session::makeCutSnap(mDocument.shown(), event.keys & Qt::ShiftModifier));
   auto like = session::likeInPicture(mHandle);
-  mTag = QString::fromStdString(session::dragText(scene::lengthFormat(mDocument.shown()), mStart, now, like));
+  mTag = localNumber(session::dragText(scene::lengthFormat(mDocument.shown()), mStart, now, like));
   placeCut(mDocument, now, session::dragLabel(mStart, like), true);
   mToolbox.repaint(event.at.view());
 }

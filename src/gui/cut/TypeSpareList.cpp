@@ -7,6 +7,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "gui/kit/CoreWords.h"
 #include "gui/kit/Text.h"
 #include "gui/rows/FieldRow.h"
 #include "gui/service/SelectedCut.h"
@@ -170,7 +171,7 @@ void TypeSpareList::showMenu(QPoint place) {
 void TypeSpareList::showSelected() {
   std::vector<std::string> paths = mView->selectedPaths();
   bool any = !paths.empty();
-  mRow->setText(any ? nameText(session::rowsLabel(mDocument.shown(), paths)) : tr("Select a row to say how"));
+  mRow->setText(any ? inWords(nameText(session::rowsLabel(mDocument.shown(), paths))) : tr("Select a row to say how"));
   mForm.refresh();
   mFocus->showCut(mCut, paths);
 }

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gui/kit/CoreWords.h"
+
 namespace velum::gui {
 
 MessageBar::MessageBar(QWidget* parent) : QFrame(parent), mText(new QLabel(this)) {
@@ -25,7 +27,7 @@ MessageBar::MessageBar(QWidget* parent) : QFrame(parent), mText(new QLabel(this)
 
 void MessageBar::showNote(const QString& text, const std::vector<std::string>& lines) {
   QStringList list;
-  for (const std::string& line : lines) list << QString::fromStdString(line);
+  for (const std::string& line : lines) list << inWords(line);
   QString said = list.join("; ");
   if (text.isEmpty() && !said.isEmpty()) return showNote(said.left(1).toUpper() + said.mid(1));
   showNote(list.isEmpty() ? text : tr("%1: %2").arg(text, said));
@@ -35,7 +37,7 @@ void MessageBar::showText(const char* kind, const QString& text) {
   setProperty("kind", kind);
   style()->unpolish(this);
   style()->polish(this);
-  mText->setText(text);
+  mText->setText(inWords(text));
   show();
 }
 
@@ -66,7 +68,7 @@ void ProgressStrip::begin(const QString& what) {
 }
 
 void ProgressStrip::setProgress(double fraction, const QString& what) {
-  QString text = what.isEmpty() ? mTask : QString("%1: %2").arg(mTask, what);
+  QString text = what.isEmpty() ? mTask : QString("%1: %2").arg(mTask, inWords(what));
   mText->setText(mText->fontMetrics().elidedText(text, Qt::ElideMiddle, std::max(120, mText->width())));
   mText->setToolTip(text);
   mBar->setValue(int(std::lround(fraction * 1000.0)));

@@ -5,86 +5,49 @@
 #include <QRegularExpression>
 #include <string>
 
+#include "gui/kit/CoreWords.h"
+
 namespace velum::gui {
 
 namespace {
 
 /// Names of undo steps that are given where the change is: below the window, or by a hand in it.
 [[maybe_unused]] constexpr const char* kStepNames[] = {
-    QT_TRANSLATE_NOOP("Words", "Add caption"),
     QT_TRANSLATE_NOOP("Words", "Add cut"),
     QT_TRANSLATE_NOOP("Words", "Add gradient point"),
-    QT_TRANSLATE_NOOP("Words", "Add membrane"),
     QT_TRANSLATE_NOOP("Words", "Add opacity point"),
-    QT_TRANSLATE_NOOP("Words", "Add pin"),
     QT_TRANSLATE_NOOP("Words", "Align cut"),
-    QT_TRANSLATE_NOOP("Words", "Bring model to size"),
-    QT_TRANSLATE_NOOP("Words", "Change background"),
-    QT_TRANSLATE_NOOP("Words", "Change channel's colour"),
     QT_TRANSLATE_NOOP("Words", "Change range of types"),
-    QT_TRANSLATE_NOOP("Words", "Change rendering"),
     QT_TRANSLATE_NOOP("Words", "Change tint"),
-    QT_TRANSLATE_NOOP("Words", "Change window"),
     QT_TRANSLATE_NOOP("Words", "Choose channel"),
-    QT_TRANSLATE_NOOP("Words", "Choose finish"),
-    QT_TRANSLATE_NOOP("Words", "Choose lit sphere"),
-    QT_TRANSLATE_NOOP("Words", "Choose look"),
     QT_TRANSLATE_NOOP("Words", "Choose paper"),
-    QT_TRANSLATE_NOOP("Words", "Choose preset"),
-    QT_TRANSLATE_NOOP("Words", "Clear film"),
-    QT_TRANSLATE_NOOP("Words", "Cut along the view"),
     QT_TRANSLATE_NOOP("Words", "Cut to pull out of"),
-    QT_TRANSLATE_NOOP("Words", "Draw barrier"),
-    QT_TRANSLATE_NOOP("Words", "Duplicate cut"),
     QT_TRANSLATE_NOOP("Words", "Fade what has no label"),
-    QT_TRANSLATE_NOOP("Words", "Flip cut"),
     QT_TRANSLATE_NOOP("Words", "Follow the view"),
     QT_TRANSLATE_NOOP("Words", "Hide labels"),
     QT_TRANSLATE_NOOP("Words", "Hide model"),
     QT_TRANSLATE_NOOP("Words", "Hide the table"),
     QT_TRANSLATE_NOOP("Words", "Hide this tissue"),
-    QT_TRANSLATE_NOOP("Words", "Import look"),
-    QT_TRANSLATE_NOOP("Words", "Invert what is shown"),
     QT_TRANSLATE_NOOP("Words", "Keep in view"),
     QT_TRANSLATE_NOOP("Words", "Labels on sections"),
     QT_TRANSLATE_NOOP("Words", "Let be hidden"),
     QT_TRANSLATE_NOOP("Words", "Let sheet through"),
     QT_TRANSLATE_NOOP("Words", "Lock the view"),
-    QT_TRANSLATE_NOOP("Words", "Make the look a surface"),
-    QT_TRANSLATE_NOOP("Words", "Meet numbers to be seen"),
-    QT_TRANSLATE_NOOP("Words", "Move cut in the list"),
-    QT_TRANSLATE_NOOP("Words", "Move cut"),
-    QT_TRANSLATE_NOOP("Words", "Move force"),
     QT_TRANSLATE_NOOP("Words", "Move gradient point"),
     QT_TRANSLATE_NOOP("Words", "Move key of camera"),
-    QT_TRANSLATE_NOOP("Words", "Move key"),
     QT_TRANSLATE_NOOP("Words", "Move mark"),
     QT_TRANSLATE_NOOP("Words", "Move opacity point"),
-    QT_TRANSLATE_NOOP("Words", "Move pin"),
     QT_TRANSLATE_NOOP("Words", "Move point of mark"),
-    QT_TRANSLATE_NOOP("Words", "Move to keep"),
-    QT_TRANSLATE_NOOP("Words", "Move view"),
     QT_TRANSLATE_NOOP("Words", "Move words of mark"),
     QT_TRANSLATE_NOOP("Words", "Plane through three points"),
     QT_TRANSLATE_NOOP("Words", "Protect from sheet"),
-    QT_TRANSLATE_NOOP("Words", "Protect values"),
     QT_TRANSLATE_NOOP("Words", "Pull sheet"),
     QT_TRANSLATE_NOOP("Words", "Push sheet"),
-    QT_TRANSLATE_NOOP("Words", "Put all back"),
-    QT_TRANSLATE_NOOP("Words", "Remove caption"),
-    QT_TRANSLATE_NOOP("Words", "Remove cut"),
     QT_TRANSLATE_NOOP("Words", "Remove force"),
     QT_TRANSLATE_NOOP("Words", "Remove gradient point"),
     QT_TRANSLATE_NOOP("Words", "Remove opacity point"),
     QT_TRANSLATE_NOOP("Words", "Remove pin"),
     QT_TRANSLATE_NOOP("Words", "Remove stroke"),
-    QT_TRANSLATE_NOOP("Words", "Remove track"),
-    QT_TRANSLATE_NOOP("Words", "Rename cut"),
-    QT_TRANSLATE_NOOP("Words", "Resize cut"),
-    QT_TRANSLATE_NOOP("Words", "Resize force"),
-    QT_TRANSLATE_NOOP("Words", "Second plane"),
-    QT_TRANSLATE_NOOP("Words", "Show channel alone"),
-    QT_TRANSLATE_NOOP("Words", "Show cut"),
     QT_TRANSLATE_NOOP("Words", "Show labels"),
     QT_TRANSLATE_NOOP("Words", "Show model"),
     QT_TRANSLATE_NOOP("Words", "Show the table"),
@@ -95,7 +58,6 @@ namespace {
     QT_TRANSLATE_NOOP("Words", "Stop gradient opacity"),
     QT_TRANSLATE_NOOP("Words", "Turn cut off"),
     QT_TRANSLATE_NOOP("Words", "Turn cut on"),
-    QT_TRANSLATE_NOOP("Words", "Turn cut"),
     QT_TRANSLATE_NOOP("Words", "Turn force"),
     QT_TRANSLATE_NOOP("Words", "Use gradient opacity"),
 };
@@ -108,16 +70,20 @@ constexpr const char* kStepPatterns[] = {
     QT_TRANSLATE_NOOP("Words", "Change growth of %1"),
     QT_TRANSLATE_NOOP("Words", "Change %1"),
     QT_TRANSLATE_NOOP("Words", "Colour %1"),
+    QT_TRANSLATE_NOOP("Words", "Cut %1"),
     QT_TRANSLATE_NOOP("Words", "Draw membrane to %1"),
     QT_TRANSLATE_NOOP("Words", "Duplicate %1"),
     QT_TRANSLATE_NOOP("Words", "End solo of %1"),
     QT_TRANSLATE_NOOP("Words", "Forget %1"),
     QT_TRANSLATE_NOOP("Words", "Ghosts of %1"),
+    QT_TRANSLATE_NOOP("Words", "Grow on: %1"),
     QT_TRANSLATE_NOOP("Words", "Hide %1"),
     QT_TRANSLATE_NOOP("Words", "Keep %1"),
     QT_TRANSLATE_NOOP("Words", "Leave of %1"),
     QT_TRANSLATE_NOOP("Words", "Leave %1"),
     QT_TRANSLATE_NOOP("Words", "Let follow the group: %1"),
+    QT_TRANSLATE_NOOP("Words", "Let follow %1"),
+    QT_TRANSLATE_NOOP("Words", "Let go %1"),
     QT_TRANSLATE_NOOP("Words", "List in legend: %1"),
     QT_TRANSLATE_NOOP("Words", "Lit sphere of %1"),
     QT_TRANSLATE_NOOP("Words", "Name of %1"),
@@ -154,9 +120,10 @@ std::span<const char* const> stepPatterns() { return kStepPatterns; }
 QString stepText(std::string_view label) {
   QString plain = QString::fromUtf8(label.data(), qsizetype(label.size())), whole = wordsOf(label);
   if (whole != plain) return whole;
+  if (QString words = patternWords(plain); !words.isEmpty()) return words;
   for (const char* pattern : kStepPatterns) {
     QString said = translated(pattern), beginning = QString(pattern).chopped(2);
-    if (said != pattern && plain.startsWith(beginning)) return said.arg(plain.mid(beginning.size()));
+    if (said != pattern && plain.startsWith(beginning)) return said.arg(inWords(plain.mid(beginning.size())));
   }
   return plain;
 }

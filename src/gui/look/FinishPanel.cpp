@@ -5,6 +5,7 @@
 #include <QVBoxLayout>
 #include <exception>
 
+#include "gui/kit/CoreWords.h"
 #include "gui/service/EditField.h"
 #include "scene/SurfaceLook.h"
 #include "session/command/Command.h"
@@ -168,7 +169,7 @@ void FinishPanel::takePaper(const QString& path) {
   try {
     setField(mDocument, "finish.paper", path.toStdString(), "Choose paper");
   } catch (const std::exception& error) {
-    emit failed(QString::fromUtf8(error.what()));
+    emit failed(inWords(error.what()));
   }
 }
 

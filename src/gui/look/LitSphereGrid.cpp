@@ -6,6 +6,7 @@
 #include <QVBoxLayout>
 #include <exception>
 
+#include "gui/kit/CoreWords.h"
 #include "gui/kit/Words.h"
 #include "scene/LitSpheres.h"
 #include "session/command/Command.h"
@@ -80,7 +81,7 @@ void LitSphereGrid::addOwn(const QString& path) {
   try {
     session::edit(mDocument, session::ChooseLitSphere{path.toStdString()});
   } catch (const std::exception& error) {
-    emit failed(QString::fromUtf8(error.what()));
+    emit failed(inWords(error.what()));
   }
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "gui/kit/CoreWords.h"
 #include "gui/service/SavePath.h"
 #include "session/command/Command.h"
 #include "session/command/LookCommands.h"
@@ -46,7 +47,7 @@ void LookCommands::importFrom(const QString& path) {
     mFolder = QFileInfo(path).path();
     if (!edit.told.empty()) mMessages.showNote(QFileInfo(path).fileName(), edit.told);
   } catch (const std::exception& error) {
-    mMessages.showError(QString::fromUtf8(error.what()));
+    mMessages.showError(inWords(error.what()));
   }
 }
 
@@ -56,7 +57,7 @@ void LookCommands::exportTo(const QString& path) {
     mFolder = QFileInfo(path).path();
     mMessages.showNote(tr("Saved %1").arg(path), losses);
   } catch (const std::exception& error) {
-    mMessages.showError(QString::fromUtf8(error.what()));
+    mMessages.showError(inWords(error.what()));
   }
 }
 

@@ -66,6 +66,7 @@ QWidget* LookPanel::makeLook() {
   auto* iso = mForm.add(
       "rayCast.isoValue", tr("Value"),
       {.object = "iso",
+       .tip = tr("Value at which the surface lies%1").arg(QString()),
        .name = tr("Value of the surface"),
        .step = tr("Change surface value"),
        .range =

@@ -5,6 +5,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "gui/kit/CoreWords.h"
 #include "gui/kit/Icons.h"
 #include "gui/kit/Text.h"
 #include "gui/kit/Words.h"
@@ -194,7 +195,7 @@ QString MarkPanel::valueOf(const scene::Mark& mark) const {
   auto found = mMeasured.find(mark.id);
   if (found == mMeasured.end()) return QString::fromUtf8("\u2026");
   const session::Measured& measured = found->second;
-  return (measured.text.empty() ? wordsOf(measured.problem) : localNumber(measured.text)).section('\n', 0, 0);
+  return (measured.text.empty() ? inWords(measured.problem) : localNumber(measured.text)).section('\n', 0, 0);
 }
 
 void MarkPanel::showList() {

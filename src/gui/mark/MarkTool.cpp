@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/Error.h"
+#include "gui/kit/CoreWords.h"
 #include "gui/kit/Theme.h"
 #include "gui/kit/Words.h"
 #include "gui/mark/MarkGrips.h"
@@ -173,7 +174,7 @@ void MarkTool::add(scene::Mark mark) {
   try {
     session::edit(mDocument, call);
   } catch (const Error& error) {
-    return mMessages.showError(QString::fromUtf8(error.what()));
+    return mMessages.showError(inWords(error.what()));
   }
   mNext.reset();
   say(whatIsNext());

@@ -5,6 +5,7 @@
 #include <QVBoxLayout>
 #include <cmath>
 
+#include "gui/kit/CoreWords.h"
 #include "gui/kit/Length.h"
 #include "gui/service/SelectedCut.h"
 #include "session/command/Command.h"
@@ -246,7 +247,7 @@ void MembraneForm::showStatus(const std::optional<session::MembraneStatus>& stat
                   : status->phase == Phase::Computing ? tr("Computing forces")
                   : status->phase == Phase::Paused    ? tr("Paused at step %1").arg(status->steps)
                                                       : tr("Settling, step %1").arg(status->steps);
-  mDoing->setText(status->error.empty() ? doing + "." : QString::fromStdString(status->error));
+  mDoing->setText(status->error.empty() ? doing + "." : inWords(status->error));
   const auto& volume = mDocument.shown().volume.data;
   if (volume && volume->finer)
     kernels += "\n" + tr("Forces and figures come from level %1 (0 is the finest)").arg(status->voxels.level);

@@ -5,6 +5,7 @@
 #include <QPainter>
 #include <QSignalBlocker>
 
+#include "gui/kit/CoreWords.h"
 #include "gui/kit/Length.h"
 #include "gui/kit/Widgets.h"
 #include "gui/membrane/SheetHandsPaint.h"
@@ -193,7 +194,7 @@ void SheetHandsForm::showUnheld(const scene::Cut& cut) {
   QStringList lines;
   for (const Row& row : mRows) {
     std::string why = session::whyNotHeld(scene::lengthFormat(mDocument.shown()), cut, row.hand);
-    if (!why.empty()) lines << tr("%1 %2.").arg(nameOf(row.hand, *cut.membrane), QString::fromStdString(why));
+    if (!why.empty()) lines << tr("%1 %2.").arg(nameOf(row.hand, *cut.membrane), inWords(why));
   }
   mUnheld->setText(lines.join("\n"));
   mUnheld->setVisible(!lines.isEmpty());

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <memory>
 
+#include "gui/kit/CoreWords.h"
 #include "scene/Crowd.h"
 #include "session/command/Command.h"
 #include "session/command/CutCommands.h"
@@ -99,7 +100,7 @@ void Equalizer::moveTo(double count) {
   if (!isHeld()) return;
   std::string words = mBar.moveTo(count);
   emit counted();
-  emit told(QString::fromStdString(words));
+  emit told(inWords(words));
 }
 
 void Equalizer::letGo() {

@@ -4,6 +4,7 @@
 #include <QPushButton>
 #include <algorithm>
 
+#include "gui/kit/CoreWords.h"
 #include "gui/kit/Text.h"
 #include "scene/Scene.h"
 #include "session/model/ModelEdit.h"
@@ -110,7 +111,7 @@ void HidersBox::addRow(const session::Hider& hider, const scene::ModelLayer& lay
 
 void HidersBox::showHiding(const session::Hiding& hiding, const scene::ModelLayer& layer) {
   mHiding = hiding;
-  mWords->setText(readableText(hiding.words));
+  mWords->setText(inWords(withoutLinks(hiding.words)));
   while (QLayoutItem* item = mRows->takeAt(0)) {
     item->widget()->deleteLater();
     delete item;

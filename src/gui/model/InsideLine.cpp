@@ -4,6 +4,7 @@
 #include <QVBoxLayout>
 #include <string>
 
+#include "gui/kit/CoreWords.h"
 #include "gui/rows/ListParts.h"
 #include "scene/Scene.h"
 #include "session/model/HiddenInside.h"
@@ -39,7 +40,7 @@ void InsideLine::showCounts() {
   if (isOfThis && !counts.isExact() && scene.cuts.empty()) return;
   std::string words =
       isOfThis ? session::hiddenWords(scene, session::hiddenInside(scene, counts.compartments())) : std::string();
-  mWords->setText(QString::fromStdString(words));
+  mWords->setText(inWords(words));
   setVisible(!words.empty());
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "gui/kit/CoreWords.h"
 #include "gui/kit/Text.h"
 #include "gui/kit/Words.h"
 #include "gui/rows/CountKey.h"
@@ -104,7 +105,7 @@ void ModelPanel::showScale(const scene::Scene& scene) {
   if (data == mScaleOf) return;
   mScaleOf = std::move(data);
   std::string words = session::scaleWords(scene);
-  mScaleWords->setText(QString::fromStdString(words));
+  mScaleWords->setText(inWords(words));
   mScale->setVisible(!words.empty());
 }
 
@@ -279,7 +280,7 @@ void ModelPanel::refresh() {
   }
   if (isOther) mHiders->hide();
   mShown->setChecked(layer.visible);
-  mOneColor->setText(QString::fromStdString(scene::whyOneColor(layer)));
+  mOneColor->setText(inWords(scene::whyOneColor(layer)));
   mOneColor->setVisible(!mOneColor->text().isEmpty());
   mForm.refresh();
   showCount();

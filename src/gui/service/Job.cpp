@@ -2,6 +2,7 @@
 
 #include <chrono>
 
+#include "gui/kit/CoreWords.h"
 #include "gui/service/CallLater.h"
 
 namespace velum::gui {
@@ -30,7 +31,7 @@ void Job::start() {
         callLater(this, [this, fraction, what] { emit progressed(fraction, what); });
       }),
       [this](const session::JobOutcome& outcome) {
-        callLater(this, [this, outcome] { emit finished(outcome.done, QString::fromStdString(outcome.error)); });
+        callLater(this, [this, outcome] { emit finished(outcome.done, inWords(outcome.error)); });
       },
       mUrgency);
 }

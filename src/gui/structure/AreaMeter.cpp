@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "gpu/Context.h"
+#include "gui/kit/CoreWords.h"
 #include "render/Renderer.h"
 #include "session/extrusion/AreaSolver.h"
 #include "session/model/PictureCounter.h"
@@ -95,7 +96,7 @@ void AreaMeter::moveTo(double pixels) {
   if (!isHeld()) return;
   std::string words = mBar.moveTo(pixels);
   emit measured();
-  emit told(QString::fromStdString(words));
+  emit told(inWords(words));
 }
 
 void AreaMeter::letGo() {

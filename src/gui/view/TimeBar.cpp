@@ -4,6 +4,7 @@
 #include <QSignalBlocker>
 #include <cmath>
 
+#include "gui/kit/Words.h"
 #include "session/lettering/TimeStamp.h"
 
 namespace velum::gui {
@@ -83,7 +84,7 @@ void TimeBar::refresh() {
   mSlider->setValue(timeStep);
   double seconds = mDocument.shown().volume.data->timeStepSeconds;
   QString text = tr("%1 of %2").arg(timeStep + 1).arg(count);
-  if (seconds > 0) text += "    " + QString::fromStdString(session::timeText(timeStep, count, seconds));
+  if (seconds > 0) text += "    " + localNumber(session::timeText(timeStep, count, seconds));
   mText->setText(text);
 }
 

@@ -7,6 +7,7 @@
 #include <QVBoxLayout>
 
 #include "core/Error.h"
+#include "gui/kit/CoreWords.h"
 #include "gui/kit/Text.h"
 #include "gui/kit/Widgets.h"
 #include "gui/rows/FieldForm.h"
@@ -150,7 +151,7 @@ void CarryDialog::tell() {
   };
   expectThere(volume);
   expectThere(labels);
-  if (!mWhyNotRead.empty()) why = toText(mWhyNotRead);
+  if (!mWhyNotRead.empty()) why = inWords(mWhyNotRead);
   mCarry->setEnabled(why.isEmpty() && !volume.isEmpty());
   QString hint;
   if (isReading())

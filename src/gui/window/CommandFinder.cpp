@@ -7,6 +7,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "gui/kit/CoreWords.h"
 #include "gui/kit/Words.h"
 #include "gui/rows/RowPaint.h"
 #include "session/command/Command.h"
@@ -177,7 +178,7 @@ bool CommandFinder::addTyped() {
     item->setText(tr("Run > %1").arg(line));
     item->setToolTip(wordsOf(session::findCommand(name).doc));
   } catch (const std::exception& error) {
-    item->setText(QString::fromUtf8(error.what()));
+    item->setText(inWords(error.what()));
     item->setFlags(Qt::NoItemFlags);
   }
   return true;

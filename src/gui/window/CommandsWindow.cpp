@@ -12,6 +12,7 @@
 #include <QVBoxLayout>
 
 #include "core/ReplaceFile.h"
+#include "gui/kit/CoreWords.h"
 
 namespace velum::gui {
 
@@ -128,7 +129,7 @@ void CommandsWindow::runTyped() {
       if (said.isEmpty()) mTyped->clear();
     }
   } catch (const std::exception& error) {
-    said = QString::fromUtf8(error.what());
+    said = inWords(error.what());
   }
   mSaid->setText(said.trimmed());
   mSaid->setVisible(!said.isEmpty());
@@ -141,7 +142,7 @@ void CommandsWindow::save() {
   try {
     replaceFile(path.toStdString(), lines().toStdString());
   } catch (const std::exception& error) {
-    said = QString::fromUtf8(error.what());
+    said = inWords(error.what());
   }
   mSaid->setText(said);
   mSaid->show();

@@ -7,6 +7,7 @@
 #include <exception>
 
 #include "core/Memory.h"
+#include "gui/kit/CoreWords.h"
 #include "gui/service/RecentFiles.h"
 #include "gui/service/SavePath.h"
 #include "session/document/FileKinds.h"
@@ -145,7 +146,7 @@ void FileCommands::saveSceneTo(const QString& path) {
     mLoads.rememberFile(QString::fromStdString(mParts.session.file().path()));
     mLoads.rememberPicture();
   } catch (const std::exception& error) {
-    mParts.jobs.setError(QString::fromUtf8(error.what()));
+    mParts.jobs.setError(inWords(error.what()));
   }
 }
 

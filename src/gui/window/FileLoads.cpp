@@ -8,6 +8,7 @@
 #include <QStandardPaths>
 #include <algorithm>
 
+#include "gui/kit/CoreWords.h"
 #include "gui/kit/Preferences.h"
 #include "gui/kit/Text.h"
 #include "gui/service/RecentFiles.h"
@@ -46,7 +47,7 @@ QString nameOf(const QString& path) { return QFileInfo(path).fileName(); }
 /// Shows an error where labels do not lie where the scan lies. @return false where they do
 bool sayMisplaced(const WindowParts& parts, const QString& name) {
   std::string misplaced = session::misplacedLabels(parts.session.shown());
-  if (!misplaced.empty()) parts.messages.showError(QString("%1: %2").arg(name, toText(misplaced)));
+  if (!misplaced.empty()) parts.messages.showError(QString("%1: %2").arg(name, inWords(misplaced)));
   return !misplaced.empty();
 }
 
@@ -210,7 +211,7 @@ bool FileLoads::locateMissing(session::Loaded& loaded) {
   for (const auto& missing : session::missingData(loaded.scene)) {
     QFileInfo file(toText(missing.path));
     QMessageBox box(QMessageBox::Question, tr("Missing data"),
-                    tr("The %1 of the scene is missing: %2").arg(toText(missing.what), file.fileName()),
+                    tr("The %1 of the scene is missing: %2").arg(inWords(missing.what), file.fileName()),
                     QMessageBox::NoButton, &mParts.window);
     box.setInformativeText(tr("It was %1, and is not near the scene, nor where you worked last.").arg(file.filePath()));
     auto* locate = box.addButton(tr("&Locate..."), QMessageBox::AcceptRole);
@@ -222,7 +223,8 @@ bool FileLoads::locateMissing(session::Loaded& loaded) {
     if (box.clickedButton() == locate)
       path = QFileDialog::getOpenFileName(&mParts.window, tr("Where is %1?").arg(file.fileName()), file.path());
     if (path.isEmpty()) {
-      loaded.notes.push_back(tr("opened without its %1 (%2)").arg(toText(missing.what), file.filePath()).toStdString());
+      loaded.notes.push_back(
+          tr("opened without its %1 (%2)").arg(inWords(missing.what), file.filePath()).toStdString());
       continue;
     }
     found = true;
@@ -266,7 +268,7 @@ void FileLoads::sayNotes(const QString& name, const std::vector<std::string>& no
   }
   QStringList lines{
       tr("%1: of %2 planes, %3 are missing, and hatched in the sections").arg(name).arg(volume->dims.z).arg(missing)};
-  for (const std::string& note : notes) lines << toText(note);
+  for (const std::string& note : notes) lines << inWords(note);
   mParts.messages.showError(lines.join("; "));
 }
 

@@ -2,6 +2,7 @@
 
 #include <QFileInfo>
 
+#include "gui/kit/CoreWords.h"
 #include "gui/window/ReadyFilmDialog.h"
 #include "gui/window/SaveFilmDialog.h"
 #include "session/Session.h"
@@ -41,7 +42,7 @@ void FilmCommands::refresh(const session::Session& session) {
   for (std::size_t i = 0; i < kReadyFilms; ++i) {
     ReadyFilm film = ReadyFilm(i);
     QAction* action = mReady[nameOf(film)];
-    QString why = QString::fromStdString(session::whyNoFilm(scene, film));
+    QString why = inWords(session::whyNoFilm(scene, film));
     action->setEnabled(isOpen && why.isEmpty());
     mParts.actions.rename(action, action->text(),
                           why.isEmpty() ? readyFilmTip(film) : tr("%1: %2").arg(readyFilmTip(film), why));

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/Clock.h"
+#include "gui/kit/CoreWords.h"
 #include "gui/rows/PictureList.h"
 #include "gui/service/CallLater.h"
 #include "scene/timeline/SceneAt.h"
@@ -57,16 +58,16 @@ void FilmPreview::show(Asked asked) {
   mJob.want(
       [this, asked = std::move(asked), size, turn] {
         return [this, asked, size, turn](Progress& progress) {
-          QString why;
+          std::string why;
           try {
             draw(asked, size, turn, progress);
           } catch (const Cancelled&) {
             throw;
           } catch (const std::exception& error) {
-            why = QString::fromUtf8(error.what());
+            why = error.what();
           }
           callLater(this, [this, turn, why] {
-            if (turn == mTurn) emit told(why);
+            if (turn == mTurn) emit told(inWords(why));
           });
         };
       },

@@ -1,4 +1,5 @@
 #include "gui/window/LostWork.h"
+#include "gui/kit/CoreWords.h"
 
 #include <QMessageBox>
 #include <QPushButton>
@@ -47,7 +48,7 @@ void LostWork::askDiscard() {
   try {
     session::WorkClaim(work->folder).remove();
   } catch (const std::exception& error) {
-    mParts.messages.showError(QString::fromUtf8(error.what()));
+    mParts.messages.showError(inWords(error.what()));
   }
   mBar.next();
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gui/kit/CoreWords.h"
 #include "gui/kit/Preferences.h"
 #include "gui/kit/Text.h"
 #include "session/document/Sources.h"
@@ -48,7 +49,7 @@ QString whatItTakes(const session::PyramidBeside& plan) {
   if (plan.isThere) return PyramidCommands::tr("%1 beside it has the same voxels and coarser levels.").arg(name);
   if (!plan.obstacle.empty())
     return PyramidCommands::tr("A pyramid beside it would let it open at once, but it cannot be written: %1")
-        .arg(toText(plan.obstacle));
+        .arg(inWords(plan.obstacle));
   QString text = PyramidCommands::tr(
                      "A pyramid beside it, %1, lets it open at once and be streamed. It takes up to %2 of "
                      "the disk, of which %3 are free, and about %4 on a machine that has little else to do; you can go "

@@ -12,6 +12,7 @@
 #include <cmath>
 
 #include "core/Error.h"
+#include "gui/kit/CoreWords.h"
 #include "gui/kit/Widgets.h"
 #include "gui/rows/PictureList.h"
 #include "scene/Scene.h"
@@ -257,7 +258,7 @@ void RawDialog::drawPlane() {
     picture.setDevicePixelRatio(ratio);
     mPicture->setPixmap(QPixmap::fromImage(picture));
   } catch (const InputError& error) {
-    mPicture->setText(QString::fromUtf8(error.what()).section(": ", -1));
+    mPicture->setText(inWords(error.what()).section(": ", -1));
   }
 }
 

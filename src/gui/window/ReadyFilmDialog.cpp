@@ -4,6 +4,7 @@
 
 #include <QCoreApplication>
 
+#include "gui/kit/CoreWords.h"
 #include "gui/kit/CutTitle.h"
 #include "gui/kit/Widgets.h"
 #include "gui/kit/Words.h"
@@ -70,7 +71,7 @@ ReadyFilmDialog::ReadyFilmDialog(const scene::Scene& scene, ReadyFilm film, doub
 ArgumentForm::Extra ReadyFilmDialog::extraOf(ReadyFilm film, double start) const {
   ArgumentForm::Extra extra;
   extra.beginning["start"] = fmt::format("{}", start);
-  if (film == ReadyFilm::Title) extra.beginning["text"] = "\"Title\"";
+  if (film == ReadyFilm::Title) extra.beginning["text"] = tr("\"Title\"").toStdString();
   if (film == ReadyFilm::Cut || film == ReadyFilm::Membrane) {
     auto& cuts = extra.choices["cut"];
     cuts.emplace_back(tr("All that are on"), "");
@@ -95,7 +96,7 @@ void ReadyFilmDialog::showFilm() {
     mPreview->show(std::move(asked));
     tell({});
   } catch (const std::exception& error) {
-    tell(QString::fromUtf8(error.what()));
+    tell(inWords(error.what()));
   }
 }
 

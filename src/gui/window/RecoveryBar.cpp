@@ -3,6 +3,7 @@
 #include <QHBoxLayout>
 #include <QVBoxLayout>
 
+#include "gui/kit/CoreWords.h"
 #include "gui/kit/Words.h"
 #include "gui/service/SayTime.h"
 #include "scene/Scene.h"
@@ -18,7 +19,7 @@ QString sayTitle(const session::LostWork& work) {
 }
 
 QString sayText(const session::LostWork& work) {
-  QString whyNot = QString::fromStdString(work.whyNot), time = sayTime(work.when);
+  QString whyNot = inWords(work.whyNot), time = sayTime(work.when);
   if (!work.isReadable)
     return RecoveryBar::tr("From %1. %2 (%3)").arg(time, QString::fromStdString(work.folder.string()), whyNot);
   QString last = work.label.empty() ? QString() : RecoveryBar::tr(", last change: %1").arg(stepText(work.label));

@@ -7,6 +7,7 @@
 #include <QMessageBox>
 #include <QSignalBlocker>
 
+#include "gui/kit/CoreWords.h"
 #include "gui/kit/Widgets.h"
 #include "gui/service/KeepScene.h"
 #include "gui/service/SavePath.h"
@@ -145,9 +146,9 @@ void SaveFilmDialog::updateText() {
   bool isPossible = why.isEmpty();
   try {
     session::expectFilmOutput(output);
-    if (isPossible) why = QString::fromStdString(session::filmNote(output));
+    if (isPossible) why = inWords(session::filmNote(output));
   } catch (const std::exception& error) {
-    why = QString::fromUtf8(error.what());
+    why = inWords(error.what());
     isPossible = false;
   }
   why.remove(QString::fromStdString(output.path.string()) + ": ");
@@ -176,7 +177,7 @@ void SaveFilmDialog::accept() {
     session::expectFilmOutput(output());
     if (mayReplace()) QDialog::accept();
   } catch (const std::exception& error) {
-    sayIn(*mNote, QString::fromUtf8(error.what()), true);
+    sayIn(*mNote, inWords(error.what()), true);
     mNote->show();
   }
 }
@@ -192,7 +193,7 @@ void SaveFilmDialog::copyCommand() {
     QGuiApplication::clipboard()->setText(text);
     mFacts->setText(tr("Copied: %1").arg(text));
   } catch (const std::exception& error) {
-    mFacts->setText(QString::fromUtf8(error.what()));
+    mFacts->setText(inWords(error.what()));
   }
 }
 

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <exception>
 
+#include "gui/kit/CoreWords.h"
 #include "gui/kit/Preferences.h"
 #include "gui/rows/PictureList.h"
 #include "gui/service/KeepScene.h"
@@ -280,8 +281,7 @@ scene::Scene SavePictureDialog::pictureScene() const {
   scene::Scene scene = mScene;
   int index = mBackground->currentIndex();
   scene.background.transparent = index == 1;
-  if (index == 2) scene.background.top = scene.background.bottom = glm::vec3(1.0f);
-  if (index == 3) scene.background.top = scene.background.bottom = glm::vec3(0.0f);
+  if (index >= 2) scene.background.top = scene.background.bottom = glm::vec3(index == 2 ? 1.0f : 0.0f);
   return scene;
 }
 
@@ -315,7 +315,7 @@ void SavePictureDialog::copyCommand() {
     QGuiApplication::clipboard()->setText(text);
     mFacts->setText(tr("Copied: %1").arg(text));
   } catch (const std::exception& error) {
-    mFacts->setText(QString::fromUtf8(error.what()));
+    mFacts->setText(inWords(error.what()));
   }
 }
 

@@ -23,8 +23,8 @@ QString titleOf(const session::Series& series) {
   QString name = series.description.empty() ? SeriesDialog::tr("(no description)") : toText(series.description);
   QString size = SeriesDialog::tr("%n image(s)", nullptr, series.imageCount);
   QString modality = series.modality.empty() ? QString() : toText(series.modality) + ", ";
-  QString text =
-      QString("%1\n%2%3 of %4%5%6").arg(name, modality, size).arg(series.size.x).arg(times).arg(series.size.y);
+  QString pixels = QString("%1%2%3").arg(series.size.x).arg(times).arg(series.size.y);
+  QString text = name + "\n" + modality + SeriesDialog::tr("%1 of %2").arg(size, pixels);
   if (!series.date.empty()) text += "\n" + toText(series.date);
   if (!series.labels.empty()) text += SeriesDialog::tr("\nwith %n segmentation(s)", nullptr, int(series.labels.size()));
   return text;

@@ -17,6 +17,7 @@
 #include "core/Log.h"
 #include "gpu/Context.h"
 #include "gpu/GpuError.h"
+#include "gui/kit/CoreWords.h"
 
 namespace velum::gui {
 
@@ -160,7 +161,7 @@ int refuseStart(const Error& error, bool asks) {
   log::say(fmt::format("velum: {}", error.what()));
   if (asks && hasScreen())
     QMessageBox::critical(nullptr, QGuiApplication::applicationDisplayName(),
-                          QMessageBox::tr("Velum cannot start: %1").arg(QString::fromUtf8(error.what())));
+                          QMessageBox::tr("Velum cannot start: %1").arg(inWords(error.what())));
   return static_cast<int>(error.exitCode());
 }
 

@@ -5,6 +5,7 @@
 
 #include "core/BrickCache.h"
 #include "core/Text.h"
+#include "gui/kit/CoreWords.h"
 #include "gui/kit/Length.h"
 #include "gui/kit/Text.h"
 #include "gui/kit/Words.h"
@@ -72,7 +73,7 @@ void StatusLine::showProgress(double fraction, const QString& stage) {
   mDriver->setText(driver.section(" (", 0, 0).section('/', 0, 0));
   mDriver->setToolTip(tr("Drawn by %1").arg(driver));
   showStreaming(stats.streaming);
-  QString reduction = QString::fromStdString(stats.reduction);
+  QString reduction = inWords(stats.reduction);
   mReduction->setText(reduction.isEmpty() ? QString() : tr("Reduced"));
   mReduction->setToolTip(reduction);
 }

@@ -6,6 +6,7 @@
 
 #include "core/BrickCache.h"
 #include "core/Error.h"
+#include "gui/kit/CoreWords.h"
 #include "gui/kit/Length.h"
 #include "gui/window/RawDialog.h"
 #include "gui/window/VoxelSizeDialog.h"
@@ -118,7 +119,7 @@ void VolumeCommands::askLevel() {
     for (const std::string& line : session::levelLines(source))
       levels << tr("Level %1, read whole: %2").arg(levels.size() - 1).arg(QString::fromStdString(line));
   } catch (const InputError& error) {
-    return mParts.messages.showError(QString::fromUtf8(error.what()));
+    return mParts.messages.showError(inWords(error.what()));
   }
   auto* dialog = new QInputDialog(&mParts.window);
   dialog->setObjectName("levelDialog");

@@ -70,11 +70,11 @@ std::string sayBlocks(const scene::Scene& scene) {
   if (smoothed.empty()) return {};
   double widest = 0.0;
   for (const ShapeSmoothing& one : smoothed) widest = std::max(widest, one.deviation);
-  std::string who = fmt::format("{} structures are", smoothed.size());
+  std::string who = fmt::format("{} structures", smoothed.size());
   for (const auto& structure : scene.labels.structures)
-    if (smoothed.size() == 1 && structure.id == smoothed[0].id) who = structure.name + " is";
+    if (smoothed.size() == 1 && structure.id == smoothed[0].id) who = structure.name;
   return fmt::format(
-      "{} made of blocks, as of a coarser grid; shapes are smoothed by {:.3g} {} (smoothing 0: as in the file)", who,
+      "{}: made of blocks, as of a coarser grid; shapes are smoothed by {:.3g} {} (smoothing 0: as in the file)", who,
       widest, symbolOf(scene.unit));
 }
 

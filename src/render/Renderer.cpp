@@ -1,238 +1,22 @@
 #include "render/Renderer.h"
 
-#include <algorithm>
-#include <chrono>
-#include <iterator>
 #include <optional>
-#include <thread>
 
-#include "render/FrameData.h"
-#include "render/Gbuffer.h"
-#include "render/WorkQueue.h"
-#include "render/passes/BrickPass.h"
-#include "render/passes/CountPass.h"
-#include "render/passes/FinishPass.h"
-#include "render/passes/GhostPass.h"
-#include "render/passes/InstancePass.h"
-#include "render/passes/LightPass.h"
-#include "render/passes/ModelPass.h"
-#include "render/passes/Patches.h"
-#include "render/passes/RayCastPass.h"
-#include "render/passes/ResolvePass.h"
-#include "render/passes/SkipPass.h"
-#include "render/passes/StatePass.h"
-#include "render/passes/SurfacePass.h"
-#include "render/passes/UploadPass.h"
-#include "render/residency/Residency.h"
+#include "gpu/Loss.h"
+#include "render/RendererImpl.h"
 
 namespace velum::render {
 
 namespace {
 
-constexpr double kUploadShare = 0.05;                   // of a picture's progress
-constexpr std::chrono::milliseconds kProgramsPause{1};  // between two questions whether programs are compiled
+constexpr double kUploadShare = 0.05;  // of a picture's progress
 
 }  // namespace
 
-/// The passes, what they hand on to each other, and the work that is left of the frame in hand.
-struct Renderer::Impl {
-  Impl(gpu::Context& c, const Stats& known)
-      : limits(c.limits()),
-        upload(limits),
-        model(limits),
-        states(model),
-        instances(model, states, surfaces),
-        rayCast(gbuffer, limits.isSoftware),
-        counts(gbuffer, model, states),
-        ghosts(gbuffer, model, instances.draw()),
-        finish(gbuffer),
-        stats(known) {}
-
-  gpu::Limits limits;
-  std::optional<Frame> wanted;  ///< As the caller gave it.
-  FrameData coming;             ///< Of a frame whose data is on its way;
-  FrameData data;               ///< of the one that is drawn, or was last.
-  bool isDrawn = false;         ///< All passes are prepared for `data`.
-  FrameInputs inputs;
-  Gbuffer gbuffer;
-  UploadPass upload;
-  SkipPass skip;
-  LightPass light;
-  SurfacePass surfaces;
-  ModelPass model;
-  StatePass states;
-  InstancePass instances;
-  RayCastPass rayCast;
-  CountPass counts;
-  GhostPass ghosts;
-  FinishPass finish;
-  ResolvePass resolve;
-  /// Whom the data's upload goes before,
-  Pass* const lighting[6] = {&skip, &light, &surfaces, &model, &states, &instances};
-  /// and those that need to know of their targets.
-  Pass* const casting[4] = {&rayCast, &counts, &ghosts, &finish};
-  WorkQueue queue;
-  BrickPass bricks{skip, rayCast, inputs, queue};
-  Stats stats;
-
-  void begin(const Frame& frame);
-  void setUp();
-  void askForPrograms();
-  bool hasPrograms();
-  void addSamples();
-  void addCasting();
-  void addSamplesFrom(int first);
-  void finishSample(int sample);
-  void redraw(int sample);
-  bool waitsForBricks() const { return data.residency && !data.frame.isPreview; }
-  void bind() const;
-  void noteStats();
-  bool look(bool fine);
-};
-
-/// The frame, first half: what is not on the GPU yet, piece by piece; then everything else can be known.
-void Renderer::Impl::begin(const Frame& frame) {
-  wanted = frame;
-  isDrawn = false;
-  queue.restart();
-  rayCast.restart();
-  finish.restart();
-  ghosts.restart();
-  coming = {.frame = withSizes(frame), .isSoftware = limits.isSoftware};
-  upload.prepare(coming);
-  upload.addSteps(coming, 0, queue);
-  queue.add("Setup", [this] { setUp(); });
-  queue.add("Programs", [this] { askForPrograms(); });
-  queue.addUntilDone("Programs", [this] { return hasPrograms(); });
-  queue.add("Setup", [this] { addSamples(); });
-  queue.countAll();
-}
-
-/// What the frame is made of. Before its program is compiled, whoever works by a budget may say so.
-void Renderer::Impl::setUp() {
-  data = std::move(coming);
-  upload.complete(data);
-  completeFrameData(data);
-  for (Pass* pass : lighting) pass->prepare(data);
-  if (!rayCast.isKnown(data)) queue.rest();
-}
-
-void Renderer::Impl::askForPrograms() {
-  for (Pass* pass : lighting) pass->compile(data);
-  for (Pass* pass : casting) pass->prepare(data);
-}
-
-/// What drivers compile beside this thread is waited for without holding it up.
-bool Renderer::Impl::hasPrograms() {
-  auto isReady = [](Pass* pass) { return pass->isReady(); };
-  if (std::all_of(std::begin(lighting), std::end(lighting), isReady) &&
-      std::all_of(std::begin(casting), std::end(casting), isReady))
-    return true;
-  std::this_thread::sleep_for(kProgramsPause);
-  queue.rest();
-  return false;
-}
-
-/// The frame, second half, in its order.
-void Renderer::Impl::addSamples() {
-  inputs.write(data);
-  isDrawn = true;
-  bind();
-  // What all samples of the picture share.
-  skip.addSteps(data, 0, queue);
-  light.addSteps(data, 0, queue);
-  states.addSteps(data, 0, queue);
-  if (waitsForBricks())
-    bricks.addSteps(
-        data, [this] { bind(); }, [this] { addCasting(); }, [this] { begin(Frame(*wanted)); });
-  else
-    addCasting();
-  queue.countAll();
-}
-
-/// Bricks have come that a sample met. Where rays are all that makes the picture, those are cast again that come
-/// through them; else all of it begins again with the first sample.
-void Renderer::Impl::redraw(int sample) {
-  if (canPatch(data)) {
-    rayCast.addPatches(data, sample, changedRects(data), queue);
-    finishSample(sample);
-    addSamplesFrom(sample + 1);
-    return;
-  }
-  rayCast.redo();
-  finish.restart();
-  ghosts.restart();
-  bricks.addStepsAgain();
-}
-
-void Renderer::Impl::addCasting() {
-  if (data.residency)
-    queue.add("Bricks", [this] {
-      bricks.beginCasting(data);
-      bind();
-    });
-  addSamplesFrom(0);
-}
-
-/// Each sample: its rays, what is rasterised, what is cast up to there, what an illustrator makes of it.
-void Renderer::Impl::addSamplesFrom(int first) {
-  for (int sample = first; sample < samplesOf(data.frame); ++sample) {
-    queue.add("Setup", [this, sample] {
-      inputs.writeParams(data, sample);
-      if (waitsForBricks() && sample > 0 && (sample == 1 || canPatch(data))) gbuffer.keepColor();
-    });
-    surfaces.addSteps(data, sample, queue);
-    instances.addSteps(data, sample, queue);
-    rayCast.addSteps(data, sample, queue);
-    counts.addSteps(data, sample, queue);
-    ghosts.addSteps(data, sample, queue);
-    finish.addSteps(data, sample, queue);
-    finishSample(sample);
-  }
-}
-
-/// Asks whether a sample met bricks that are not there: each, or, where all would begin again, the first and the last.
-void Renderer::Impl::finishSample(int sample) {
-  bool isAsked = sample == 0 || sample + 1 == samplesOf(data.frame) || canPatch(data);
-  if (waitsForBricks() && isAsked) bricks.addCheck(data, [this, sample] { redraw(sample); });
-}
-
-/// For all steps that follow. Other GL work that comes in between binds things of its own.
-void Renderer::Impl::bind() const {
-  inputs.bind();
-  upload.bind(data);
-  for (const Pass* pass : lighting) pass->bind(data);
-  for (const Pass* pass : casting) pass->bind(data);
-}
-
-void Renderer::Impl::noteStats() {
-  stats.frameMs = queue.totalMs() - upload.frameMs();
-  stats.uploadMs = upload.ms();
-  stats.longestStepMs = queue.longestMs();
-  stats.samples = rayCast.progress().samples;
-  stats.pixelsCast = rayCast.pixelsCast();
-  stats.labelBytes = upload.labelBytes();
-  stats.reduction = isDrawn && data.residency                           ? data.residency->shortfall()
-                    : isDrawn && data.volume && !data.volumeKey.isQuick ? data.volume->reduction
-                                                                        : "";
-  if (std::string words = isDrawn ? upload.labelShortfall(data) : ""; !words.empty())
-    stats.reduction += (stats.reduction.empty() ? "" : "; ") + words;
-  stats.streaming = isDrawn && data.residency ? data.residency->streaming() : Streaming{};
-  if (queue.isEmpty()) stats.passesMs = queue.timesMs();
-}
-
-/// The frame, as far as it is. @param fine  see Layers  @return false when there was none yet
-bool Renderer::Impl::look(bool fine) {
-  if (!gbuffer) return false;
-  inputs.bind();
-  const PictureProgress& done = rayCast.progress();
-  if (isDrawn && (done.rowsDone > 0 || done.columnsDone > 0)) finish.catchUp(data);
-  resolve.draw(data, gbuffer, finish, ghosts, done, fine);
-  return true;
-}
-
 Renderer::Renderer(gpu::Context& context)
-    : mImpl(std::make_unique<Impl>(context, Stats{context.limits().renderer})), mContext(context) {}
+    : mImpl(std::make_unique<Impl>(context, Stats{context.limits().renderer})),
+      mNumber(gpu::contextNumber()),
+      mContext(context) {}
 Renderer::~Renderer() = default;
 
 const Stats& Renderer::stats() const { return mImpl->stats; }
@@ -242,9 +26,18 @@ double Renderer::fractionDone() const {
   return mImpl->isDrawn ? kUploadShare + (1.0 - kUploadShare) * done : kUploadShare * done;
 }
 
-void Renderer::clear() { mImpl = std::make_unique<Impl>(mContext, mImpl->stats); }
+void Renderer::clear() {
+  mImpl = std::make_unique<Impl>(mContext, mImpl->stats);
+  mNumber = gpu::contextNumber();
+}
+
+/// What was in a context that has been made anew since is made again.
+void Renderer::keepUp() {
+  if (mNumber != gpu::contextNumber()) clear();
+}
 
 bool Renderer::work(const Frame& frame, double budgetMs) {
+  keepUp();
   Impl& m = *mImpl;
   if (!m.wanted || !(*m.wanted == frame)) m.begin(frame);
   if (m.queue.isEmpty()) return true;
@@ -254,8 +47,10 @@ bool Renderer::work(const Frame& frame, double budgetMs) {
     isDone = m.queue.work(budgetMs);
   } catch (...) {
     m.wanted.reset();  // a frame that has failed half way begins anew
+    gpu::throwIfLost();
     throw;
   }
+  gpu::throwIfLost();
   // Where the processor draws nothing goes on meanwhile, and the last piece counts, too.
   if (isDone && m.limits.isSoftware) m.queue.finish();
   m.noteStats();
@@ -263,6 +58,12 @@ bool Renderer::work(const Frame& frame, double budgetMs) {
 }
 
 void Renderer::render(const Frame& frame, Progress& progress) {
+  if (!frame.sheets.empty()) return renderOnce(frame, progress);
+  gpu::despiteLoss([&] { renderOnce(frame, progress); });
+}
+
+void Renderer::renderOnce(const Frame& frame, Progress& progress) {
+  keepUp();
   // Who goes on with this renderer piece by piece looks on again, even where this picture is given up.
   struct Waiting {
     BrickPass& bricks;
@@ -272,6 +73,27 @@ void Renderer::render(const Frame& frame, Progress& progress) {
   while (!work(frame, 100.0)) progress.report(fractionDone(), "rendering");
   mImpl->queue.finish();
   mImpl->noteStats();
+  gpu::throwIfLost();
+}
+
+/// Asks something about the frame that is drawn; where it has been lost, about the same one, drawn again.
+template <class Question>
+auto Renderer::ask(Question question) {
+  auto answer = [&] {
+    auto given = question();
+    gpu::throwIfLost();
+    return given;
+  };
+  if (!mImpl->wanted || !mImpl->wanted->sheets.empty()) return answer();
+  std::optional<Frame> lost;
+  return gpu::despiteLoss([&] {
+    if (mNumber != gpu::contextNumber()) {
+      if (!lost) lost = mImpl->wanted;
+      Progress quiet;
+      renderOnce(*lost, quiet);
+    }
+    return answer();
+  });
 }
 
 void Renderer::present(unsigned framebuffer, glm::ivec2 size) {
@@ -279,21 +101,25 @@ void Renderer::present(unsigned framebuffer, glm::ivec2 size) {
 }
 
 Image Renderer::read(const Layers& layers) {
-  if (!mImpl->look(layers.isFine)) return {};
-  Image image = mImpl->resolve.read();
-  mImpl->gbuffer.appendLayers(mImpl->data, layers, image);
-  if (layers.ghosts) mImpl->ghosts.appendLayer(image);
-  return image;
+  return ask([&]() -> Image {
+    if (!mImpl->look(layers.isFine)) return {};
+    Image image = mImpl->resolve.read();
+    mImpl->gbuffer.appendLayers(mImpl->data, layers, image);
+    if (layers.ghosts) mImpl->ghosts.appendLayer(image);
+    return image;
+  });
 }
 
-Pick Renderer::pick(glm::ivec2 pixel) const {
-  return mImpl->gbuffer ? mImpl->gbuffer.pick(mImpl->data, pixel) : Pick{};
+Pick Renderer::pick(glm::ivec2 pixel) {
+  return ask([&] { return mImpl->gbuffer ? mImpl->gbuffer.pick(mImpl->data, pixel) : Pick{}; });
 }
 
-std::optional<InstanceBits> Renderer::bits(bool waits) { return mImpl->counts.take(waits); }
+std::optional<InstanceBits> Renderer::bits(bool waits) {
+  return ask([&] { return mImpl->counts.take(waits); });
+}
 
-PixelIds Renderer::idsOfPixels(bool withDistances) const {
-  return mImpl->gbuffer ? mImpl->gbuffer.idsOfPixels(mImpl->data, withDistances) : PixelIds();
+PixelIds Renderer::idsOfPixels(bool withDistances) {
+  return ask([&] { return mImpl->gbuffer ? mImpl->gbuffer.idsOfPixels(mImpl->data, withDistances) : PixelIds(); });
 }
 
 }  // namespace velum::render

@@ -54,9 +54,8 @@ void Viewport::playMembranes(bool play) {
 }
 
 void Viewport::stepMembranes() {
-  if (!bindContext()) return;
   mSession.membranes().setPlaying(false);
-  mSession.membranes().stepOnce();
+  if (!inContext([this] { mSession.membranes().stepOnce(); })) return;
   wakeSheets();
   emit sheetsTold();
 }

@@ -136,11 +136,13 @@ void LiveSheet::keepMaker(std::shared_ptr<membrane::ForceMaker> maker) {
 
 bool LiveSheet::isMoving() const { return mCut.enabled && (mBegins || !mMotion.isAtRest()); }
 
-void LiveSheet::keepPlace() { mPlace = mMotion.fittedPlace(isActive()); }
+void LiveSheet::keepPlace() {
+  mPlace = mMotion.fittedPlace(isActive());
+  mMotion.noteKept();
+}
 
 /// Where a sheet starts: an active one, and one that hands drag or a look shows, from where it is; else flat.
 void LiveSheet::begin() {
-  mBegins = false;
   if (mMotion.isInSight()) keepPlace();
   bool isPreview = mForces->forces.isPreview, isLook = isPreview && !mAsked.byHands;
   bool goesOn = isActive() || mAsked.byHands || isLook;
@@ -151,6 +153,7 @@ void LiveSheet::begin() {
                 hasPast  ? State::Dragged
                 : isSeen ? State::Shown
                          : State::Unseen);
+  mBegins = false;
 }
 
 /// From flat, unseen at first: a passive sheet rests where its scene says, whatever was dragged about before.
@@ -167,12 +170,22 @@ bool LiveSheet::advance(double budgetMs) {
   if (!isMoving()) return false;
   if (mBegins) begin();
   mMotion.advance(budgetMs);
+  afterSteps();
+  return true;
+}
+
+void LiveSheet::afterSteps() {
   if (mMotion.state() != SheetMotion::State::Unseen) ++mShown.count;
   if (mMotion.state() == SheetMotion::State::Dragged && !mAsked.isDue && mMotion.isFinest())
     beginAgain();  // it has settled as far as the eye can follow
   else if (mMotion.isAtRest())
     keepPlace();
-  return true;
+}
+
+void LiveSheet::resume() {
+  if (!mMotion.isInterrupted()) return;
+  mMotion.resume();
+  afterSteps();
 }
 
 void LiveSheet::reset() {
@@ -188,10 +201,7 @@ void LiveSheet::reset() {
 }
 
 void LiveSheet::releaseGpu() {
-  bool wasMoving = isMoving();
-  if (mMotion.isInSight()) keepPlace();
   mMotion.releaseGpu();
-  mBegins = wasMoving && mForces;
   mShown.sheet.reset();
   mShown.uploaded = 0;
 }
@@ -216,65 +226,16 @@ void LiveSheet::takeFigures(SheetFigures figures, std::uint64_t wish) {
   ++mShown.count;
 }
 
-MembraneStatus LiveSheet::status(bool isPlaying, bool isComputing) const {
-  using Phase = MembraneStatus::Phase;
-  MembraneStatus status;
-  if (mAsked.isDue || isComputing)
-    status.phase = Phase::Computing;
-  else if (isMoving())
-    status.phase = isPlaying ? Phase::Settling : Phase::Paused;
-  if (mForces) {
-    status.kernels = mForces->forces.kernels;
-    status.voxels = mForces->forces.voxels;
-    status.forcesMs = mForces->forces.kernelsMs + mForces->forces.leastCutMs;
-  }
-  status.particles = mPlace.isFlat() ? mCut.membrane->cloth.particles : mPlace.shape.particles;
-  if (mMotion.state() != SheetMotion::State::None) {
-    const membrane::Simulation& simulation = mMotion.simulation();
-    status.particles = simulation.particles();
-    status.steps = simulation.steps();
-    status.speed = simulation.speed();
-  }
-  status.stepMs = mMotion.stepMs();
-  status.error = mAsked.error;
-  if (!mFigures) return status;
-  const membrane::KeptWhole& kept = mFigures->kept;
-  status.isMeasured = true, status.keptWhole = kept.ratio;
-  status.voxels = mFigures->voxels;
-  status.fate = kept.fate;
-  status.wantsAdvice = session::wantsAdvice(kept, mCut);
-  status.advice = mFigures->advice;
-  status.leftOut = mFigures->leftOut;
-  status.shares = membrane::sharesOf(kept, mCut);
-  status.planePairs = kept.cutAreaPlane, status.sheetPairs = kept.cutAreaMembrane;
-  status.meanDistance = kept.meanDistance;
-  return status;
-}
-
-MembraneReport LiveSheet::report() const {
-  MembraneReport report{.cut = mCut.id, .name = mCut.name, .particles = shape().particles, .atRest = !isMoving()};
-  if (mForces) {
-    report.kernels = mForces->forces.kernels;
-    report.voxels = mForces->forces.voxels;
-    report.kernelsMs = mForces->forces.kernelsMs;
-    report.leastCutMs = mForces->forces.leastCutMs;
-    report.totalMs = mForces->ms + mMotion.ms();
-  }
-  if (mMotion.state() != SheetMotion::State::None) report.steps = mMotion.simulation().steps();
-  if (report.steps > 0) report.stepMs = mMotion.ms() / report.steps;
-  if (!mFigures || !mFigures->isWhole) return report;
-  report.kept = mFigures->kept, report.voxels = mFigures->voxels;
-  report.advice = mFigures->advice, report.leftOut = mFigures->leftOut;
-  return report;
-}
-
 // What is shown.
 
 /// Where the sheet is seen. Asks the GPU where it moves, once for each place: what is held can be exported from a menu,
 /// where no context is current.
 const SheetPlace& LiveSheet::seenPlace() const {
   if (!mMotion.isInSight()) return mPlace;
-  if (std::exchange(mShown.readAt, mShown.count) != mShown.count) mShown.read = mMotion.place();
+  if (mShown.readAt == mShown.count) return mShown.read;
+  if (mMotion.isInterrupted()) return mPlace;  // until it is resumed
+  mShown.read = mMotion.place();
+  mShown.readAt = mShown.count;
   return mShown.read;
 }
 
@@ -284,16 +245,16 @@ render::FrameSheet LiveSheet::frameSheet() {
   if (mShown.uploaded != mShown.count || !sheet) {
     glm::ivec2 flat = glm::max(mCut.membrane->cloth.particles, glm::ivec2(3));
     glm::ivec2 count = isLive ? mMotion.simulation().particles() : glm::ivec2(0);
-    bool fits = sheet && sheet->particles() == count && sheet->size() == mCut.size;
-    if (isLive && fits) {
+    auto fits = [&] { return isLive && sheet->particles() == count && sheet->size() == mCut.size; };
+    if (!sheet)
+      sheet = std::make_shared<membrane::Sheet>(shape(), flat, mCut.size);
+    else if (!fits())
+      sheet->setShape(shape(), flat, mCut.size);
+    if (fits()) {
       // From the solver to the picture without a detour.
       mMotion.simulation().places().copyTo(sheet->rows(), 0);
       gpu::barrier();
       sheet->index();
-    } else if (sheet) {
-      sheet->setShape(shape(), flat, mCut.size);
-    } else {
-      sheet = std::make_shared<membrane::Sheet>(shape(), flat, mCut.size);
     }
     if (mMotion.isAtRest()) sheet->grow();
     mShown.uploaded = mShown.count;

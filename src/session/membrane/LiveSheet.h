@@ -73,6 +73,7 @@ class LiveSheet {
   bool advance(double budgetMs);
   void reset();
   void releaseGpu();
+  void resume();
 
   // Figures.
   /// True when the sheet rests where it is wanted, and figures that are asked for are not known.
@@ -123,6 +124,7 @@ class LiveSheet {
   void forget();
   void begin();
   void keepPlace();
+  void afterSteps();
   void beginAgain();
 
   std::uint64_t mId;

@@ -10067,6 +10067,14 @@ In den Ansichten sagt es Strg+Umschalt+Klick jederzeit</translation>
         <source>The disk takes changes again: unsaved work is protected.</source>
         <translation>Der Datenträger nimmt wieder Änderungen an: nicht gespeicherte Arbeit ist geschützt.</translation>
     </message>
+    <message>
+        <source>%1, and OpenGL 4.5 is needed: Mesa&apos;s software driver draws instead, which is slower. Install or update the graphics driver to draw with the card.</source>
+        <translation>%1, und OpenGL 4.5 ist nötig: Stattdessen zeichnet der Softwaretreiber von Mesa, langsamer. Mit einem neueren Grafiktreiber zeichnet die Karte.</translation>
+    </message>
+    <message>
+        <source>The graphics driver was reset; the picture has been drawn anew.</source>
+        <translation>Der Grafiktreiber wurde zurückgesetzt; das Bild ist neu gezeichnet.</translation>
+    </message>
 </context>
 <context>
     <name>velum::gui::MarkMenu</name>

@@ -6,7 +6,7 @@
 
 #include "app/Inputs.h"
 #include "app/Verbs.h"
-#include "gpu/GpuError.h"
+#include "gpu/Loss.h"
 #include "render/Renderer.h"
 #include "scene/Navigate.h"
 #include "scene/VisibleFrame.h"
@@ -110,6 +110,66 @@ struct Glfw {
   ~Glfw() { glfwTerminate(); }
 };
 
+/// A window with a context that tells of resets, where the display has such.
+struct Window {
+  GLFWwindow* handle = nullptr;
+  Window(glm::ivec2 size, const std::string& title) {
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    for (int robustness : {GLFW_LOSE_CONTEXT_ON_RESET, GLFW_NO_ROBUSTNESS}) {
+      glfwWindowHint(GLFW_CONTEXT_ROBUSTNESS, robustness);
+      if (!handle) handle = glfwCreateWindow(size.x, size.y, title.c_str(), nullptr, nullptr);
+    }
+    if (!handle)
+      throw gpu::GpuError(
+          "view: the display offers no OpenGL 4.5 core context: use velum-batch render, or have Mesa's software driver "
+          "draw (LIBGL_ALWAYS_SOFTWARE=1)");
+    glfwMakeContextCurrent(handle);
+  }
+  ~Window() { glfwDestroyWindow(handle); }
+  Window(const Window&) = delete;
+  Window& operator=(const Window&) = delete;
+};
+
+/// Frame after frame, until the window is closed; nothing is done while nothing changes. @throw gpu::ContextLost
+void show(Viewer& viewer, GLFWwindow* window) {
+  auto context = gpu::Context::adopt([](const char* name) { return reinterpret_cast<void*>(glfwGetProcAddress(name)); },
+                                     [] { return static_cast<const void*>(glfwGetCurrentContext()); });
+  render::Renderer renderer(*context);
+  glfwSetWindowUserPointer(window, &viewer);
+  glfwSetCursorPosCallback(window, onCursor);
+  glfwSetScrollCallback(window, onScroll);
+  glfwSetKeyCallback(window, onKey);
+  bool done = false;
+  while (!glfwWindowShouldClose(window)) {
+    if (done && !viewer.moved)
+      glfwWaitEvents();
+    else
+      glfwPollEvents();
+    render::Frame frame;
+    frame.scene = viewer.scene;
+    glfwGetFramebufferSize(window, &frame.pictureSize.x, &frame.pictureSize.y);
+    glm::ivec2 windowSize = frame.pictureSize;
+    if (viewer.moved) {
+      // A quarter of the size while something moves; the full picture once it rests.
+      viewer.moved = false;
+      done = false;
+      frame.pictureSize /= 4;
+      frame.stepFactor = 2.0;
+      frame.isPreview = true;
+      frame.scene.rayCast.samplesPerPixel = 1;
+      renderer.render(frame, consoleProgress());
+      renderer.present(0, windowSize);
+    } else {
+      done = renderer.work(frame, 30.0);
+      if (renderer.stats().samples < 1) continue;
+      renderer.present(0, windowSize);
+    }
+    glfwSwapBuffers(window);
+  }
+}
+
 int run(const ViewOptions& options) {
   glm::ivec2 size = session::parsePictureSize(options.size, 0);
   Viewer viewer;
@@ -121,54 +181,18 @@ int run(const ViewOptions& options) {
     viewer.scene = session.settled(consoleProgress());
   }
   consoleProgress().report(1.0, "");
-  // A window with a context.
   Glfw glfw;
-  glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
-  glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
-  glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
   const auto& named = options.input.inputs.empty() ? options.input.labels : options.input.inputs.front();
-  GLFWwindow* window = glfwCreateWindow(size.x, size.y, fmt::format("Velum - {}", named).c_str(), nullptr, nullptr);
-  if (!window) throw gpu::GpuError("view: the display offers no OpenGL 4.5 core context; use velum-batch render");
-  glfwMakeContextCurrent(window);
-  {
-    auto context =
-        gpu::Context::adopt([](const char* name) { return reinterpret_cast<void*>(glfwGetProcAddress(name)); },
-                            [] { return static_cast<const void*>(glfwGetCurrentContext()); });
-    render::Renderer renderer(*context);
-    glfwSetWindowUserPointer(window, &viewer);
-    glfwSetCursorPosCallback(window, onCursor);
-    glfwSetScrollCallback(window, onScroll);
-    glfwSetKeyCallback(window, onKey);
-    // Frame after frame; nothing is done while nothing changes.
-    bool done = false;
-    while (!glfwWindowShouldClose(window)) {
-      if (done && !viewer.moved)
-        glfwWaitEvents();
-      else
-        glfwPollEvents();
-      render::Frame frame;
-      frame.scene = viewer.scene;
-      glfwGetFramebufferSize(window, &frame.pictureSize.x, &frame.pictureSize.y);
-      glm::ivec2 windowSize = frame.pictureSize;
-      if (viewer.moved) {
-        // A quarter of the size while something moves; the full picture once it rests.
-        viewer.moved = false;
-        done = false;
-        frame.pictureSize /= 4;
-        frame.stepFactor = 2.0;
-        frame.isPreview = true;
-        frame.scene.rayCast.samplesPerPixel = 1;
-        renderer.render(frame, consoleProgress());
-        renderer.present(0, windowSize);
-      } else {
-        done = renderer.work(frame, 30.0);
-        if (renderer.stats().samples < 1) continue;
-        renderer.present(0, windowSize);
-      }
-      glfwSwapBuffers(window);
+  for (int losses = 0;; ++losses) {
+    Window window(size, fmt::format("Velum - {}", named));
+    try {
+      show(viewer, window.handle);
+      return 0;
+    } catch (const gpu::ContextLost&) {
+      if (losses == gpu::kMostLosses) gpu::giveUpAfterLosses();
+      viewer.moved = true;  // another window with another context
     }
   }
-  return 0;
 }
 
 }  // namespace

@@ -68,7 +68,8 @@ void allocate(const Allocation& what, Answer answer, const std::function<void()>
 
 void throwIfExhausted() {
   bool isExhausted = false;
-  for (GLenum error = gl().GetError(); error != GL_NO_ERROR; error = gl().GetError())
+  // A lost context may say so without end.
+  for (GLenum error = gl().GetError(); error != GL_NO_ERROR && error != GL_CONTEXT_LOST; error = gl().GetError())
     isExhausted = isExhausted || error == GL_OUT_OF_MEMORY;
   if (isExhausted) throw NoMemory(fmt::format("the driver has run out of memory: {}", kWhatToDo));
 }

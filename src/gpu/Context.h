@@ -46,7 +46,8 @@ class Context {
   /// Tells which context of the window system is current on this thread.
   using Current = const void* (*)();
 
-  /// EGL without a window system (surfaceless, then device platform). @throw GpuError
+  /// EGL without a window system (devices, then the surfaceless platform); where none of its drivers offers enough,
+  /// Mesa's software driver, and a warning says so. @throw GpuError
   static std::unique_ptr<Context> createEgl();
   /// Mesa's off-screen software renderer. @throw GpuError
   static std::unique_ptr<Context> createOsMesa();
@@ -66,6 +67,9 @@ class Context {
   /// Binds the context and its function table to this thread. An adopted context must have been made current by the
   /// window before.
   virtual void makeCurrent();
+  /// Makes the context anew, after the driver has lost it, and binds it. Objects made in it before are no more, and
+  /// contextNumber() is another one. @throw ContextLost for a context of a window, which the window has to make anew
+  virtual void renew();
   const Limits& limits() const { return mLimits; }
   /// How many messages drivers have sent so far, in any context of the process, about errors, undefined behaviour or
   /// anything of high severity. Each is logged, too; tests want none (VELUM_DRIVER_ERRORS=fatal ends the program at the
@@ -74,10 +78,13 @@ class Context {
 
  protected:
   Context();
-  /// Fills the function table and the limits. @throw GpuError when a function is missing or the version is below 4.5
+  /// The context is no more, or not yet: if it is bound to this thread, nothing is from now on.
+  void leave();
+  /// Fills the function table and the limits. @throw TooOld when a function is missing or the version is below 4.5
   void load(ProcAddress procAddress, Current current = nullptr);
 
  private:
+  void readLimits();
   struct Impl;
   std::unique_ptr<Impl> mImpl;
   Limits mLimits;

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "gpu/Gl.h"
+#include "gpu/Loss.h"
 
 namespace velum::gpu {
 
@@ -10,19 +11,21 @@ namespace {
 GLsync syncOf(void* sync) { return static_cast<GLsync>(sync); }
 }  // namespace
 
-Fence::Fence(std::string_view label) : mSync(gl().FenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0)) {
+Fence::Fence(std::string_view label)
+    : mSync(gl().FenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0)), mContext(contextNumber()) {
   gl().ObjectPtrLabel(mSync, GLsizei(label.size()), label.data());
 }
 
-Fence::Fence(Fence&& other) noexcept : mSync(std::exchange(other.mSync, nullptr)) {}
+Fence::Fence(Fence&& other) noexcept : mSync(std::exchange(other.mSync, nullptr)), mContext(other.mContext) {}
 
 Fence& Fence::operator=(Fence&& other) noexcept {
   std::swap(mSync, other.mSync);
+  std::swap(mContext, other.mContext);
   return *this;
 }
 
 Fence::~Fence() {
-  if (mSync && hasGl()) gl().DeleteSync(syncOf(mSync));
+  if (mSync && mContext == contextNumber()) gl().DeleteSync(syncOf(mSync));
 }
 
 bool Fence::wait(double timeoutMs) const {

@@ -23,6 +23,7 @@ class Fence {
 
  private:
   void* mSync = nullptr;  ///< GLsync
+  unsigned mContext = 0;  ///< in which it is; gone with it
 };
 
 }  // namespace velum::gpu

@@ -5,6 +5,7 @@
 /// treated alike.
 namespace velum::gpu {
 
+class Context;
 struct Limits;
 
 // clang-format off
@@ -57,6 +58,7 @@ struct Limits;
   X(PFNGLFLUSHPROC, Flush) \
   X(PFNGLGENERATETEXTUREMIPMAPPROC, GenerateTextureMipmap) \
   X(PFNGLGETERRORPROC, GetError) \
+  X(PFNGLGETGRAPHICSRESETSTATUSPROC, GetGraphicsResetStatus) \
   X(PFNGLGETINTEGERVPROC, GetIntegerv) \
   X(PFNGLGETNAMEDBUFFERSUBDATAPROC, GetNamedBufferSubData) \
   X(PFNGLGETPROGRAMINFOLOGPROC, GetProgramInfoLog) \
@@ -116,6 +118,9 @@ struct GlTable {
   const void* (*current)() = nullptr;
   const void* context = nullptr;
   const Limits* limits = nullptr;
+  Context* owner = nullptr;
+  unsigned number = 0;          ///< see contextNumber()
+  mutable bool isLost = false;  ///< The driver has said that it lost the context.
   bool compilesBeside = false;  ///< The driver compiles on threads of its own and says when a program is done.
   GLuint emptyVertexArray = 0;  ///< In the core profile a vertex array must be bound for every draw, also where
                                 ///< vertices are made from their numbers.

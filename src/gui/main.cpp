@@ -21,6 +21,7 @@
 #include "core/Error.h"
 #include "core/GuardWrites.h"
 #include "core/Log.h"
+#include "gpu/GpuError.h"
 #include "gui/kit/Language.h"
 #include "gui/kit/Preferences.h"
 #include "gui/look/LookPanel.h"
@@ -121,7 +122,35 @@ int runWindows(velum::gui::MainWindow& window) {
   return exitCode;
 }
 
+/// Refuses to start, where Mesa's software driver cannot stand in for one that is too old either. @return exit code
+int refuse(const velum::gpu::GpuError& error, bool asks, const std::vector<char*>& arguments) {
+  const auto* tooOld = dynamic_cast<const velum::gpu::TooOld*>(&error);
+  if (!tooOld) return velum::gui::refuseStart(error, asks);
+  velum::gui::startOnSoftware(*tooOld, arguments.data());
+  std::string first = velum::gui::softwareReason().toStdString();
+  std::string words =
+      first == error.what() ? velum::gpu::nothingInstead(first, {}) : velum::gpu::nothingInstead(first, error.what());
+  return velum::gui::refuseStart(velum::gpu::GpuError(words), asks);
+}
+
+/// Where Mesa's software driver draws in place of another one. @param opens  a job follows, which clears the messages
+void tellOfSoftware(velum::gui::MainWindow& window, bool opens) {
+  QString reason = velum::gui::softwareReason();
+  if (reason.isEmpty()) return;
+  say(QString::fromStdString(velum::gpu::softwareInstead(reason.toStdString())));
+  auto show = [&window, reason] {
+    if (window.messages().isVisible()) return;  // why nothing was opened
+    window.messages().showNote(
+        velum::gui::MainWindow::tr("%1, and OpenGL 4.5 is needed: Mesa's software driver draws instead, which is "
+                                   "slower. Install or update the graphics driver to draw with the card.")
+            .arg(reason));
+  };
+  if (!opens) return show();
+  QObject::connect(&window, &velum::gui::MainWindow::jobEnded, &window, show, Qt::SingleShotConnection);
+}
+
 int run(int argc, char** argv) {
+  std::vector<char*> arguments(argv, argv + argc + 1);  // Qt takes some of them
   provideRuntimeFolder();
   auto messages = std::make_unique<velum::gui::StartMessages>();
   QSurfaceFormat format;
@@ -158,14 +187,15 @@ int run(int argc, char** argv) {
 
   try {
     velum::gui::requireOpenGl();
-  } catch (const velum::Error& error) {
+  } catch (const velum::gpu::GpuError& error) {
     messages->drop();
-    return velum::gui::refuseStart(error, !parser.isSet("script") && !parser.isSet("screenshot"));
+    return refuse(error, !parser.isSet("script") && !parser.isSet("screenshot"), arguments);
   }
   messages.reset();
 
   velum::gui::MainWindow window;
   window.show();
+  tellOfSoftware(window, !parser.positionalArguments().isEmpty());
   window.protectWork(velum::session::recoveryFolder(), !parser.isSet("screenshot"));
   window.openPaths(parser.positionalArguments());
   if (parser.isSet("script")) runScript(window, parser.value("script"), parser.isSet("echo"));

@@ -1,6 +1,6 @@
 #include "render/Renderer.h"
 
-#include "gpu/GpuError.h"
+#include "gpu/Loss.h"
 #include "render/FrameWork.h"
 #include "render/Shortage.h"
 
@@ -20,8 +20,13 @@ struct Renderer::Impl {
   Shortage shortage;
   bool waits = false;  ///< For bricks, see BrickPass::setWaits().
   std::unique_ptr<FrameWork> work;
+  unsigned context = gpu::contextNumber();  ///< in which all of it is
 
   void beginAnew();
+  void setWaits(bool now) {
+    waits = now;
+    work->bricks.setWaits(now);
+  }
 };
 
 /// What is on the GPU goes before anything new comes.
@@ -43,19 +48,29 @@ double Renderer::fractionDone() const {
 }
 
 void Renderer::clear() {
-  Stats known = stats();
-  mImpl = std::make_unique<Impl>(mContext.limits());
-  mImpl->work->stats = known;
+  auto next = std::make_unique<Impl>(mContext.limits());
+  next->work->stats = stats();
+  next->setWaits(mImpl->waits);
+  mImpl = std::move(next);
+}
+
+/// What was in a context that has been made anew since is made again.
+void Renderer::keepUp() {
+  if (mImpl->context != gpu::contextNumber()) clear();
 }
 
 /// Where the driver has no memory all that was there is given up, and the frame begins anew: first as it is, then with
 /// less and less of its data.
 bool Renderer::work(const Frame& frame, double budgetMs) {
+  keepUp();
   if (mImpl->shortage.endsFor(frame)) mImpl->beginAnew();
   for (;;) {
     try {
-      return mImpl->work->work(frame, budgetMs);
+      bool isDone = mImpl->work->work(frame, budgetMs);
+      gpu::throwIfLost();
+      return isDone;
     } catch (const gpu::GpuError& error) {
+      gpu::throwIfLost();  // a lost context has no memory either
       auto* refusal = dynamic_cast<const gpu::NoMemory*>(&error);
       bool goesOn = refusal && mImpl->shortage.yield(frame, mImpl->work->framesBegun(), *refusal);
       // With less than the driver has something else may have no room: what was refused at first says it best.
@@ -68,19 +83,42 @@ bool Renderer::work(const Frame& frame, double budgetMs) {
 }
 
 void Renderer::render(const Frame& frame, Progress& progress) {
+  if (!frame.sheets.empty()) return renderOnce(frame, progress);
+  gpu::despiteLoss([&] { renderOnce(frame, progress); });
+}
+
+void Renderer::renderOnce(const Frame& frame, Progress& progress) {
   // Who goes on with this renderer piece by piece looks on again, even where this picture is given up.
   struct Waiting {
-    Impl& impl;
-    explicit Waiting(Impl& of) : impl(of) { set(true); }
-    ~Waiting() { set(false); }
-    void set(bool waits) const {
-      impl.waits = waits;
-      impl.work->bricks.setWaits(waits);
-    }
-  } waiting(*mImpl);
+    std::unique_ptr<Impl>& impl;
+    explicit Waiting(std::unique_ptr<Impl>& of) : impl(of) { impl->setWaits(true); }
+    ~Waiting() { impl->setWaits(false); }
+  } waiting(mImpl);
   while (!work(frame, 100.0)) progress.report(fractionDone(), "rendering");
   mImpl->work->queue.finish();
   mImpl->work->noteStats();
+  gpu::throwIfLost();
+}
+
+/// Asks something about the frame that is drawn; where it has been lost, about the same one, drawn again.
+template <class Question>
+auto Renderer::ask(Question question) {
+  auto answer = [&] {
+    auto given = question(*mImpl->work);
+    gpu::throwIfLost();
+    return given;
+  };
+  const auto& asked = mImpl->work->wanted;
+  if (!asked || !asked->sheets.empty()) return answer();
+  std::optional<Frame> lost;
+  return gpu::despiteLoss([&] {
+    if (mImpl->context != gpu::contextNumber()) {
+      if (!lost) lost = mImpl->work->wanted;
+      Progress quiet;
+      renderOnce(*lost, quiet);
+    }
+    return answer();
+  });
 }
 
 void Renderer::present(unsigned framebuffer, glm::ivec2 size) {
@@ -88,21 +126,26 @@ void Renderer::present(unsigned framebuffer, glm::ivec2 size) {
 }
 
 Image Renderer::read(const Layers& layers) {
-  if (!mImpl->work->look(layers.isFine)) return {};
-  Image image = mImpl->work->resolve.read();
-  mImpl->work->gbuffer.appendLayers(mImpl->work->data, layers, image);
-  if (layers.ghosts) mImpl->work->ghosts.appendLayer(image);
-  return image;
+  return ask([&](FrameWork& work) -> Image {
+    if (!work.look(layers.isFine)) return {};
+    Image image = work.resolve.read();
+    work.gbuffer.appendLayers(work.data, layers, image);
+    if (layers.ghosts) work.ghosts.appendLayer(image);
+    return image;
+  });
 }
 
-Pick Renderer::pick(glm::ivec2 pixel) const {
-  return mImpl->work->gbuffer ? mImpl->work->gbuffer.pick(mImpl->work->data, pixel) : Pick{};
+Pick Renderer::pick(glm::ivec2 pixel) {
+  return ask([&](FrameWork& work) { return work.gbuffer ? work.gbuffer.pick(work.data, pixel) : Pick{}; });
 }
 
-std::optional<InstanceBits> Renderer::bits(bool waits) { return mImpl->work->counts.take(waits); }
+std::optional<InstanceBits> Renderer::bits(bool waits) {
+  return ask([&](FrameWork& work) { return work.counts.take(waits); });
+}
 
-PixelIds Renderer::idsOfPixels(bool withDistances) const {
-  return mImpl->work->gbuffer ? mImpl->work->gbuffer.idsOfPixels(mImpl->work->data, withDistances) : PixelIds();
+PixelIds Renderer::idsOfPixels(bool withDistances) {
+  return ask(
+      [&](FrameWork& work) { return work.gbuffer ? work.gbuffer.idsOfPixels(work.data, withDistances) : PixelIds(); });
 }
 
 }  // namespace velum::render

@@ -69,8 +69,10 @@ struct Layers {
 };
 
 /// Draws scenes. A frame is a queue of small pieces of work (uploads, tables, light, tiles, sample by sample), so that
-/// the caller decides how long to work at a time. Keeps nothing that cannot be made again from the frame. GL thread of
-/// its context.
+/// the caller decides how long to work at a time. Keeps nothing that cannot be made again from the frame: where the
+/// driver loses a context that is no window's, render() draws the frame once more in a new one, and what is asked about
+/// the frame is asked once more, with the same answer. A window's context is lost with gpu::ContextLost. So is one with
+/// sheets in the frame (Frame::sheets), which are on the GPU, too. GL thread of its context.
 class Renderer {
  public:
   explicit Renderer(gpu::Context& context);
@@ -78,7 +80,8 @@ class Renderer {
 
   /// Works on a frame for about `budgetMs`, at least one piece. A frame that differs from the last one starts anew.
   /// @return true when the frame is complete
-  /// @throw gpu::GpuError when the driver has no memory, not even for less of the data, see Shortage
+  /// @throw gpu::ContextLost, whosever context it is; gpu::GpuError when the driver has no memory, not even for less of
+  /// the data, see Shortage
   bool work(const Frame& frame, double budgetMs);
 
   /// Works until the frame is complete. @throw Cancelled
@@ -93,19 +96,18 @@ class Renderer {
   /// nothing is), "id" (structure), "instance" (as Pick; -1 where nothing is), "type" (of the model; -1 where no
   /// instance of it is seen), "ghosts.R/G/B/A" (the instances that cuts have removed, as they are blended over the
   /// picture; straight alpha), "face" (place in Scene::cuts of the cut whose face is seen, plus 1; 0: none. Exactly,
-  /// of membranes, too: where the ray has come into material through the cut's surface, and that of inlays' images. 0 of
-  /// a frame without Frame::saysFaces),
-  /// and what the finish sees of the last sample, where it looks: "lines.type" (of the model; below 0: something else),
-  /// "lines.part" (a number of what a line goes around, alike within it, other in its neighbours), "lines.size" (across
-  /// it, pixels of a picture of 1000 rows or of a smaller one; 0: nothing is seen), "lines.depth" (from the picture
-  /// plane).
+  /// of membranes, too: where the ray has come into material through the cut's surface, and that of inlays' images. 0
+  /// of a frame without Frame::saysFaces), and what the finish sees of the last sample, where it looks: "lines.type"
+  /// (of the model; below 0: something else), "lines.part" (a number of what a line goes around, alike within it, other
+  /// in its neighbours), "lines.size" (across it, pixels of a picture of 1000 rows or of a smaller one; 0: nothing is
+  /// seen), "lines.depth" (from the picture plane).
   Image read(const Layers& layers = {});
 
   /// What the last frame shows at a pixel of its window. From the drawn layers, so it agrees with the picture.
-  Pick pick(glm::ivec2 pixel) const;
+  Pick pick(glm::ivec2 pixel);
 
   /// What each pixel of the last frame's window shows. Reads the whole window back.
-  PixelIds idsOfPixels(bool withDistances = false) const;
+  PixelIds idsOfPixels(bool withDistances = false);
 
   /// What became of the instances in the newest frame, among those with Frame::countsInstances, for which the answer
   /// has arrived from the GPU. Each frame's answer is given once, at most two frames after the frame was complete,
@@ -120,6 +122,10 @@ class Renderer {
 
  private:
   struct Impl;
+  void keepUp();
+  void renderOnce(const Frame& frame, Progress& progress);
+  template <class Question>
+  auto ask(Question question);
   std::unique_ptr<Impl> mImpl;
   gpu::Context& mContext;
 };

@@ -3,6 +3,7 @@
 #include <exception>
 
 #include "core/Error.h"
+#include "gpu/Loss.h"
 
 namespace velum::session {
 
@@ -40,10 +41,12 @@ void bringToRest(Worker& worker, const std::function<void()>& complete, Progress
 
 void bringToRest(Mover& mover, const std::function<void()>& complete, Progress& progress) {
   auto asWorker = [&] { bringToRest(static_cast<Worker&>(mover), complete, progress); };
-  for (asWorker(); mover.isMoving(); asWorker()) {
-    progress.report(0.5, "membrane");
-    mover.advance(kMoveMs);
-  }
+  gpu::despiteLoss([&] {
+    for (asWorker(); mover.isMoving(); asWorker()) {
+      progress.report(0.5, "membrane");
+      mover.advance(kMoveMs);
+    }
+  });
 }
 
 }  // namespace velum::session

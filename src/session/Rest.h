@@ -10,7 +10,8 @@ namespace velum::session {
 /// scene
 /// @throw Cancelled, and what the work throws; the worker can then be asked again
 void bringToRest(Worker& worker, const std::function<void()>& complete, Progress& progress);
-/// The same for a mover, which is also advanced until nothing of it moves. GL thread.
+/// The same for a mover, which is also advanced until nothing of it moves, and goes on in a new context where the
+/// driver loses one that is no window's. GL thread.
 void bringToRest(Mover& mover, const std::function<void()>& complete, Progress& progress);
 
 }  // namespace velum::session

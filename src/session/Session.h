@@ -84,7 +84,7 @@ class Session {
   std::uint64_t shownCount() const { return mMembranes.shownCount(); }
   /// A frame for a picture of the scene, with what the movers show in it. GL thread. @param size  pixels
   render::Frame frame(glm::ivec2 size);
-  /// Gives up everything that the movers have on the GPU; sheets that were moving start anew. GL thread.
+  /// Gives up everything that the movers have on the GPU; sheets that were moving go on from there. GL thread.
   void releaseGpu() { mMembranes.releaseGpu(); }
   /// The GL context is the caller's from now on, and current wherever a function says GL thread. There are eyes and
   /// hands then: see MembraneMover::Purpose::Show.

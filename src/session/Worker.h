@@ -57,7 +57,8 @@ class Mover : public Worker {
   virtual std::uint64_t shownCount() const = 0;
   /// Puts what the mover shows into a frame of the scene that was last followed.
   virtual void show(render::Frame& frame) = 0;
-  /// Gives up everything that the mover has on the GPU; the GL context still lives.
+  /// Gives up everything that the mover has on the GPU, whether the GL context still lives or was lost. Wherever it is
+  /// asked for something in another context it first makes everything anew there, as it was.
   virtual void releaseGpu() = 0;
 };
 

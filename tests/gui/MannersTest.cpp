@@ -87,7 +87,7 @@ TEST_F(Manners, ALostContextIsMadeAgainAndNothingElseIsLost) {
   window->document().edit("Add cut", [](scene::Scene& s) { s.cuts.emplace_back(); });
   ASSERT_TRUE(settle(*window));
   QImage before = window->viewport().grabFramebuffer();
-  window->viewport().loseContext();
+  window->viewport().renewContext();
   ASSERT_TRUE(settle(*window));
   EXPECT_EQ(window->viewport().grabFramebuffer(), before);
   EXPECT_TRUE(window->document().canUndo());

@@ -256,7 +256,7 @@ TEST_F(MembraneWindow, SavedAndOpenedAgainItGivesTheSamePicture) {
   ASSERT_TRUE(waitForJob());
   ASSERT_TRUE(settle());
   EXPECT_EQ(picture(), before);
-  viewport().loseContext();
+  viewport().renewContext();
   ASSERT_TRUE(settle());
   EXPECT_EQ(picture(), before);
 }

@@ -98,11 +98,11 @@ class WithoutOpenGl(WindowTest):
     def test_no_driver(self):
         self.refused((), ["OpenGL", "4.5", "driver"], LIBGL_DRIVERS_PATH="/nonexistent")
 
-    def test_a_driver_that_does_not_start(self):
-        self.refused((), ["OpenGL", "4.5", "driver"], GALLIUM_DRIVER="nonsense", LIBGL_ALWAYS_SOFTWARE="1")
-
-    def test_a_driver_that_is_too_old(self):
-        self.refused((), ["OpenGL", "3.3", "4.5", "driver"], MESA_GL_VERSION_OVERRIDE="3.3")
+    def test_a_software_driver_that_is_too_old_itself(self):
+        self.refused((), ["llvmpipe", "OpenGL 3.3", "4.5 is needed"], MESA_GL_VERSION_OVERRIDE="3.3")
+        # Not a second time.
+        self.refused((), ["a card offers OpenGL 2.1", "it was tried: llvmpipe", "OpenGL 3.3", "4.5"], MESA_GL_VERSION_OVERRIDE="3.3",
+                     VELUM_TOO_OLD="a card offers OpenGL 2.1")
 
     def test_a_user_is_told_in_a_dialog(self):
         self.environment["LIBGL_DRIVERS_PATH"] = "/nonexistent"
@@ -110,6 +110,40 @@ class WithoutOpenGl(WindowTest):
         self.assertIn("OpenGL", window.stderr.readline())
         time.sleep(1.0)
         self.assertIsNone(window.poll(), "it waits until the dialog is closed")
+
+
+class OnTheSoftwareDriver(WindowTest):
+    """The window starts once more, on Mesa's software driver, with what it was started for."""
+
+    def started(self, words, **changes):
+        self.batch("sample", "two-spheres", "-o", "a b.nrrd", "--voxels", 16)
+        self.environment.update(changes)
+        script = self.script("settle", "picture 40x30 made.png", "save made.json", "quit")
+        window = self.start("-style", "fusion", "--script", script, "a b.nrrd")
+        _, said = window.communicate(timeout=120)
+        self.assertEqual(window.returncode, 0, said)
+        self.assertEqual(said.count("\n"), 1, said)
+        for word in (*words, "4.5 is needed", "software driver draws instead", "slower", "update"):
+            self.assertIn(word, said)
+        self.assertEqual(json.loads((self.folder / "made.json").read_text())["volume"]["source"]["path"], "a b.nrrd")
+        self.batch("render", "made.json", "-o", "usual.png", "--size", "40x30")
+        self.assertEqual((self.folder / "made.png").read_bytes(), (self.folder / "usual.png").read_bytes())
+
+    def test_a_driver_that_is_too_old(self):
+        self.started(["velum: softpipe offers OpenGL 3.3"], GALLIUM_DRIVER="softpipe")
+
+    def test_a_driver_that_does_not_start(self):
+        self.started(["makes no OpenGL context"], GALLIUM_DRIVER="nonsense", LIBGL_ALWAYS_SOFTWARE="1")
+
+    def test_the_window_says_so_too(self):
+        self.batch("sample", "two-spheres", "-o", "a.nrrd", "--voxels", 16)
+        self.environment["GALLIUM_DRIVER"] = "softpipe"
+        window = self.start("--screenshot", "window.png", "a.nrrd")
+        _, said = window.communicate(timeout=120)
+        self.assertEqual(window.returncode, 0, said)
+        # What the bar above the views shows is said as well.
+        self.assertEqual(said.count("softpipe offers OpenGL 3.3, and OpenGL 4.5 is needed"), 2, said)
+        self.assertTrue((self.folder / "window.png").exists())
 
 
 class MadeToEnd(WindowTest):

@@ -18,6 +18,7 @@ namespace velum::gpu {
 namespace {
 
 thread_local const GlTable* tGl = nullptr;
+std::atomic<unsigned> gContexts{0};  // how many there have been
 
 constexpr GLenum kMemoryFreeNvx = 0x9049;  // GL_GPU_MEMORY_INFO_CURRENT_AVAILABLE_VIDMEM_NVX, kibibytes
 
@@ -39,6 +40,9 @@ bool areErrorsFatal() {
 }
 
 void APIENTRY onMessage(GLenum, GLenum type, GLuint, GLenum severity, GLsizei length, const GLchar* text, const void*) {
+  // A lost context refuses everything, until somebody asks whether it is lost: see Loss.h.
+  if (tGl && std::strstr(text, "CONTEXT_LOST")) tGl->isLost = true;
+  if (tGl && tGl->isLost) return;
   if (!isError(type, severity) || (tMayRefuse > 0 && type != GL_DEBUG_TYPE_UNDEFINED_BEHAVIOR)) return;
   ++gErrors;
   log::warning(fmt::format("OpenGL: {}", std::string_view(text, length < 0 ? std::strlen(text) : std::size_t(length))));
@@ -102,31 +106,22 @@ struct Context::Impl {
 
 Context::Context() : mImpl(std::make_unique<Impl>()) {}
 
-Context::~Context() {
+Context::~Context() { leave(); }
+
+void Context::leave() {
   if (tGl == &mImpl->table) tGl = nullptr;
 }
 
 void Context::makeCurrent() { setGl(&mImpl->table); }
 
+void Context::renew() { throw ContextLost("the graphics driver was reset: the window has to be drawn anew"); }
+
 int Context::errorCount() { return gErrors; }
 
-void Context::load(ProcAddress procAddress, Current current) {
-  GlTable& table = mImpl->table;
-  table.current = current;
-  table.context = current ? current() : nullptr;
-#define VELUM_GL_LOAD(type, name)                               \
-  table.name = reinterpret_cast<type>(procAddress("gl" #name)); \
-  if (!table.name) throw GpuError("the driver lacks gl" #name "; OpenGL 4.5 is needed: update the graphics driver");
-  VELUM_GL_FUNCTIONS(VELUM_GL_LOAD)
-#undef VELUM_GL_LOAD
-  GLint major = 0, minor = 0;
-  table.GetIntegerv(GL_MAJOR_VERSION, &major);
-  table.GetIntegerv(GL_MINOR_VERSION, &minor);
+void Context::readLimits() {
+  const GlTable& table = mImpl->table;
   mLimits.renderer = glString(table, GL_RENDERER);
   mLimits.version = glString(table, GL_VERSION);
-  if (major * 10 + minor < 45)
-    throw GpuError(fmt::format("{} offers OpenGL {}.{}; 4.5 is needed: update the graphics driver", mLimits.renderer,
-                               major, minor));
   mLimits.isSoftware =
       mLimits.renderer.find("llvmpipe") != std::string::npos || mLimits.renderer.find("softpipe") != std::string::npos;
   if (const char* text = std::getenv("VELUM_SOFTWARE_DRIVER")) mLimits.isSoftware = std::atoi(text) != 0;
@@ -140,10 +135,34 @@ void Context::load(ProcAddress procAddress, Current current) {
   table.GetIntegerv(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &storageBlock);
   if (const char* text = std::getenv("VELUM_MAX_STORAGE_BLOCK")) storageBlock = std::atoi(text);
   mLimits.storageBlock = std::size_t(std::max(0, storageBlock));
-  table.limits = &mLimits;
-  table.compilesBeside = compileBeside(table, procAddress);
   if (const char* text = std::getenv("VELUM_MAX_TEXTURE_3D")) mLimits.texture3d = std::max(16, std::atoi(text));
   mLimits.memoryBytes = memoryFor(table, mLimits.isSoftware);
+}
+
+void Context::load(ProcAddress procAddress, Current current) {
+  GlTable& table = mImpl->table;
+  table.current = current;
+  table.context = current ? current() : nullptr;
+  const char* lacks = nullptr;
+#define VELUM_GL_LOAD(type, name)                               \
+  table.name = reinterpret_cast<type>(procAddress("gl" #name)); \
+  if (!table.name) lacks = "gl" #name;
+  VELUM_GL_FUNCTIONS(VELUM_GL_LOAD)
+#undef VELUM_GL_LOAD
+  if (!table.GetIntegerv || !table.GetString) throw TooOld(fmt::format("the graphics driver has no {}", lacks));
+  GLint major = 0, minor = 0;
+  table.GetIntegerv(GL_MAJOR_VERSION, &major);
+  table.GetIntegerv(GL_MINOR_VERSION, &minor);
+  std::string renderer = glString(table, GL_RENDERER);
+  if (major * 10 + minor < 45) throw TooOld(fmt::format("{} offers OpenGL {}.{}", renderer, major, minor));
+  if (lacks) throw TooOld(fmt::format("{} lacks {} of OpenGL 4.5", renderer, lacks));
+  // A context that is made anew has the limits of the one before: pictures are to be the same.
+  if (renderer != mLimits.renderer) readLimits();
+  table.limits = &mLimits;
+  table.owner = this;
+  table.number = ++gContexts;
+  table.isLost = false;
+  table.compilesBeside = compileBeside(table, procAddress);
   table.Enable(GL_DEBUG_OUTPUT);
   table.Enable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
   table.DebugMessageCallback(onMessage, nullptr);
@@ -156,18 +175,23 @@ void Context::load(ProcAddress procAddress, Current current) {
 
 std::unique_ptr<Context> Context::create(ContextKind kind) {
   if (kind == ContextKind::Auto) kind = kindOfEnvironment();
-  if (kind == ContextKind::Egl) return createEgl();
   if (kind == ContextKind::OsMesa) return createOsMesa();
-  std::string eglSays;
+  std::string eglSays, tooOld;
   try {
     return createEgl();
+  } catch (const TooOld& error) {
+    eglSays = tooOld = error.what();
   } catch (const GpuError& error) {
     eglSays = error.what();
   }
+  if (kind == ContextKind::Egl) throw GpuError(tooOld.empty() ? eglSays : nothingInstead(tooOld, {}));
   try {
     log::info(eglSays);
-    return createOsMesa();
+    auto context = createOsMesa();
+    if (!tooOld.empty()) warnOfSoftware(tooOld);
+    return context;
   } catch (const GpuError& error) {
+    if (!tooOld.empty()) throw GpuError(nothingInstead(tooOld, error.what()));
     throw GpuError(fmt::format("no way to draw without a display: {}; {}", eglSays, error.what()));
   }
 }

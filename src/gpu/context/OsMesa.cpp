@@ -31,7 +31,21 @@ void* procAddress(const char* name) {
 
 class OsMesaContext : public Context {
  public:
-  OsMesaContext() : mPixels(16 * 16 * 4) {
+  OsMesaContext() : mPixels(16 * 16 * 4) { make(); }
+  ~OsMesaContext() override { destroy(); }
+  void makeCurrent() override {
+    auto make = library().find<GLboolean (*)(::OSMesaContext, void*, GLenum, GLsizei, GLsizei)>("OSMesaMakeCurrent");
+    if (!make(mContext, mPixels.data(), GL_UNSIGNED_BYTE, 16, 16))
+      throw GpuError("OSMesa: the context cannot be made current");
+    Context::makeCurrent();
+  }
+  void renew() override {
+    destroy();
+    make();
+  }
+
+ private:
+  void make() {
     auto create = library().find<::OSMesaContext (*)(const int*, ::OSMesaContext)>("OSMesaCreateContextAttribs");
     if (!create) throw GpuError("OSMesa: libOSMesa.so.8 is not installed (Debian package libosmesa6)");
     const int attributes[] = {OSMESA_FORMAT,
@@ -50,20 +64,14 @@ class OsMesaContext : public Context {
     OsMesaContext::makeCurrent();
     load(procAddress);
   }
-  ~OsMesaContext() override {
+  void destroy() {
     if (!mContext) return;
     library().find<GLboolean (*)(::OSMesaContext, void*, GLenum, GLsizei, GLsizei)>("OSMesaMakeCurrent")(
         nullptr, nullptr, 0, 0, 0);
     library().find<void (*)(::OSMesaContext)>("OSMesaDestroyContext")(mContext);
+    mContext = nullptr;
+    leave();
   }
-  void makeCurrent() override {
-    auto make = library().find<GLboolean (*)(::OSMesaContext, void*, GLenum, GLsizei, GLsizei)>("OSMesaMakeCurrent");
-    if (!make(mContext, mPixels.data(), GL_UNSIGNED_BYTE, 16, 16))
-      throw GpuError("OSMesa: the context cannot be made current");
-    Context::makeCurrent();
-  }
-
- private:
   ::OSMesaContext mContext = nullptr;
   std::vector<unsigned char> mPixels;  ///< The default framebuffer, which nothing draws to.
 };

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <utility>
 
-#include "core/Error.h"
 #include "core/Memory.h"
+#include "gpu/Loss.h"
 #include "gui/view/CoarseScale.h"
 #include "gui/view/PreparingVeil.h"
 #include "scene/Crowd.h"
@@ -64,71 +64,9 @@ Viewport::~Viewport() {
   if (context()) disconnect(context(), nullptr, this, nullptr);
 }
 
-void Viewport::initializeGL() {
-  connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &Viewport::release, Qt::DirectConnection);
-  try {
-    mContext = gpu::Context::adopt(
-        [](const char* name) {
-          return reinterpret_cast<void*>(QOpenGLContext::currentContext()->getProcAddress(name));
-        },
-        [] { return static_cast<const void*>(QOpenGLContext::currentContext()); });
-    mRenderer = std::make_unique<render::Renderer>(*mContext);
-    bool isSoftware = mContext->limits().isSoftware;
-    if (mCoarseScale == 0) mCoarseScale = isSoftware ? kFirstScaleSoftware : kFirstScaleHardware;
-    startAnew();
-  } catch (const Error& error) {
-    mContext.reset();
-    QMetaObject::invokeMethod(
-        this, [this, text = QString::fromUtf8(error.what())] { emit failed(text); }, Qt::QueuedConnection);
-  }
-}
-
-/// Gives back everything on the GPU while the context still lives, as the widget is deleted or moves to another window.
-void Viewport::release() {
-  mSectionTimer.stop();
-  mRestTimer.stop();
-  mPickTimer.stop();
-  mLevelTimer.stop();
-  mPauseTimer.stop();
-  if (!mContext) return;
-  makeCurrent();
-  mContext->makeCurrent();
-  mShown.reset();
-  mVeil->forget();
-  mFrame = {};  // it holds sheets
-  mSession.releaseGpu();
-  mRenderer.reset();
-  mContext.reset();
-  mHasPicture = false;
-  mPending = true;
-  mStage = Stage::Idle;
-  doneCurrent();
-}
-
 void Viewport::pause(int ms) {
   mSectionTimer.stop();
   mPauseTimer.start(ms);
-}
-
-void Viewport::showEvent(QShowEvent* event) {
-  QOpenGLWidget::showEvent(event);
-  if (mRenderer) mSectionTimer.start();  // what stood still while nobody saw it
-}
-
-void Viewport::loseContext() {
-  release();
-  if (!context()) return;
-  makeCurrent();
-  initializeGL();
-  resizeGL(width(), height());
-  doneCurrent();
-}
-
-bool Viewport::bindContext() {
-  if (!mContext) return false;
-  makeCurrent();
-  mContext->makeCurrent();
-  return true;
 }
 
 glm::ivec2 Viewport::deviceSize() const {
@@ -136,24 +74,11 @@ glm::ivec2 Viewport::deviceSize() const {
   return glm::max(glm::ivec2(std::lround(width() * ratio), std::lround(height() * ratio)), glm::ivec2(1));
 }
 
-void Viewport::resizeGL(int, int) {
-  if (!mContext) return;
-  // The old picture stands in, stretched, until the new one is there.
-  glm::ivec2 size = deviceSize();
-  auto old = std::move(mShown);
-  mShown = std::make_unique<QOpenGLFramebufferObject>(size.x, size.y);
-  if (!mShown->isValid()) return failForSize();
-  QSize now(size.x, size.y);
-  if (old)
-    QOpenGLFramebufferObject::blitFramebuffer(mShown.get(), QRect(QPoint(), now), old.get(),
-                                              QRect(QPoint(), old->size()), GL_COLOR_BUFFER_BIT, GL_LINEAR);
-  startAnew();
-}
-
 void Viewport::paintGL() {
-  if (!mShown) return;
+  if (!mShown || !bindContext()) return;
   QRect all(QPoint(), mShown->size());
   QOpenGLFramebufferObject::blitFramebuffer(nullptr, all, mShown.get(), all);
+  if (gpu::isContextLost()) noteLoss();  // while the picture stood
   mShownCount += std::exchange(mIsFresh, false) ? 1 : 0;
 }
 
@@ -222,7 +147,7 @@ void Viewport::section() {
     if (!moving && !drawing && !hearing) mSectionTimer.stop();
   });
   if (!goesOn) mSectionTimer.stop();
-  if (mContext) tellProgress();
+  if (mContext && !mIsLost) tellProgress();
 }
 
 /// Works on the picture for a while. @return false when there is nothing to do until something happens
@@ -246,6 +171,7 @@ bool Viewport::drawSome() {
 void Viewport::show() {
   if (!mShown) return;
   mHasPicture = mIsFresh = true;
+  if (std::exchange(mTellsLoss, false)) emit drawnAnew();
   mRenderer->present(mShown->handle(), {mShown->width(), mShown->height()});
   mSinceShown.restart();
   mVeil->lift(mFrame.scene);
@@ -265,6 +191,7 @@ bool Viewport::finishStage() {
     return false;
   }
   mStage = Stage::Idle;
+  mLosses = 0;
   pickUnderPointer();
   return false;
 }
@@ -309,14 +236,17 @@ void Viewport::toggleProjection() {
 }
 
 std::optional<render::Pick> Viewport::pickAt(QPointF place) {
-  if (!mHasPicture || !bindContext()) return std::nullopt;
+  if (!mHasPicture) return std::nullopt;
   glm::dvec2 share = glm::dvec2(place.x(), place.y()) / logicalSize();
-  return mRenderer->pick(glm::ivec2(glm::floor(share * glm::dvec2(mFrame.pictureSize))));
+  std::optional<render::Pick> pick;
+  tries([&] { pick = mRenderer->pick(glm::ivec2(glm::floor(share * glm::dvec2(mFrame.pictureSize)))); });
+  return pick;
 }
 
 Viewport::PixelIds Viewport::idsOfPixels(bool withDistances) {
-  if (!mHasPicture || !bindContext()) return {};
-  return {mRenderer->idsOfPixels(withDistances), mFrame.pictureSize};
+  PixelIds ids;
+  if (mHasPicture) tries([&] { ids = {mRenderer->idsOfPixels(withDistances), mFrame.pictureSize}; });
+  return ids;
 }
 
 void Viewport::pickUnderPointer() {

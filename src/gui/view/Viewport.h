@@ -43,8 +43,8 @@ class Viewport : public QOpenGLWidget, public ToolView {
   render::Stats stats() const { return mRenderer ? mRenderer->stats() : render::Stats{}; }
   /// How many pictures the view has shown; for tests and measurements.
   int shownCount() const { return mShownCount; }
-  /// Gives up everything on the GPU and makes it again, as after the driver has lost its context.
-  void loseContext();
+  /// Gets another GL context from Qt and draws all anew in it, as after the driver has lost the one before.
+  void renewContext();
   /// To be called when jobs of the session's players have ended: their results may ask for work although no picture is
   /// being drawn.
   void playersTold();
@@ -86,6 +86,8 @@ class Viewport : public QOpenGLWidget, public ToolView {
   /// @param isComplete  true: of the picture that stays; false: of a coarse picture, while something moves
   void counted(const velum::render::InstanceBits& bits, bool isComplete);
   void failed(const QString& message);
+  /// The driver has lost the GL context, and there is a picture again.
+  void drawnAnew();
   /// A double click that hit neither a handle nor an instance of a model.
   void maximiseWanted();
   /// A double click on an instance of the model.
@@ -118,6 +120,8 @@ class Viewport : public QOpenGLWidget, public ToolView {
   bool bindContext();
   bool tries(const std::function<void()>& work);
   void failForSize();
+  void noteLoss();
+  void recover();
   void section();
   bool drawSome();
   scene::Scene drawnScene() const;
@@ -142,6 +146,9 @@ class Viewport : public QOpenGLWidget, public ToolView {
   PreparingVeil* mVeil;
   std::unique_ptr<gpu::Context> mContext;
   std::unique_ptr<render::Renderer> mRenderer;
+  bool mIsLost = false;                              ///< The driver has lost the context; recover() comes next.
+  bool mTellsLoss = false;                           ///< drawnAnew() is to be told with the next picture.
+  int mLosses = 0;                                   ///< since a picture was complete
   std::unique_ptr<QOpenGLFramebufferObject> mShown;  ///< The picture on the screen, kept while the next one is made.
   render::Frame mFrame;
   std::uint64_t mSheetsShown = 0;  ///< The session's shownCount() when mFrame was begun.

@@ -1,5 +1,4 @@
 // What the view tells of how far its picture is.
-#include "core/Error.h"
 #include "gui/view/PreparingVeil.h"
 #include "gui/view/Viewport.h"
 
@@ -10,22 +9,6 @@ namespace {
 constexpr int kTellMs = 250;  // how often the status line is told: the window is composed anew for each word
 
 }  // namespace
-
-/// Does some work with the driver. Where that fails, as for want of memory, it is said, the picture stands, and the
-/// next change of the scene tries anew. @return false when it has failed, or there is no driver
-bool Viewport::tries(const std::function<void()>& work) {
-  if (!bindContext()) return false;
-  try {
-    work();
-    return true;
-  } catch (const Error& error) {
-    mStage = Stage::Idle;
-    mPending = mAwaitsCounts = false;
-    mVeil->fail();
-    emit failed(QString::fromUtf8(error.what()));
-    return false;
-  }
-}
 
 /// Without memory for a picture of the view's size.
 void Viewport::failForSize() {

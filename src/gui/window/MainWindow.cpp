@@ -122,6 +122,8 @@ void MainWindow::connectRooms() {
   connect(&mCuts->membranes(), &MembraneRoom::exportClippedAsked, mExports, &ExportCommands::askExportClipped);
   connect(&mJobs, &JobRunner::ended, this, &MainWindow::jobEnded);
   connect(&viewport(), &Viewport::failed, mFrame.messages, &MessageBar::showError);
+  connect(&viewport(), &Viewport::drawnAnew, this,
+          [this] { mFrame.messages->showNote(tr("The graphics driver was reset; the picture has been drawn anew.")); });
 }
 
 /// Takes over what jobs have computed.

@@ -24,6 +24,9 @@ namespace velum::gui {
 namespace {
 
 constexpr const char* kNeeded = "4.5 is needed: install or update the graphics driver; Mesa's software driver will do";
+/// Says to the program that it has been started once more, and why.
+constexpr const char* kTooOld = "VELUM_TOO_OLD";
+constexpr const char* kMesasEgl = "/usr/share/glvnd/egl_vendor.d/50_mesa.json";
 constexpr std::size_t kMostSaid = 1000;  // bytes of a driver's own words
 
 /// The messages that the handler, of which Qt has one for each process, has taken.
@@ -60,17 +63,24 @@ void tryOpenGl() {
   if (!StartMessages::warnings().filter("QOpenGLWidget is not supported").isEmpty())
     throw gpu::GpuError(fmt::format("this display ({}) gives windows no OpenGL; {}",
                                     QGuiApplication::platformName().toStdString(), kNeeded));
-  QOpenGLContext context;
+  QSurfaceFormat usual = QSurfaceFormat::defaultFormat(), robust = usual;
+  robust.setOption(QSurfaceFormat::ResetNotification);
   QOffscreenSurface surface;
   surface.create();
-  if (!context.create() || !context.makeCurrent(&surface))
-    throw gpu::GpuError(fmt::format("the graphics driver makes no OpenGL context; {}", kNeeded));
-  auto [major, minor] = context.format().version();
-  if (major * 10 + minor < 45)
-    throw gpu::GpuError(fmt::format("the graphics driver offers OpenGL {}.{}; {}", major, minor, kNeeded));
-  gpu::Context::adopt(
-      [](const char* name) { return reinterpret_cast<void*>(QOpenGLContext::currentContext()->getProcAddress(name)); },
-      [] { return static_cast<const void*>(QOpenGLContext::currentContext()); });
+  for (const QSurfaceFormat& format : {robust, usual}) {
+    QOpenGLContext context;
+    context.setFormat(format);
+    bool isMade = context.create() && context.makeCurrent(&surface);
+    bool isLast = !format.testOption(QSurfaceFormat::ResetNotification);
+    if (!isMade && isLast) throw gpu::TooOld("the graphics driver makes no OpenGL context");
+    if (!isMade || (!isLast && context.format().version() < usual.version())) continue;
+    gpu::Context::adopt(
+        [](const char* name) {
+          return reinterpret_cast<void*>(QOpenGLContext::currentContext()->getProcAddress(name));
+        },
+        [] { return static_cast<const void*>(QOpenGLContext::currentContext()); });
+    return QSurfaceFormat::setDefaultFormat(format);
+  }
 }
 
 /// Takes what libraries write to stderr while it lives, so that it can be part of a line of ours; tells it at its end
@@ -153,8 +163,25 @@ void requireOpenGl() {
     tryOpenGl();
   } catch (const gpu::GpuError& error) {
     QString said = aside.take();
-    throw gpu::GpuError(error.what() + (said.isEmpty() ? std::string() : " (" + said.toStdString() + ")"));
+    std::string words = error.what() + (said.isEmpty() ? std::string() : " (" + said.toStdString() + ")");
+    if (dynamic_cast<const gpu::TooOld*>(&error)) throw gpu::TooOld(words);
+    throw gpu::GpuError(words);
   }
+}
+
+QString softwareReason() { return qEnvironmentVariable(kTooOld); }
+
+void startOnSoftware(const gpu::TooOld& error, char* const* arguments) {
+  if (!softwareReason().isEmpty()) return;
+  qputenv(kTooOld, error.what());
+  qputenv("LIBGL_ALWAYS_SOFTWARE", "1");
+  qputenv("GALLIUM_DRIVER", "llvmpipe");
+  qunsetenv("MESA_LOADER_DRIVER_OVERRIDE");
+  // Where a driver of the card's maker stands beside Mesa's.
+  qputenv("__GLX_VENDOR_LIBRARY_NAME", "mesa");
+  if (::access(kMesasEgl, R_OK) == 0) qputenv("__EGL_VENDOR_LIBRARY_FILENAMES", kMesasEgl);
+  const char* launcher = std::getenv("VELUM_LAUNCHER");  // where the program does not start by itself
+  ::execv(launcher ? launcher : "/proc/self/exe", arguments);
 }
 
 int refuseStart(const Error& error, bool asks) {

@@ -3,6 +3,7 @@
 #include <QStringList>
 
 #include "core/Error.h"
+#include "gpu/GpuError.h"
 
 /// Checks what the program needs of the machine before there is a window, and what is said where that is missing.
 namespace velum::gui {
@@ -27,9 +28,17 @@ class StartMessages {
   QtMessageHandler mBefore;
 };
 
-/// Tries what the 3D view will need; QApplication and a StartMessages must exist. @throw gpu::GpuError when a window
-/// gets no OpenGL 4.5 on this machine
+/// Tries what the 3D view will need; QApplication and a StartMessages must exist. Where the driver tells of resets, the
+/// default format asks for that from then on. @throw gpu::TooOld when the driver makes no OpenGL 4.5; gpu::GpuError
+/// when a window gets no OpenGL on this machine at all
 void requireOpenGl();
+
+/// Starts the program once more, in this process, with Mesa's software driver in place of one that is too old. Returns
+/// where that has been done already, or cannot be. @param arguments  of the program, with those that Qt took; ends with
+/// null
+void startOnSoftware(const gpu::TooOld& error, char* const* arguments);
+/// Why the program was started once more, as TooOld says it; empty: it was not.
+QString softwareReason();
 
 /// Says on stderr why there will be no window. @param asks  also says so in a dialog, if there is a screen, and waits
 /// until the dialog is closed

@@ -4,7 +4,7 @@
 #include <tuple>
 #include <utility>
 
-#include "gpu/GpuError.h"
+#include "gpu/Loss.h"
 #include "scene/Scene.h"
 
 namespace velum::session {
@@ -136,11 +136,13 @@ void LiveSheet::keepMaker(std::shared_ptr<membrane::ForceMaker> maker) {
 
 bool LiveSheet::isMoving() const { return mCut.enabled && (mBegins || !mMotion.isAtRest()); }
 
-void LiveSheet::keepPlace() { mPlace = mMotion.fittedPlace(isActive()); }
+void LiveSheet::keepPlace() {
+  mPlace = mMotion.fittedPlace(isActive());
+  mMotion.noteKept();
+}
 
 /// Where a sheet starts: an active one, and one that hands drag or a look shows, from where it is; else flat.
 void LiveSheet::begin() {
-  mBegins = false;
   if (mMotion.isInSight()) keepPlace();
   bool isPreview = mForces->forces.isPreview, isLook = isPreview && !mAsked.byHands;
   bool goesOn = isActive() || mAsked.byHands || isLook;
@@ -151,6 +153,7 @@ void LiveSheet::begin() {
                 hasPast  ? State::Dragged
                 : isSeen ? State::Shown
                          : State::Unseen);
+  mBegins = false;
 }
 
 /// From flat, unseen at first: a passive sheet rests where its scene says, whatever was dragged about before.
@@ -168,7 +171,7 @@ bool LiveSheet::advance(double budgetMs) {
   try {
     move(budgetMs);
   } catch (const gpu::GpuError&) {
-    failMotion();
+    if (!gpu::isContextLost()) failMotion();
     throw;
   }
   return true;
@@ -176,6 +179,7 @@ bool LiveSheet::advance(double budgetMs) {
 
 /// What is half made goes; the sheet starts anew, from where it lay last, when it is asked to move again.
 void LiveSheet::failMotion() {
+  mMotion.end();
   mMotion.releaseGpu();
   mBegins = mForces != nullptr;
   mShown.sheet.reset();
@@ -185,11 +189,21 @@ void LiveSheet::failMotion() {
 void LiveSheet::move(double budgetMs) {
   if (mBegins) begin();
   mMotion.advance(budgetMs);
+  afterSteps();
+}
+
+void LiveSheet::afterSteps() {
   if (mMotion.state() != SheetMotion::State::Unseen) ++mShown.count;
   if (mMotion.state() == SheetMotion::State::Dragged && !mAsked.isDue && mMotion.isFinest())
     beginAgain();  // it has settled as far as the eye can follow
   else if (mMotion.isAtRest())
     keepPlace();
+}
+
+void LiveSheet::resume() {
+  if (!mMotion.isInterrupted()) return;
+  mMotion.resume();
+  afterSteps();
 }
 
 void LiveSheet::reset() {
@@ -205,10 +219,7 @@ void LiveSheet::reset() {
 }
 
 void LiveSheet::releaseGpu() {
-  bool wasMoving = isMoving();
-  if (mMotion.isInSight()) keepPlace();
   mMotion.releaseGpu();
-  mBegins = wasMoving && mForces;
   mShown.sheet.reset();
   mShown.uploaded = 0;
 }
@@ -231,58 +242,6 @@ void LiveSheet::takeFigures(SheetFigures figures, std::uint64_t wish) {
   mFigures->kept = membrane::figureOfFlat(mFigures->kept);
   mPlace = flatPlace(mCut, mPlace.isFlat() ? mCut.membrane->cloth.particles : mPlace.shape.particles, mPlace.timeStep);
   ++mShown.count;
-}
-
-MembraneStatus LiveSheet::status(bool isPlaying, bool isComputing) const {
-  using Phase = MembraneStatus::Phase;
-  MembraneStatus status;
-  if (mAsked.isDue || isComputing)
-    status.phase = Phase::Computing;
-  else if (isMoving())
-    status.phase = isPlaying ? Phase::Settling : Phase::Paused;
-  if (mForces) {
-    status.kernels = mForces->forces.kernels;
-    status.voxels = mForces->forces.voxels;
-    status.forcesMs = mForces->forces.kernelsMs + mForces->forces.leastCutMs;
-  }
-  status.particles = mPlace.isFlat() ? mCut.membrane->cloth.particles : mPlace.shape.particles;
-  if (mMotion.state() != SheetMotion::State::None) {
-    const membrane::Simulation& simulation = mMotion.simulation();
-    status.particles = simulation.particles();
-    status.steps = simulation.steps();
-    status.speed = simulation.speed();
-  }
-  status.stepMs = mMotion.stepMs();
-  status.error = mAsked.error;
-  if (!mFigures) return status;
-  const membrane::KeptWhole& kept = mFigures->kept;
-  status.isMeasured = true, status.keptWhole = kept.ratio;
-  status.voxels = mFigures->voxels;
-  status.fate = kept.fate;
-  status.wantsAdvice = session::wantsAdvice(kept, mCut);
-  status.advice = mFigures->advice;
-  status.leftOut = mFigures->leftOut;
-  status.shares = membrane::sharesOf(kept, mCut);
-  status.planePairs = kept.cutAreaPlane, status.sheetPairs = kept.cutAreaMembrane;
-  status.meanDistance = kept.meanDistance;
-  return status;
-}
-
-MembraneReport LiveSheet::report() const {
-  MembraneReport report{.cut = mCut.id, .name = mCut.name, .particles = shape().particles, .atRest = !isMoving()};
-  if (mForces) {
-    report.kernels = mForces->forces.kernels;
-    report.voxels = mForces->forces.voxels;
-    report.kernelsMs = mForces->forces.kernelsMs;
-    report.leastCutMs = mForces->forces.leastCutMs;
-    report.totalMs = mForces->ms + mMotion.ms();
-  }
-  if (mMotion.state() != SheetMotion::State::None) report.steps = mMotion.simulation().steps();
-  if (report.steps > 0) report.stepMs = mMotion.ms() / report.steps;
-  if (!mFigures || !mFigures->isWhole) return report;
-  report.kept = mFigures->kept, report.voxels = mFigures->voxels;
-  report.advice = mFigures->advice, report.leftOut = mFigures->leftOut;
-  return report;
 }
 
 }  // namespace velum::session

@@ -74,6 +74,7 @@ class LiveSheet {
   bool advance(double budgetMs);
   void reset();
   void releaseGpu();
+  void resume();
 
   // Figures.
   /// True when the sheet rests where it is wanted, and figures that are asked for are not known.
@@ -127,6 +128,7 @@ class LiveSheet {
   void failMotion();
   render::FrameSheet upload();
   void keepPlace();
+  void afterSteps();
   void beginAgain();
 
   std::uint64_t mId;

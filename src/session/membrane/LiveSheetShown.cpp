@@ -1,6 +1,4 @@
 // What is shown of a live sheet, and what is kept of it where it rests.
-#include <utility>
-
 #include "gpu/GpuError.h"
 #include "gpu/Program.h"
 #include "membrane/sheet/SheetIndex.h"
@@ -12,7 +10,10 @@ namespace velum::session {
 /// where no context is current.
 const SheetPlace& LiveSheet::seenPlace() const {
   if (!mMotion.isInSight()) return mPlace;
-  if (std::exchange(mShown.readAt, mShown.count) != mShown.count) mShown.read = mMotion.place();
+  if (mShown.readAt == mShown.count) return mShown.read;
+  if (mMotion.isInterrupted()) return mPlace;  // until it is resumed
+  mShown.read = mMotion.place();
+  mShown.readAt = mShown.count;
   return mShown.read;
 }
 
@@ -31,16 +32,16 @@ render::FrameSheet LiveSheet::upload() {
   if (mShown.uploaded != mShown.count || !sheet) {
     glm::ivec2 flat = glm::max(mCut.membrane->cloth.particles, glm::ivec2(3));
     glm::ivec2 count = isLive ? mMotion.simulation().particles() : glm::ivec2(0);
-    bool fits = sheet && sheet->particles() == count && sheet->size() == mCut.size;
-    if (isLive && fits) {
+    auto fits = [&] { return isLive && sheet->particles() == count && sheet->size() == mCut.size; };
+    if (!sheet)
+      sheet = std::make_shared<membrane::Sheet>(shape(), flat, mCut.size);
+    else if (!fits())
+      sheet->setShape(shape(), flat, mCut.size);
+    if (fits()) {
       // From the solver to the picture without a detour.
       mMotion.simulation().places().copyTo(sheet->rows(), 0);
       gpu::barrier();
       sheet->index();
-    } else if (sheet) {
-      sheet->setShape(shape(), flat, mCut.size);
-    } else {
-      sheet = std::make_shared<membrane::Sheet>(shape(), flat, mCut.size);
     }
     if (mMotion.isAtRest()) sheet->grow();
     mShown.uploaded = mShown.count;

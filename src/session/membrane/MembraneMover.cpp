@@ -4,6 +4,7 @@
 
 #include "core/Assert.h"
 #include "core/Clock.h"
+#include "gpu/Loss.h"
 #include "session/membrane/LiveSheet.h"
 #include "session/membrane/Membranes.h"
 
@@ -74,8 +75,18 @@ void MembraneMover::follow(const scene::Scene& scene) {
   }
 }
 
+/// In another context than before, as after the driver has lost that, what is on the GPU is made anew.
+void MembraneMover::keepUp() {
+  unsigned now = gpu::contextNumber();
+  if (now == mContext || now == 0) return;
+  if (mContext != 0) releaseGpu();
+  for (const auto& sheet : mSheets) sheet->resume();
+  mContext = now;
+}
+
 MembraneMover::Work MembraneMover::nextWork() {
   if (mOut.id) return {};
+  keepUp();
   for (const auto& sheet : mSheets)
     if (sheet->needsForces()) return forcesWork(*sheet);
   for (const auto& sheet : mSheets)
@@ -90,8 +101,9 @@ bool MembraneMover::isOf(const scene::Scene& scene) const {
 }
 
 MembraneMover::Work MembraneMover::forcesWork(LiveSheet& sheet) {
+  auto current = sheet.current();  // which may be lost
   mOut = {sheet.id(), sheet.dataChange(), sheet.wish(), false, sheet.wantsPreview()};
-  return [this, out = mOut, scene = forcesScene(mScene), cut = sheet.cut(), current = sheet.current(),
+  return [this, out = mOut, scene = forcesScene(mScene), cut = sheet.cut(), current = std::move(current),
           maker = sheet.makerOf(mScene)](Progress& progress) mutable -> Finish {
     if (!maker) maker = std::make_shared<membrane::ForceMaker>(scene);
     auto start = Clock::now();
@@ -109,8 +121,9 @@ MembraneMover::Work MembraneMover::forcesWork(LiveSheet& sheet) {
 }
 
 MembraneMover::Work MembraneMover::measureWork(LiveSheet& sheet) {
+  auto shape = sheet.shape();
   mOut = {sheet.id(), sheet.dataChange(), sheet.wish(), true};
-  return [this, out = mOut, scene = forcesScene(mScene), cut = sheet.cut(), shape = sheet.shape(),
+  return [this, out = mOut, scene = forcesScene(mScene), cut = sheet.cut(), shape = std::move(shape),
           maker = sheet.makerOf(mScene), whole = mMeasures](Progress& progress) mutable -> Finish {
     if (!maker) maker = std::make_shared<membrane::ForceMaker>(scene);
     SheetFigures figures;
@@ -166,6 +179,7 @@ bool MembraneMover::isSettled() const {
 }
 
 bool MembraneMover::advance(double budgetMs) {
+  keepUp();
   mGone.clear();
   auto count = std::count_if(mSheets.begin(), mSheets.end(), [](const auto& sheet) { return sheet->isMoving(); });
   if (mPlaying)
@@ -175,6 +189,7 @@ bool MembraneMover::advance(double budgetMs) {
 }
 
 bool MembraneMover::stepOnce() {
+  keepUp();
   bool moved = false;
   for (const auto& sheet : mSheets)
     for (int i = 0; i < kStepOnce; ++i) moved = sheet->advance(0.0) || moved;
@@ -193,6 +208,7 @@ void MembraneMover::refreshIndices() {
 }
 
 std::map<int, render::FrameSheet> MembraneMover::sheets() {
+  keepUp();
   std::map<int, render::FrameSheet> sheets;
   for (const auto& sheet : mSheets)
     if (sheet->cut().enabled) sheets[sheet->cut().id] = sheet->frameSheet();
@@ -274,6 +290,7 @@ scene::Scene MembraneMover::withShapes(scene::Scene scene) const {
 void MembraneMover::releaseGpu() {
   mGone.clear();
   for (const auto& sheet : mSheets) sheet->releaseGpu();
+  mContext = 0;
 }
 
 }  // namespace velum::session

@@ -53,7 +53,6 @@ class MembraneMover : public Mover {
   void show(render::Frame& frame) override { frame.sheets = sheets(); }
   bool hasRests() const override;
   void complete(scene::Scene& scene) override;
-  /// Afterwards sheets that were at rest come back as they were; sheets that moved start anew.
   void releaseGpu() override;
 
   /// The sheets of the enabled membranes by the id of their cut, for a frame of the scene that was last followed.
@@ -93,6 +92,7 @@ class MembraneMover : public Mover {
   scene::Scene withShapes(scene::Scene scene) const;
 
  private:
+  void keepUp();
   LiveSheet* find(std::uint64_t id);
   LiveSheet* sheetOf(int cut) const;
   bool isOf(const scene::Scene& scene) const;
@@ -104,6 +104,7 @@ class MembraneMover : public Mover {
   std::vector<std::unique_ptr<LiveSheet>> mGone;    ///< sheets without a membrane; advance() gives back what they have
                                                     ///< on the GPU
   scene::Scene mScene;
+  unsigned mContext = 0;  ///< gpu::contextNumber() where the sheets are; 0: nowhere yet
   std::uint64_t mNextId = 1, mGoneCount = 0;
   /// The piece of work that is being done.
   struct Out {

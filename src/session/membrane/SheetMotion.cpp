@@ -1,7 +1,10 @@
 #include "session/membrane/SheetMotion.h"
 
+#include <utility>
+
 #include "core/Clock.h"
 #include "gpu/Allocation.h"
+#include "gpu/Loss.h"
 #include "gpu/Program.h"
 #include "membrane/sheet/SheetIndex.h"
 
@@ -30,21 +33,30 @@ scene::Cut frameOf(const scene::Cut& cut, const MadeForces& made) {
 void SheetMotion::begin(const scene::Cut& cut, const MadeForces& made, const SheetPlace& start, State as) {
   mCut = frameOf(cut, made);
   mTimeStep = made.timeStep;
-  mSimulation->begin(mCut, made.forces, start.in(mCut));
+  mStart = start.in(mCut);
+  end();  // until it has begun, which fails where the context is lost
+  mIsKept = false;
+  mSimulation->begin(mCut, made.forces, mStart);
   mState = as;
   mMs = 0.0;
 }
 
 void SheetMotion::advance(double budgetMs) {
+  mIsKept = false;
   auto start = Clock::now();
   int steps = 0;
   do mSimulation->advance(1);
   while (++steps < kMostSteps && !mSimulation->isAtRest() && msSince(start) < budgetMs);
   gpu::finish();
+  gpu::throwIfLost();
   gpu::throwIfExhausted();
   double ms = msSince(start), stepMs = ms / steps;
   mMs += ms;
   mStepMs = mStepMs > 0 ? 0.8 * mStepMs + 0.2 * stepMs : stepMs;
+  see();
+}
+
+void SheetMotion::see() {
   if (mState == State::Unseen && (mSimulation->steps() >= kWarmSteps || mSimulation->isAtRest())) mState = State::Shown;
 }
 
@@ -55,9 +67,30 @@ SheetPlace SheetMotion::fittedPlace(bool isAnchored) const {
   return at;
 }
 
+SheetPlace SheetMotion::place() const {
+  SheetPlace place{mSimulation->shape(), mCut, mTimeStep};
+  gpu::throwIfLost();
+  return place;
+}
+
 void SheetMotion::releaseGpu() {
+  if (isInterrupted()) return;
+  bool isOver = mState == State::None || (mIsKept && mSimulation->isAtRest());
+  if (isOver)
+    mState = State::None;
+  else
+    mInterrupted = Interrupted{mSimulation->forces(), mSimulation->steps()};
   mSimulation.emplace();
-  mState = State::None;
+}
+
+void SheetMotion::resume() {
+  if (!isInterrupted()) return;
+  mSimulation.emplace();
+  mSimulation->begin(mCut, mInterrupted->forces, mStart);
+  mSimulation->advance(mInterrupted->steps);
+  gpu::throwIfLost();
+  mInterrupted.reset();
+  see();
 }
 
 }  // namespace velum::session

@@ -13,7 +13,9 @@
 #include "session/command/Command.h"
 #include "session/command/DocumentCommands.h"
 #include "session/command/PythonLines.h"
+#include "session/command/SaveFilm.h"
 #include "session/document/PutData.h"
+#include "session/film/FilmDrawer.h"
 #include "session/measure/Table.h"
 #include "session/membrane/Membranes.h"
 #include "session/model/CountFiles.h"
@@ -37,6 +39,17 @@ gpu::ContextKind contextOf(const std::string& name) {
 glm::ivec2 sizeOf(int width, int height) { return session::parsePictureSize(fmt::format("{}x{}", width, height), 0); }
 
 std::string textOf(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
+session::PictureOptions optionsOf(const BoundSession::Wanted& wanted) {
+  if (wanted.samples < 0 || wanted.samples > 256)
+    throw ArgumentError(fmt::format("samples {}: 0 to 256, 0 as the scene says", wanted.samples));
+  return {sizeOf(wanted.width, wanted.height),
+          wanted.samples,
+          wanted.transparent,
+          wanted.layers,
+          0,
+          wanted.isFine ? 16 : 8};
+}
 
 /// What an array was is in no file that a scene could name.
 void expectFiles(const scene::Scene& scene) {
@@ -174,25 +187,50 @@ std::optional<Shared<LabelVolume>> BoundSession::labels() {
 }
 
 Image BoundSession::picture(const Wanted& wanted) {
-  std::optional<scene::SectionKind> section;
-  if (!wanted.section.empty()) section = enumValue<scene::SectionKind>(wanted.section);
-  if (!wanted.section.empty() && !section)
-    throw ArgumentError(fmt::format("section '{}' is not one of {}", wanted.section,
-                                    fmt::join(EnumNames<scene::SectionKind>::kNames, ", ")));
-  session::PictureOptions options{sizeOf(wanted.width, wanted.height),
-                                  wanted.samples,
-                                  wanted.transparent,
-                                  wanted.layers,
-                                  0,
-                                  wanted.isFine ? 16 : 8};
-  if (wanted.samples < 0 || wanted.samples > 256)
-    throw ArgumentError(fmt::format("samples {}: 0 to 256, 0 as the scene says", wanted.samples));
+  auto section = session::sectionNamed(wanted.section);
+  session::PictureOptions options = optionsOf(wanted);
   Image image;
   in([&](session::Session& session, Progress& progress) {
     image = section ? session::drawSectionPicture(session.settled(progress), *section, options, progress)
                     : session.picture(options, progress);
   });
   return image;
+}
+
+/// The source has a reference to the output.
+struct BoundSession::Frames::Drawer {
+  session::FilmOutput output;
+  session::FrameSource source;
+};
+
+BoundSession::Frames BoundSession::frames(const std::string& line) {
+  session::Call call = session::parseCall(line);
+  const auto& film = std::any_cast<const session::SaveFilm&>(call.arguments());
+  Frames frames;
+  in([&](session::Session& session, Progress& progress) {
+    auto drawer = std::make_shared<Frames::Drawer>(Frames::Drawer{session::outputOf(film), {}});
+    drawer->source = session::framesOf(session, session::filmedScene(session.scene(), film, progress), drawer->output);
+    frames = {drawer, drawer->source.count};
+    mThread.keep(std::move(drawer));
+  });
+  return frames;
+}
+
+Image BoundSession::frame(const Frames& frames, int frame) {
+  Image image;
+  in([&](session::Session&, Progress& progress) {
+    auto drawer = frames.drawer.lock();
+    if (!drawer) throw ArgumentError("these frames have ended");
+    image = session::drawFrame(drawer->source, drawer->output, frame, progress).image;
+  });
+  return image;
+}
+
+void BoundSession::endFrames(const Frames& frames) {
+  try {
+    in([&](session::Session&, Progress&) { mThread.drop(frames.drawer.lock().get()); });
+  } catch (const ArgumentError&) {  // the session has ended, and they with it
+  }
 }
 
 std::string BoundSession::measure(bool marks, bool structures, bool faces) {

@@ -1,6 +1,7 @@
 #pragma once
 #include <pybind11/pybind11.h>
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -40,6 +41,19 @@ class BoundSession {
     std::string section;  ///< empty: the 3D picture
   };
   Image picture(const Wanted& wanted);
+
+  /// The frames of a film that are drawn one by one. What draws them is the session's, and ends with it.
+  struct Frames {
+    struct Drawer;
+    std::weak_ptr<Drawer> drawer;
+    int count = 0;
+  };
+  /// @param line  of a script, film.save: how the frames are drawn  @throw ArgumentError
+  Frames frames(const std::string& line);
+  /// @param frame  never below that of the call before
+  Image frame(const Frames& frames, int frame);
+  void endFrames(const Frames& frames);
+
   /// Tables as JSON.
   std::string measure(bool marks, bool structures, bool faces);
   std::string count(int width, int height);

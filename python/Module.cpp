@@ -126,6 +126,12 @@ void bindSession(py::module_& module) {
     S::Told told = session.run(line);
     return py::make_tuple(told.isAnswer, told.lines);
   };
+  auto frame = [](S& session, const S::Frames& frames, int place, bool asBytes) {
+    Image image = session.frame(frames, place);
+    std::vector<std::string> channels = image.channels;
+    return py::make_tuple(channels, arrayOf(std::move(image), asBytes));
+  };
+  py::class_<S::Frames>(module, "Frames").def_readonly("count", &S::Frames::count);
   py::class_<S>(module, "Session")
       .def(py::init<const std::string&>())
       .def("_run", run)
@@ -136,6 +142,9 @@ void bindSession(py::module_& module) {
       .def("_volume", &S::volume)
       .def("_labels", &S::labels)
       .def("_picture", picture)
+      .def("_frames", &S::frames)
+      .def("_frame", frame)
+      .def("_endFrames", &S::endFrames)
       .def("_measure", &S::measure)
       .def("_count", &S::count)
       .def("_cancel", &S::cancel)

@@ -62,6 +62,7 @@ void SessionThread::live(State& state, gpu::ContextKind context) {
       state.tasks.pop_front();
       state.done.notify_all();
     }
+    state.kept.clear();
   }
   releaseFreeMemory();
 }
@@ -90,6 +91,12 @@ void SessionThread::run(const Work& work, const Pulse& pulse) {
   if (stop) std::rethrow_exception(stop);
   if (task.error) std::rethrow_exception(task.error);
   if (task.news) pulse(&*task.news);
+}
+
+void SessionThread::keep(std::shared_ptr<void> thing) { mState->kept.push_back(std::move(thing)); }
+
+void SessionThread::drop(const void* thing) {
+  std::erase_if(mState->kept, [&](const auto& kept) { return kept.get() == thing; });
 }
 
 void SessionThread::cancel() {

@@ -9,6 +9,7 @@
 #include <mutex>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "session/Session.h"
 
@@ -35,6 +36,10 @@ class SessionThread {
   /// @throw what the work throws; Cancelled after cancel(); ArgumentError when the session is closed, or is another
   /// process's
   void run(const Work& work, const Pulse& pulse);
+  /// Has something end in the session's thread, and before the session. Called by work.
+  void keep(std::shared_ptr<void> thing);
+  /// Ends what is kept. Called by work.
+  void drop(const void* thing);
   /// Stops the work that is being done. Any thread.
   void cancel();
   /// Stops all work and ends the session. Any thread.
@@ -48,6 +53,7 @@ class SessionThread {
     std::deque<Task*> tasks;  ///< The first one is being done.
     bool isClosed = false;
     std::thread thread;
+    std::vector<std::shared_ptr<void>> kept;  ///< the thread's own
   };
   /// A fork has a copy of the state, and no such thread: what waits there for it would wait for ever.
   bool isForked() const { return ::getpid() != mProcess; }

@@ -11,7 +11,7 @@ from velum._table import Namespace
 SPECIAL = ["__init__", "__array__", "__getitem__", "__setitem__", "__call__", "__enter__", "__exit__"]
 HEAD = '''# Made by python/tests/make_stub.py.
 import os
-from typing import Any, Callable, Literal, Mapping, Optional, Sequence
+from typing import Any, Callable, Iterator, Literal, Mapping, Optional, Sequence, Union
 
 import numpy
 

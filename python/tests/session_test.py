@@ -6,7 +6,6 @@ import pathlib
 import re
 import subprocess
 import sys
-import sys
 import unittest
 import warnings
 
@@ -75,6 +74,24 @@ class Fields(Case):
         self.assertEqual((cut["name"], cut["shape"], cut["face"], cut["axis"]), ("window", "box", "section", [0, 0, 1]))
         self.assertIn("camera", self.session[""])
 
+    def test_brackets_hold_names_ids_and_places(self):
+        for name in ("first", "second"):
+            self.session.cut(shape="box", name=name)
+        for path in ("cuts[1].face", "cuts.1.face", "cuts[second].face", f"cuts[#{self.session['cuts[1].id']}].face"):
+            self.session["cuts[1].face"] = "shaded"
+            self.session[path] = "section"
+            self.assertEqual([cut["face"] for cut in self.session["cuts"]], ["shaded", "section"], path)
+        with self.assertRaisesRegex(velum.ArgumentError, "cuts has 2 items"):
+            self.session["cuts[2].face"] = "section"
+
+    def test_what_is_there_is_told(self):
+        self.assertEqual(repr(self.session), "<velum.Session <velum.Volume array (32, 32, 32) int16>, 0 cuts>")
+        self.assertIn("FilmCommands: at, clear", repr(self.session.film))
+        keys = self.session._ipython_key_completions_()
+        self.assertIn("camera.eye", keys)
+        for key in keys:
+            self.session[key]
+
     def test_a_cut_that_cannot_be_as_asked_is_not_there(self):
         before = self.session.commands()
         with self.assertRaisesRegex(velum.ArgumentError, "axle"):
@@ -101,7 +118,7 @@ class Errors(Case):
 
     def test_python_refuses_names_that_are_none(self):
         session = velum.Session()
-        with self.assertRaises(TypeError):
+        with self.assertRaisesRegex(TypeError, "cut.add: .*'form'.*shape"):
             session.cut.add(form="box")
         with self.assertRaises(AttributeError):
             session.cut.ad("box")
@@ -134,6 +151,7 @@ class Errors(Case):
         session.close()
         with self.assertRaisesRegex(velum.ArgumentError, "closed"):
             session.undo()
+        self.assertEqual(repr(session), "<velum.Session closed>")
 
 
 class Environments(Case):

@@ -3,7 +3,7 @@
     import velum
     s = velum.open("head.nii.gz")
     s.cut("plane", axis=(0, -1, 0))
-    s["cuts.0.face"] = "section"
+    s["cuts[0].face"] = "section"
     image = s.render(1280, 960)
 
 A session's methods are the commands of scripts, by the same names and with the same arguments: help(velum.Session) lists them.
@@ -19,8 +19,8 @@ from ._velum import ArgumentError, Cancelled, Error, GpuError, InputError
 __version__ = _velum.version
 __all__ = ["open", "Session", "Volume", "Labels", "Image", "Note", "Error", "ArgumentError", "InputError", "GpuError", "Cancelled"]
 
-for _error in (Error, ArgumentError, InputError, GpuError, Cancelled):
-    _error.__module__ = __name__
+for _class in (Session, Volume, Labels, Image, Note, Error, ArgumentError, InputError, GpuError, Cancelled):
+    _class.__module__ = __name__
 Error.__doc__ = "What the library refuses, in one line: what, which value, what to do."
 ArgumentError.__doc__ = "An argument, a name or a field's value that cannot be used."
 InputError.__doc__ = "A file that cannot be read or written, or data that is not there."

@@ -1,6 +1,6 @@
 # Made by python/tests/make_stub.py.
 import os
-from typing import Any, Callable, Literal, Mapping, Optional, Sequence
+from typing import Any, Callable, Iterator, Literal, Mapping, Optional, Sequence, Union
 
 import numpy
 
@@ -48,7 +48,7 @@ class CutCommands:
 
 class MembraneCommands:
     """The commands membrane.*"""
-    def hang(self, values: Sequence[float] = [], place: Sequence[float] = [], structures: Sequence[int] = [], types: Sequence[str] = [], sketch: Sequence[str] = [], avoid: Sequence[str] = [], axis: Sequence[float] = [], position: float = -1.0, reach: float = 0.0, leastPiece: str = '', denoise: bool = False) -> None:
+    def hang(self, values: Union[float, Sequence[float]] = [], place: Union[float, Sequence[float]] = [], structures: Union[int, Sequence[int]] = [], types: Union[str, Sequence[str]] = [], sketch: Union[str, Sequence[str]] = [], avoid: Union[str, Sequence[str]] = [], axis: Union[float, Sequence[float]] = [], position: float = -1.0, reach: float = 0.0, leastPiece: str = '', denoise: bool = False) -> None:
         """Adds a membrane that protects what is said, as far as it can."""
     def protectValues(self, low: float = 0.0, high: float = 0.0, strength: float = 100.0, cut: str = '') -> None:
         """Lets a membrane's sheet go around all values of a range."""
@@ -67,7 +67,7 @@ class ExtrusionCommands:
     """The commands extrusion.*"""
     def pull(self, structure: str = '', distance: float = 0.0, cut: str = '') -> None:
         """Pulls a structure out of a cut."""
-    def putBack(self, structures: Sequence[str] = [], cut: str = '') -> None:
+    def putBack(self, structures: Union[str, Sequence[str]] = [], cut: str = '') -> None:
         """Puts back what stands out."""
     def putAllBack(self) -> None:
         """Puts back all that stands out."""
@@ -76,19 +76,19 @@ class ExtrusionCommands:
 
 class GrowthCommands:
     """The commands growth.*"""
-    def grow(self, seeds: Sequence[Sequence[float]] = [], range: Sequence[float] = [], strokes: Sequence[str] = [], others: Sequence[Sequence[float]] = [], otherStrokes: Sequence[str] = [], plane: Sequence[float] = [], distance: Optional[float] = None, steepest: Optional[float] = None, closing: float = 0.0, within: int = 0, fillHoles: bool = False, guard: bool = False, name: str = '') -> None:
+    def grow(self, seed: Union[Sequence[float], Sequence[Sequence[float]]] = [], range: Union[float, Sequence[float]] = [], strokes: Union[str, Sequence[str]] = [], others: Union[Sequence[float], Sequence[Sequence[float]]] = [], otherStrokes: Union[str, Sequence[str]] = [], plane: Union[float, Sequence[float]] = [], distance: Optional[float] = None, steepest: Optional[float] = None, closing: float = 0.0, within: int = 0, fillHoles: bool = False, guard: bool = False, name: str = '') -> None:
         """Grows a structure out of the volume, from places on it."""
     def pullAt(self, place: Sequence[float] = (0.0, 0.0, 0.0), distance: float = 0.0, cut: str = '') -> None:
         """Pulls out of a cut what is in a place of its face; what has no label grows from there."""
-    def addSeed(self, structure: str = '', place: Sequence[float] = (0.0, 0.0, 0.0), more: Sequence[Sequence[float]] = []) -> None:
+    def addSeed(self, structure: str = '', place: Sequence[float] = (0.0, 0.0, 0.0), more: Union[Sequence[float], Sequence[Sequence[float]]] = []) -> None:
         """Lets a structure that was grown go on from another place."""
-    def notThis(self, structure: str = '', place: Sequence[float] = (0.0, 0.0, 0.0), more: Sequence[Sequence[float]] = []) -> None:
+    def notThis(self, structure: str = '', place: Sequence[float] = (0.0, 0.0, 0.0), more: Union[Sequence[float], Sequence[Sequence[float]]] = []) -> None:
         """Says of a place that it is not of a structure that was grown."""
     def growOn(self, structure: str = '') -> None:
         """Lets a structure that was held grow as far as it is pulled, and minds no leak of it any more."""
     def stop(self) -> None:
         """Ends what is growing: what has grown so far stays."""
-    def barrier(self, structure: str = '', path: Sequence[Sequence[float]] = [], radius: float = 3.0) -> None:
+    def barrier(self, structure: str = '', path: Union[Sequence[float], Sequence[Sequence[float]]] = [], radius: float = 3.0) -> None:
         """Draws a stroke that a structure does not grow through."""
     def change(self, structure: str = '', field: str = '', value: str = '') -> None:
         """Changes how a structure grows: it grows anew."""
@@ -97,31 +97,31 @@ class GrowthCommands:
 
 class StructureCommands:
     """The commands structure.*"""
-    def show(self, structures: Sequence[str] = [], visible: bool = True) -> None:
+    def show(self, structures: Union[str, Sequence[str]] = [], visible: bool = True) -> None:
         """Shows structures, or hides them."""
     def showLabels(self, visible: bool = True) -> None:
         """Shows the labels, or hides them."""
-    def invert(self, structures: Sequence[str] = []) -> None:
+    def invert(self, structures: Union[str, Sequence[str]] = []) -> None:
         """Shows those that are hidden and hides those that are shown."""
-    def solo(self, structure: str = '', shown: Sequence[str] = [], unlabelled: float = 1.0) -> None:
+    def solo(self, structure: str = '', shown: Union[str, Sequence[str]] = [], unlabelled: float = 1.0) -> None:
         """Shows a structure alone; where it is alone already, what was shown before."""
-    def color(self, structures: Sequence[str] = [], color: Sequence[float] = (1.0, 1.0, 1.0)) -> None:
+    def color(self, structures: Union[str, Sequence[str]] = [], color: Sequence[float] = (1.0, 1.0, 1.0)) -> None:
         """Gives structures a colour of their own."""
-    def opacity(self, structures: Sequence[str] = [], opacity: float = 1.0) -> None:
+    def opacity(self, structures: Union[str, Sequence[str]] = [], opacity: float = 1.0) -> None:
         """Makes structures more or less opaque."""
-    def showAs(self, structures: Sequence[str] = [], showAs: Literal['material', 'solid'] = 'material') -> None:
+    def showAs(self, structures: Union[str, Sequence[str]] = [], showAs: Literal['material', 'solid'] = 'material') -> None:
         """Shows structures as material or as solid surfaces."""
-    def litSphere(self, structures: Sequence[str] = [], litSphere: str = '') -> None:
+    def litSphere(self, structures: Union[str, Sequence[str]] = [], litSphere: str = '') -> None:
         """Gives structures a lit sphere of their own in a finished picture."""
-    def smooth(self, structures: Sequence[str] = [], deviation: float = 0.0) -> None:
+    def smooth(self, structures: Union[str, Sequence[str]] = [], deviation: float = 0.0) -> None:
         """Smooths the shapes that structures have in their file."""
     def rename(self, structure: str = '', name: str = '') -> None:
         """Gives a structure another name."""
-    def spare(self, structures: Sequence[str] = [], whole: bool = True, cut: str = '') -> None:
+    def spare(self, structures: Union[str, Sequence[str]] = [], whole: bool = True, cut: str = '') -> None:
         """Lets a cut leave structures whole, or go through them again."""
-    def protect(self, structures: Sequence[str] = [], strength: float = 0.0, cut: str = '') -> None:
+    def protect(self, structures: Union[str, Sequence[str]] = [], strength: float = 0.0, cut: str = '') -> None:
         """Lets a membrane's sheet go around structures, or draws it to them."""
-    def listInLegend(self, structures: Sequence[str] = [], listed: bool = True) -> None:
+    def listInLegend(self, structures: Union[str, Sequence[str]] = [], listed: bool = True) -> None:
         """Lists structures in the legend, or takes them out of its list; with an empty list it names what is shown."""
 
 class LookCommands:
@@ -146,7 +146,7 @@ class LookCommands:
         """Chooses how rays are cast."""
     def surface(self) -> None:
         """Makes a look that lets one see through one of surfaces."""
-    def import_(self, path: str = '') -> None:
+    def import_(self, path: Union[str, os.PathLike[str]] = '') -> None:
         """Takes the transfer function of a file."""
     def background(self, top: Sequence[float] = (0.0, 0.0, 0.0), bottom: Sequence[float] = (0.0, 0.0, 0.0)) -> None:
         """Sets what is behind everything."""
@@ -158,39 +158,39 @@ class VolumeCommands:
 
 class ModelCommands:
     """The commands model.*"""
-    def show(self, types: Sequence[str] = [], visible: bool = True) -> None:
+    def show(self, types: Union[str, Sequence[str]] = [], visible: bool = True) -> None:
         """Shows types of a model, or hides them."""
     def showModel(self, visible: bool = True) -> None:
         """Shows the model, or hides it."""
     def bringToSize(self) -> None:
         """Enlarges the model, or makes it smaller, so that it is seen beside the other data, at their right."""
-    def color(self, types: Sequence[str] = [], color: Sequence[float] = (1.0, 1.0, 1.0)) -> None:
+    def color(self, types: Union[str, Sequence[str]] = [], color: Sequence[float] = (1.0, 1.0, 1.0)) -> None:
         """Gives types a colour of their own."""
-    def paletteColor(self, types: Sequence[str] = []) -> None:
+    def paletteColor(self, types: Union[str, Sequence[str]] = []) -> None:
         """Gives types the palette's colours again."""
-    def reset(self, types: Sequence[str] = []) -> None:
+    def reset(self, types: Union[str, Sequence[str]] = []) -> None:
         """Shows types as if nothing had been said of them."""
-    def ghosts(self, types: Sequence[str] = [], ghosts: Literal['none', 'filled', 'contour'] = 'none', asModel: bool = False) -> None:
+    def ghosts(self, types: Union[str, Sequence[str]] = [], ghosts: Literal['none', 'filled', 'contour'] = 'none', asModel: bool = False) -> None:
         """Says how instances of types show that cuts have removed."""
-    def solo(self, types: Sequence[str] = [], shown: Sequence[str] = []) -> None:
+    def solo(self, types: Union[str, Sequence[str]] = [], shown: Union[str, Sequence[str]] = []) -> None:
         """Shows types alone; where they are alone already, what was shown before."""
-    def protect(self, types: Sequence[str] = [], strength: float = 100.0, cut: str = '') -> None:
+    def protect(self, types: Union[str, Sequence[str]] = [], strength: float = 100.0, cut: str = '') -> None:
         """Lets a membrane's sheet go around types of a model, or draws it to them."""
     def target(self, type: str = '', visible: str = '', isAny: bool = False) -> None:
         """Says how many instances of a type or compartment are to be seen."""
     def meetTargets(self, size: str = '1280x960') -> None:
         """Lets cuts leave as many instances as are to be seen of all types that have such a number."""
-    def letSee(self, type: str = '', visible: str = '', cuts: Sequence[str] = [], size: str = '1280x960') -> None:
+    def letSee(self, type: str = '', visible: str = '', cuts: Union[str, Sequence[str]] = [], size: str = '1280x960') -> None:
         """Lets cuts leave so many instances of a type that a number of them is seen."""
-    def setDrawn(self, type: str = '', drawn: str = '', cuts: Sequence[str] = []) -> None:
+    def setDrawn(self, type: str = '', drawn: str = '', cuts: Union[str, Sequence[str]] = []) -> None:
         """Lets cuts leave so many instances of a type or compartment; its number stays when that of its group is set."""
-    def letFollow(self, types: Sequence[str] = []) -> None:
+    def letFollow(self, types: Union[str, Sequence[str]] = []) -> None:
         """Forgets the numbers of types: they follow those of their group."""
-    def leave(self, types: Sequence[str] = [], share: float = 1.0, cut: str = '') -> None:
+    def leave(self, types: Union[str, Sequence[str]] = [], share: float = 1.0, cut: str = '') -> None:
         """Lets a cut leave a share of the instances of types."""
-    def leaveBy(self, types: Sequence[str] = [], field: str = '', value: str = '', cut: str = '') -> None:
+    def leaveBy(self, types: Union[str, Sequence[str]] = [], field: str = '', value: str = '', cut: str = '') -> None:
         """Sets how a cut leaves the instances of types."""
-    def leaveAsAbove(self, types: Sequence[str] = [], cut: str = '') -> None:
+    def leaveAsAbove(self, types: Union[str, Sequence[str]] = [], cut: str = '') -> None:
         """Lets a cut leave of types what it leaves of the compartment that they are in."""
     def showUncut(self) -> None:
         """Turns all cuts off: no instance is removed."""
@@ -200,7 +200,7 @@ class ModelCommands:
         """Clears away what hides a type or compartment, or lets it be hidden again."""
     def rename(self, type: str = '', name: str = '') -> None:
         """Gives a type or compartment the name by which it is shown."""
-    def listInLegend(self, types: Sequence[str] = [], listed: bool = True) -> None:
+    def listInLegend(self, types: Union[str, Sequence[str]] = [], listed: bool = True) -> None:
         """Lists types, and compartments as one entry each, in the legend, or takes them out of its list; with an empty list it names what is seen most."""
 
 class CaptionCommands:
@@ -212,15 +212,15 @@ class CaptionCommands:
 
 class MarkCommands:
     """The commands mark.*"""
-    def add(self, kind: Literal['distance', 'angle', 'path', 'area', 'arrow', 'label', 'name', 'circle', 'box', 'region', 'profile'] = 'label', points: Sequence[Sequence[float]] = [], text: str = '', structure: str = '', type: str = '', alongSurface: bool = False, pointInstances: Sequence[int] = [], pointStructures: Sequence[str] = [], normal: Sequence[float] = (0.0, 0.0, 0.0)) -> None:
+    def add(self, kind: Literal['distance', 'angle', 'path', 'area', 'arrow', 'label', 'name', 'circle', 'box', 'region', 'profile'] = 'label', points: Union[Sequence[float], Sequence[Sequence[float]]] = [], text: str = '', structure: str = '', type: str = '', alongSurface: bool = False, pointInstances: Union[int, Sequence[int]] = [], pointStructures: Union[str, Sequence[str]] = [], normal: Sequence[float] = (0.0, 0.0, 0.0)) -> None:
         """Adds a mark: a measure, an arrow, or words beside a place; its fields are set as any other: set lettering.marks[#1].wordsAt 0.1,0."""
-    def remove(self, marks: Sequence[str] = []) -> None:
+    def remove(self, marks: Union[str, Sequence[str]] = []) -> None:
         """Removes marks."""
-    def follow(self, marks: Sequence[str] = [], follow: bool = True) -> None:
+    def follow(self, marks: Union[str, Sequence[str]] = [], follow: bool = True) -> None:
         """Lets each point of marks follow what is there: the instance of the model that holds it, or the structure in which it lies, in its middle."""
-    def duplicate(self, marks: Sequence[str] = []) -> None:
+    def duplicate(self, marks: Union[str, Sequence[str]] = []) -> None:
         """Adds a copy of each mark."""
-    def show(self, marks: Sequence[str] = [], visible: bool = True) -> None:
+    def show(self, marks: Union[str, Sequence[str]] = [], visible: bool = True) -> None:
         """Shows or hides marks."""
     def __call__(self, *arguments: Any, **fields: Any) -> None:
         """Adds a mark: a measure, an arrow, or words beside a place; its fields are set as any other: set lettering.marks[#1].wordsAt 0.1,0."""
@@ -248,6 +248,8 @@ class FilmCommands:
         """Shows the scene at a time of its film; changes nothing."""
     def record(self, on: bool = True) -> None:
         """Makes keys of whatever is changed at the playhead from now on."""
+    def save(self, path: Union[str, os.PathLike[str]] = '', size: str = '1280x720', animate: Union[str, Sequence[str]] = [], seconds: float = 0.0, section: str = '', samples: int = 0, transparent: bool = False, layers: bool = False, dpi: float = 0.0, bits: int = 8, quality: int = 75, blur: int = 1, shutter: float = 0.5, part: str = '1/1', resume: bool = False, overwrite: bool = False) -> None:
+        """Draws the film of the scene, and writes it as a video or as frames."""
     def turn(self, seconds: float = 8.0, turns: float = 1.0, gently: bool = False, start: float = 0.0) -> None:
         """Ready-made film: the eye goes round."""
     def cut(self, seconds: float = 6.0, cut: str = '', back: bool = False, start: float = 0.0) -> None:
@@ -266,6 +268,8 @@ class FilmCommands:
         """Ready-made film: whole, then cut open."""
     def title(self, text: str = '', start: float = 0.0, seconds: float = 4.0, fade: float = 0.5, place: Literal['topLeft', 'top', 'topRight', 'left', 'centre', 'right', 'bottomLeft', 'bottom', 'bottomRight'] = 'bottom') -> None:
         """Ready-made film: words come and go."""
+    def __call__(self, path: Union[str, os.PathLike[str]] = '', size: str = '1280x720', animate: Union[str, Sequence[str]] = [], seconds: float = 0.0, section: str = '', samples: int = 0, transparent: bool = False, layers: bool = False, dpi: float = 0.0, bits: int = 8, quality: int = 75, blur: int = 1, shutter: float = 0.5, part: str = '1/1', resume: bool = False, overwrite: bool = False) -> None:
+        """Draws the film of the scene, and writes it as a video or as frames."""
 
 def open(what: Any, *, context: Literal['auto', 'egl', 'osmesa'] = 'auto', progress: Optional[Callable[[float, str], Any]] = None, **how: Any) -> Session:
     """A session in which something is open."""
@@ -281,7 +285,7 @@ class Session:
     def run(self, script: str) -> list[str]:
         """Does the lines of a script, and gives what they answer."""
     def __getitem__(self, path: str) -> Any:
-        """The value of a field, or of a part with all of its fields: s["camera.eye"], s["cuts.0"]."""
+        """The value of a field, or of a part with all of its fields: s["camera.eye"], s["cuts[0]"]."""
     def __setitem__(self, path: str, value: Any) -> None:
         """Sets a field, with all that follows from it: s["rayCast.mode"] = "mip"."""
     @property
@@ -294,8 +298,10 @@ class Session:
     def labels(self, labels: Any) -> None: ...
     def render(self, width: int = 1280, height: int = 720, *, samples: int = 0, transparent: bool = False, section: str = '', dtype: Literal['uint8', 'float32'] = 'uint8') -> Image:
         """A picture with everything at rest, [row, column, channel]: as uint8 what files of 8 bits hold, to the byte."""
+    def frames(self, width: int = 1280, height: int = 720, *, animate: str | Sequence[str] = (), seconds: float = 0.0, samples: int = 0, transparent: bool = False, section: str = '', dtype: Literal['uint8', 'float32'] = 'uint8', blur: int = 1, shutter: float = 0.5) -> Iterator[Image]:
+        """The frames of the film one after the other, each drawn when it is asked for, as render() gives it: what film(...) writes."""
     def layers(self, width: int = 1280, height: int = 720, *, samples: int = 0) -> dict[str, numpy.ndarray]:
-        """A picture and all that lies under it, by name, float32: color with alpha, Z (the distance from the eye, infinite where nothing is), normal, position, id (of the structure), instance and type (of a model), and what else the layers of an .exr hold."""
+        """A picture and all that lies under it, by name, float32, [row, column] or [row, column, channel]."""
     def measure(self, *, marks: bool = True, structures: bool = False, faces: bool = False) -> dict[str, Any]:
         """What marks measure, what cuts leave of structures, and the faces of cuts: the lists marks, structures and faces, as `velum-batch measure --json` writes them."""
     def count(self, width: int = 1280, height: int = 720) -> list[dict[str, Any]]:
@@ -336,17 +342,17 @@ class Session:
     def lettering(self) -> LetteringCommands: ...
     @property
     def film(self) -> FilmCommands: ...
-    def open(self, path: str = '', series: str = '', level: int = -1, raw: Optional[Mapping[str, Any]] = None, spacing: Sequence[float] = (0.0, 0.0, 0.0)) -> None:
+    def open(self, path: Union[str, os.PathLike[str]] = '', series: str = '', level: int = -1, raw: Optional[Mapping[str, Any]] = None, spacing: Sequence[float] = (0.0, 0.0, 0.0)) -> None:
         """Opens a file or folder in the place of what is open."""
-    def add(self, path: str = '', series: str = '', asLabels: bool = False) -> None:
+    def add(self, path: Union[str, os.PathLike[str]] = '', series: str = '', asLabels: bool = False) -> None:
         """Adds labels, a surface or a model beside what is open."""
-    def save(self, path: str = '') -> None:
+    def save(self, path: Union[str, os.PathLike[str]] = '') -> None:
         """Writes the scene: what is open, and how it is shown."""
-    def picture(self, size: str = '1280x720', path: str = '', samples: int = 0, transparent: bool = False, layers: bool = False, dpi: float = 0.0) -> None:
+    def picture(self, size: str = '1280x720', path: Union[str, os.PathLike[str]] = '', samples: int = 0, transparent: bool = False, layers: bool = False, dpi: float = 0.0) -> None:
         """Makes a picture of the scene, with the scene inside."""
-    def set(self, path: str = '', value: str = '') -> None:
+    def set(self, path: Union[str, os.PathLike[str]] = '', value: str = '') -> None:
         """Sets a field of the scene, with all that follows from it."""
-    def get(self, path: str = '') -> list[str]:
+    def get(self, path: Union[str, os.PathLike[str]] = '') -> list[str]:
         """Tells what a field of the scene is, as set takes it."""
     def undo(self) -> None:
         """Takes the last change back."""
@@ -356,14 +362,14 @@ class Session:
         """Waits until sheets rest and all has grown."""
     def commands(self) -> list[str]:
         """Tells the commands that lead to what is open, a line each: a script."""
-    def protect(self, values: Sequence[float] = [], place: Sequence[float] = [], structures: Sequence[int] = [], types: Sequence[str] = [], sketch: Sequence[str] = [], avoid: Sequence[str] = [], axis: Sequence[float] = [], position: float = -1.0, reach: float = 0.0, leastPiece: str = '', denoise: bool = False) -> None:
+    def protect(self, values: Union[float, Sequence[float]] = [], place: Union[float, Sequence[float]] = [], structures: Union[int, Sequence[int]] = [], types: Union[str, Sequence[str]] = [], sketch: Union[str, Sequence[str]] = [], avoid: Union[str, Sequence[str]] = [], axis: Union[float, Sequence[float]] = [], position: float = -1.0, reach: float = 0.0, leastPiece: str = '', denoise: bool = False) -> None:
         """Adds a membrane that protects what is said, as far as it can."""
-    def grow(self, seeds: Sequence[Sequence[float]] = [], range: Sequence[float] = [], strokes: Sequence[str] = [], others: Sequence[Sequence[float]] = [], otherStrokes: Sequence[str] = [], plane: Sequence[float] = [], distance: Optional[float] = None, steepest: Optional[float] = None, closing: float = 0.0, within: int = 0, fillHoles: bool = False, guard: bool = False, name: str = '') -> None:
+    def grow(self, seed: Union[Sequence[float], Sequence[Sequence[float]]] = [], range: Union[float, Sequence[float]] = [], strokes: Union[str, Sequence[str]] = [], others: Union[Sequence[float], Sequence[Sequence[float]]] = [], otherStrokes: Union[str, Sequence[str]] = [], plane: Union[float, Sequence[float]] = [], distance: Optional[float] = None, steepest: Optional[float] = None, closing: float = 0.0, within: int = 0, fillHoles: bool = False, guard: bool = False, name: str = '') -> None:
         """Grows a structure out of the volume, from places on it."""
 
 class Volume:
     """Voxels, and where they are in the world."""
-    def __array__(self, dtype: Any = None) -> numpy.ndarray: ...
+    def __array__(self, dtype: Any = None, copy: Optional[bool] = None) -> numpy.ndarray: ...
     @property
     def array(self) -> numpy.ndarray:
         """The samples as they are, [z, y, x] and more where there are channels or time steps: no copy, not to be written to."""
@@ -409,7 +415,7 @@ class Volume:
 
 class Labels:
     """Whole numbers that say to which structure each voxel belongs; 0: to none."""
-    def __array__(self, dtype: Any = None) -> numpy.ndarray: ...
+    def __array__(self, dtype: Any = None, copy: Optional[bool] = None) -> numpy.ndarray: ...
     @property
     def array(self) -> numpy.ndarray:
         """A copy of the numbers, uint16, [z, y, x]."""

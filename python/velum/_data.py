@@ -40,8 +40,8 @@ class _Data:
         made._held = held
         return made
 
-    def __array__(self, dtype: Any = None) -> numpy.ndarray:
-        return numpy.asarray(self.array, dtype=dtype)
+    def __array__(self, dtype: Any = None, copy: Optional[bool] = None) -> numpy.ndarray:
+        return numpy.array(self.array, dtype=dtype) if copy else numpy.asarray(self.array, dtype=dtype)
 
     @property
     def array(self) -> numpy.ndarray:

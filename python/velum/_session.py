@@ -6,7 +6,7 @@ import json
 import os
 import warnings
 import weakref
-from typing import Any, Callable, Literal, Optional
+from typing import Any, Callable, Iterator, Literal, Optional, Sequence
 
 import numpy
 
@@ -15,6 +15,8 @@ from ._data import Image, Labels, Volume
 
 _SHORT = {"protect": "membrane.hang", "grow": "growth.grow"}  # methods of a session by a name of their own
 _LISTS = {"cut": "cuts", "mark": "lettering.marks"}  # s.cut(...) adds an item to the list, and sets its fields
+_CALLED = {"film": "save"}  # s.film(...) is s.film.save(...)
+_FILM = next(command for command in _velum.commands() if command["name"] == "film.save")
 _open_sessions: weakref.WeakSet[Session] = weakref.WeakSet()
 
 
@@ -62,7 +64,7 @@ class Session(_velum.Session):
         return [answer for line in lines for answer in self._do(line) or []]
 
     def __getitem__(self, path: str) -> Any:
-        """The value of a field, or of a part with all of its fields: s["camera.eye"], s["cuts.0"]."""
+        """The value of a field, or of a part with all of its fields: s["camera.eye"], s["cuts[0]"]."""
         return json.loads(self._field(path))
 
     def __setitem__(self, path: str, value: Any) -> None:
@@ -102,14 +104,34 @@ class Session(_velum.Session):
         samples: pictures that are averaged, 0 as the scene says. transparent: no background, with alpha. section: axial, coronal or
         sagittal, in the place of the 3D picture.
         """
-        as_bytes = numpy.dtype(dtype) == numpy.uint8
-        channels, pixels = self._picture(width, height, samples, transparent, False, not as_bytes, section, as_bytes)
-        wanted = [channels.index(name) for name in ("RGBA" if transparent else "RGB")]
-        return numpy.ascontiguousarray(pixels[:, :, wanted]).view(Image)
+        as_bytes = _is_bytes(dtype)
+        return _image(*self._picture(width, height, samples, transparent, False, not as_bytes, section, as_bytes), transparent)
+
+    def frames(self, width: int = 1280, height: int = 720, *, animate: str | Sequence[str] = (), seconds: float = 0.0, samples: int = 0,
+               transparent: bool = False, section: str = "", dtype: Literal["uint8", "float32"] = "uint8", blur: int = 1,
+               shutter: float = 0.5) -> Iterator[Image]:
+        """The frames of the film one after the other, each drawn when it is asked for, as render() gives it: what film(...) writes.
+
+        The film is the one that the scene has when the first frame is drawn; what is changed between frames changes nothing of it.
+        animate, seconds, blur, shutter: as of film.save. The rest as of render.
+        """
+        as_bytes = _is_bytes(dtype)
+        frames = self._frames(_table.line(_FILM, {
+            "path": "frames/", "size": f"{width}x{height}", "animate": animate, "seconds": seconds, "section": section, "samples": samples,
+            "transparent": transparent, "bits": 8 if as_bytes else 16, "blur": blur, "shutter": shutter}))
+        try:
+            for frame in range(frames.count):
+                yield _image(*self._frame(frames, frame, as_bytes), transparent)
+        finally:
+            self._endFrames(frames)
 
     def layers(self, width: int = 1280, height: int = 720, *, samples: int = 0) -> dict[str, numpy.ndarray]:
-        """A picture and all that lies under it, by name, float32: color with alpha, Z (the distance from the eye, infinite where nothing
-        is), normal, position, id (of the structure), instance and type (of a model), and what else the layers of an .exr hold."""
+        """A picture and all that lies under it, by name, float32, [row, column] or [row, column, channel].
+
+        color: red, green, blue and alpha, 0 to 1. Z: the distance from the eye along the ray, in the scene's unit (s["unit"]), infinite
+        where nothing is. position: x, y, z in the world, in that unit. normal: x, y, z in the world, of length 1. id: the number of the
+        structure, 0: none. instance, type: of a model, from 1. More as the layers of an .exr hold it (docs/USER-GUIDE.md).
+        """
         channels, pixels = self._picture(width, height, samples, False, True, True, "", False)
         groups: dict[str, list[int]] = {}
         for place, channel in enumerate(channels):
@@ -140,6 +162,16 @@ class Session(_velum.Session):
         """Stops all work and gives up what is open. Happens by itself when nobody has the session any more."""
         self._close()
 
+    def __repr__(self) -> str:
+        try:
+            voxels, cuts = self.voxels, len(self["cuts"])
+        except _velum.ArgumentError:
+            return "<velum.Session closed>"
+        return f"<velum.Session {voxels!r}, {cuts} cut{'' if cuts == 1 else 's'}>"
+
+    def _ipython_key_completions_(self) -> list[str]:
+        return list(_table.field_paths(self[""]))
+
     def __enter__(self) -> Session:
         return self
 
@@ -147,9 +179,22 @@ class Session(_velum.Session):
         self.close()
 
 
+def _is_bytes(dtype: Any) -> bool:
+    if numpy.dtype(dtype) not in (numpy.uint8, numpy.float32):
+        raise _velum.ArgumentError(f"dtype {dtype}: pictures are uint8 or float32")
+    return numpy.dtype(dtype) == numpy.uint8
+
+
+def _image(channels: list[str], pixels: numpy.ndarray, transparent: bool) -> Image:
+    wanted = [channels.index(name) for name in ("RGBA" if transparent else "RGB")]
+    return numpy.ascontiguousarray(pixels[:, :, wanted]).view(Image)
+
+
 def _add_commands() -> None:
     for group, commands in _table.namespaces().items():
         setattr(Session, group, property(commands, doc=commands.__doc__))
+        if group in _CALLED:
+            commands.__call__ = getattr(commands, _CALLED[group])  # type: ignore[attr-defined]
         if group in _LISTS:
             commands.__call__ = _adder(commands.add, _LISTS[group])  # type: ignore[attr-defined]
     names = {name: short for short, name in _SHORT.items()}

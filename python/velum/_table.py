@@ -7,7 +7,7 @@ import json
 import math
 import os
 import re
-from typing import Any, Callable, Literal, Mapping, Optional, Sequence
+from typing import Any, Callable, Iterator, Literal, Mapping, Optional, Sequence, Union
 
 from . import _velum
 
@@ -19,7 +19,8 @@ def _annotation(kind: str) -> Any:
     if kind in _PLAIN:
         return _PLAIN[kind]
     if kind.startswith("list of "):
-        return Sequence[_annotation(kind[len("list of "):])]
+        item = _annotation(kind[len("list of "):])
+        return Union[item, Sequence[item]]  # one stands for a list of one
     if kind.endswith(" numbers"):
         return Sequence[float]
     return Literal[tuple(re.findall("`([^`]+)`", kind))]
@@ -59,11 +60,30 @@ def field_text(value: Any) -> str:
     return _text(value)
 
 
+def field_paths(value: Any, path: str = "") -> Iterator[str]:
+    """The paths of all fields in a part of a scene: for completion."""
+    if path:
+        yield path
+    if isinstance(value, dict):
+        for name, item in value.items():
+            yield from field_paths(item, f"{path}.{name}" if path else name)
+    elif isinstance(value, list):
+        for place, item in enumerate(value):
+            if isinstance(item, dict):
+                yield from field_paths(item, f"{path}.{place}")
+
+
 def _argument(name: str, kind: str, value: Any) -> str:
     """ NAME=VALUE of a line. The line takes the quotes off, and what is in them is JSON, or a word of scripts ("a,b" is a list)."""
     value = plain(value)
     is_word = isinstance(value, str) and kind not in ("text", "any value")
     return f" {name}={_text(value if is_word else _text(value))}"
+
+
+def line(command: Mapping[str, Any], arguments: Mapping[str, Any]) -> str:
+    """A line of a script that does a command."""
+    kinds = {row["path"]: row["type"] for row in command["arguments"]}
+    return command["name"] + "".join(_argument(name, kinds.get(name, ""), value) for name, value in arguments.items())
 
 
 def _parameters(rows: Sequence[Mapping[str, str]]) -> list[inspect.Parameter]:
@@ -77,6 +97,8 @@ def _parameters(rows: Sequence[Mapping[str, str]]) -> list[inspect.Parameter]:
             kind, default = Optional[Mapping[str, Any]], None
         elif default is None:
             kind = Optional[kind]
+        elif name == "path" and kind is str:
+            kind = Union[str, os.PathLike[str]]
         parameters.setdefault(name, inspect.Parameter(name, inspect.Parameter.POSITIONAL_OR_KEYWORD, default=default, annotation=kind))
     return list(parameters.values())
 
@@ -93,14 +115,16 @@ def _doc(command: Mapping[str, Any]) -> str:
 def method(command: Mapping[str, Any], session_of: Callable[[Any], Any]) -> Callable[..., Any]:
     """A method that does a command. session_of: gives the session of the object whose method it is."""
     parameters = _parameters(command["arguments"])
-    kinds = {row["path"]: row["type"] for row in command["arguments"]}
+    names = [parameter.name for parameter in parameters]
     self = inspect.Parameter("self", inspect.Parameter.POSITIONAL_ONLY)
     signature = inspect.Signature([self, *parameters], return_annotation=list[str] if command["answers"] else None)
 
     def call(*arguments: Any, **named: Any) -> Any:
-        bound = signature.bind(*arguments, **named).arguments
-        words = [_argument(name, kinds.get(name, ""), value) for name, value in bound.items() if name != "self"]
-        return session_of(bound["self"])._do(command["name"] + "".join(words))
+        try:
+            bound = signature.bind(*arguments, **named).arguments
+        except TypeError as error:
+            raise TypeError(f"{command['pythonName']}: {error}; it takes ({', '.join(names)})") from None
+        return session_of(bound.pop("self"))._do(line(command, bound))
 
     call.__name__ = command["pythonName"].rpartition(".")[2]
     call.__doc__ = _doc(command)
@@ -113,6 +137,9 @@ class Namespace:
 
     def __init__(self, session: Any) -> None:
         self._session = session
+
+    def __repr__(self) -> str:
+        return f"<velum.{type(self).__name__}: {', '.join(name for name in dir(self) if not name.startswith('_'))}>"
 
 
 def namespaces() -> dict[str, type[Namespace]]:

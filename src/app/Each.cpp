@@ -118,12 +118,12 @@ void fail(const EachVerb& options, const session::Piece& piece, Tally& tally, do
   tell(options, piece, "failed", ms, error);
 }
 
-void makeAndRecord(const EachVerb& options, const session::Piece& piece, const session::FilmIdentity& wanted,
-                   session::PieceRecord& record, Tally& tally) {
+void makeAndRecord(const EachVerb& options, PieceMaker& maker, const session::Piece& piece,
+                   const session::FilmIdentity& wanted, session::PieceRecord& record, Tally& tally) {
   auto start = Clock::now();
   record.begin(wanted);
   try {
-    makePiece(options, piece);
+    maker.make(piece);
     record.done(msSince(start), piece.outputs);
   } catch (const Cancelled&) {
     record.stopped();
@@ -144,7 +144,8 @@ std::string whyDied(const session::PieceState& state) {
   return fmt::format("{} processes have ended while they made this; --retry tries once more", state.begun);
 }
 
-void workAt(const EachVerb& options, const session::FilmIdentity& common, const session::Piece& piece, Tally& tally) {
+void workAt(const EachVerb& options, PieceMaker& maker, const session::FilmIdentity& common,
+            const session::Piece& piece, Tally& tally) {
   session::FilmIdentity wanted;
   try {
     wanted = identityOf(common, piece);
@@ -163,7 +164,7 @@ void workAt(const EachVerb& options, const session::FilmIdentity& common, const 
     return tell(options, piece, "kept", state.ms, {});
   }
   if (!options.again && !options.retry && hasDied(state)) return fail(options, piece, tally, 0.0, whyDied(state));
-  makeAndRecord(options, piece, wanted, *record, tally);
+  makeAndRecord(options, maker, piece, wanted, *record, tally);
 }
 
 void list(const EachVerb& options, const session::FilmIdentity& common, const std::vector<session::Piece>& pieces) {
@@ -192,15 +193,6 @@ void expectEach(const EachVerb& options) {
     throw ArgumentError("--by: a structure is found in labels; give those of each data set with --labels");
 }
 
-/// A machine without a driver is not the fault of the first piece, nor of any other.
-void expectDriver(const EachVerb& options) {
-  bool draws = std::ranges::any_of(options.names.outputs, [](const std::string& output) { return !isTable(output); });
-  if (!draws || !options.drawn.section.empty()) return;
-  session::Session session;
-  session.setContextKind(options.common.context);
-  session.renderer();
-}
-
 int run(EachVerb options) {
   expectEach(options);
   options.names.data = options.input.inputs;
@@ -212,13 +204,13 @@ int run(EachVerb options) {
   for (std::size_t i = std::size_t(part.number) - 1; i < pieces.size(); i += std::size_t(part.parts))
     mine.push_back(pieces[i]);
   if (options.list) return list(options, common, mine), 0;
-  expectDriver(options);
+  PieceMaker maker(options);
   Tally tally;
   for (std::size_t i = 0; i < mine.size(); ++i) {
     consoleProgress().throwIfCancelled();
     consoleProgress().report(double(i) / double(mine.size()),
                              fmt::format("{} ({} of {})", mine[i].name, i + 1, mine.size()));
-    workAt(options, common, mine[i], tally);
+    workAt(options, maker, common, mine[i], tally);
   }
   consoleProgress().report(1.0, "");
   if (tally.busy > 0) log::say(fmt::format("note: {} are being made by another process", tally.busy));

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "core/FileName.h"
 #include "core/Log.h"
 #include "core/ReplaceFile.h"
@@ -46,16 +48,7 @@ void writeTable(session::Session& session, const EachVerb& options, const std::f
   replaceFile(path, lowerExtension(path) == ".json" ? session::tableJson(rows, scene.unit) : session::tableCsv(rows));
 }
 
-}  // namespace
-
-bool isTable(const std::filesystem::path& path) {
-  std::string extension = lowerExtension(path);
-  return extension == ".csv" || extension == ".json";
-}
-
-void makePiece(const EachVerb& options, const session::Piece& piece) {
-  session::Session session;
-  session.setContextKind(options.common.context);
+void makeIn(session::Session& session, const EachVerb& options, const session::Piece& piece) {
   openPiece(session, options, piece);
   writeOver(session, options.lettering);
   session::PictureOptions picture = pictureOf(options.drawn);
@@ -68,6 +61,39 @@ void makePiece(const EachVerb& options, const session::Piece& piece) {
     for (const std::string& note : session.savePicture(picture, sectionOf(options.drawn), path, consoleProgress()))
       log::warning(fmt::format("{}: {}", path.string(), note));
   }
+}
+
+}  // namespace
+
+bool isTable(const std::filesystem::path& path) {
+  std::string extension = lowerExtension(path);
+  return extension == ".csv" || extension == ".json";
+}
+
+PieceMaker::PieceMaker(const EachVerb& options) : mOptions(options) {
+  mDraws = options.drawn.section.empty() && !std::ranges::all_of(options.names.outputs, isTable);
+  // A machine without a driver is not the fault of the first piece, nor of any other.
+  if (mDraws) session().renderer();
+}
+
+session::Session& PieceMaker::session() {
+  if (!mSession) {
+    mSession = std::make_unique<session::Session>();
+    mSession->setContextKind(mOptions.common.context);
+  }
+  return *mSession;
+}
+
+void PieceMaker::make(const session::Piece& piece) {
+  try {
+    makeIn(session(), mOptions, piece);
+  } catch (...) {
+    mSession.reset();
+    throw;
+  }
+  mSession->file().close();
+  // A picture of nothing lets go of the data of the last one.
+  if (mDraws) mSession->picture({glm::ivec2(1), 1}, consoleProgress());
 }
 
 }  // namespace velum::app

@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -22,8 +23,21 @@ struct EachVerb {
 
 /// An output is a table rather than a picture.
 bool isTable(const std::filesystem::path& path);
-/// Opens the data of a piece in a session of its own, and writes the piece's outputs. @throw what opening, drawing and
-/// writing throw; Cancelled
-void makePiece(const EachVerb& options, const session::Piece& piece);
+/// Makes one piece after the other in one session: what a driver compiles and keeps serves all of them. A piece that
+/// fails ends the session, and leaves nothing to those behind it.
+class PieceMaker {
+ public:
+  /// @param options  outlive this object  @throw gpu::GpuError where pictures are wanted and there is no driver
+  explicit PieceMaker(const EachVerb& options);
+  /// Opens the data of a piece, and writes its outputs. @throw what opening, drawing and writing throw; Cancelled
+  void make(const session::Piece& piece);
+
+ private:
+  session::Session& session();
+
+  const EachVerb& mOptions;
+  bool mDraws;
+  std::unique_ptr<session::Session> mSession;
+};
 
 }  // namespace velum::app

@@ -31,11 +31,11 @@ struct GrowOptions {
 };
 
 /// Which options stand for the fields of a command.
-const Words kOptions{{"growth.grow seeds or strokes", "--seed or --stroke"},
+const Words kOptions{{"growth.grow seed or strokes", "--seed or --stroke"},
                      {"growth.grow distance needs plane", "--distance needs --plane"},
                      {"growth.grow guard needs plane", "--guard needs --plane"},
                      {"growth.grow guard and others", "--guard and --not"},
-                     {"growth.grow seeds", "--seed"},
+                     {"growth.grow seed", "--seed"},
                      {"growth.grow strokes", "--stroke"},
                      {"growth.grow others", "--not"},
                      {"growth.grow otherStrokes", "--not-stroke"},

@@ -204,16 +204,7 @@ std::vector<std::string> Session::savePicture(const PictureOptions& options, std
 }
 
 FilmReport Session::film(FilmOutput output, Progress& progress) {
-  output.framesPerSecond = scene().timeline.framesPerSecond;
-  expectFilmOutput(output);
-  bool needsContext = !output.section || hasMembranes(scene());
-  std::string driver = needsContext ? renderer().stats().renderer : "no graphics";
-  FilmDrawer drawer(scene(), output, mRenderer.get(), mContext ? &mContext->limits() : nullptr);
-  auto draw = [&](int frame, double share, Progress& heard) {
-    if (needsContext) bindContext();
-    return drawer.draw(frame, share, heard);
-  };
-  return makeFilm({drawer.count(), draw}, output, filmIdentity(scene(), output, driver), progress);
+  return drawFilm(*this, scene(), std::move(output), progress);
 }
 
 std::vector<MembraneReport> Session::membraneReports(MembraneQuestions questions, Progress& progress) {

@@ -1,9 +1,11 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "core/Error.h"
 #include "scene/Scene.h"
 #include "scene/json/FieldFacts.h"
 #include "scene/json/Paths.h"
+#include "scene/timeline/Tracks.h"
 
 namespace velum::scene {
 namespace {
@@ -90,6 +92,24 @@ TEST(NamedField, ANameThatIsANumberGoesBeforeTheId) {
   EXPECT_EQ(scene.labels.structures[4].opacity, 1.0);
 }
 
+TEST(NamedField, ABareNumberIsAPlaceWhereNothingIsCalledSo) {
+  Scene scene = organs();
+  setField(scene, "cuts[0].face", "section");
+  setField(scene, "cuts[1].faceOpacity", "0.5");
+  EXPECT_EQ(scene.cuts[0].face, CutFace::Section);
+  EXPECT_EQ(scene.cuts[1].faceOpacity, 0.5) << "whose id is 2";
+  EXPECT_EQ(getField(scene, "cuts[0].face"), "section");
+  EXPECT_EQ(stablePath(scene, "cuts[0].centre"), fmt::format("cuts[#{}].centre", scene.cuts[0].id));
+  scene.cuts[1].name = "0";
+  setField(scene, "cuts[0].faceOpacity", "0.25");
+  EXPECT_EQ(scene.cuts[1].faceOpacity, 0.25) << "names go before places";
+  // What is known by a number is called by it.
+  setField(scene, "labels.structures[2].opacity", "0.75");
+  EXPECT_EQ(getField(scene, "labels.structures[aorta].opacity"), "0.75");
+  setField(scene, "lettering.captions.+.text", "a");
+  EXPECT_EQ(getField(scene, "lettering.captions[0].text"), "a");
+}
+
 TEST(NamedField, TheExactCaseGoesBeforeAnother) {
   Scene scene = organs();
   setField(scene, "labels.structures[Rib].opacity", "0.5");
@@ -101,7 +121,8 @@ TEST(NamedField, AnUnknownOrSharedNameIsRefusedWithWhatThereIs) {
   expectMentions(messageOf("labels.structures[rib].visible"), {"rib", "2 items", "41", "42"});
   expectMentions(messageOf("labels.structures[99].visible"), {"99"});
   expectMentions(messageOf("labels.structures[].visible"), {"labels.structures"});
-  expectMentions(messageOf("cuts[0].enabled"), {"cuts", "Plane 2"});
+  expectMentions(messageOf("cuts[Plane 7].enabled"), {"cuts", "Plane 2"});
+  expectMentions(messageOf("cuts[2].enabled"), {"cuts", "2 items", "[#2]"});
   expectMentions(messageOf("cuts.0.spares[3]"), {"cuts.0.spares"});
 }
 

@@ -9,9 +9,11 @@
 #include "core/Error.h"
 #include "core/Memory.h"
 #include "gui/service/SaveImage.h"
+#include "gui/window/FilmCommands.h"
 #include "gui/window/MainWindow.h"
 #include "session/command/Command.h"
 #include "session/command/DocumentCommands.h"
+#include "session/command/SaveFilm.h"
 
 namespace velum::gui {
 
@@ -191,12 +193,19 @@ bool Script::runFile(const QString& command, const QString& rest) {
     if (!mWindow.restoreWork()) throw InputError("no unsaved work was left behind");
     waitForJob("the recovered work");
   } else if (command == "save") {
-    mWindow.saveSceneTo(wholePath(QString::fromStdString(argumentsOf(session::SaveScene{}).path)));
+    mWindow.saveSceneTo(
+        QString::fromStdString(session::pathToSave(mWindow.session().file(), argumentsOf(session::SaveScene{}))));
   } else if (command == "picture") {
     auto picture = argumentsOf(session::MakePicture{});
     QString path = wholePath(QString::fromStdString(picture.path));
     mWindow.exports().savePictureTo(path, session::optionsOf(picture), mWindow.document().shown());
     waitForJob(path);
+  } else if (command == "film.save") {
+    auto film = argumentsOf(session::SaveFilm{});
+    Progress progress;
+    mWindow.films().saveFilmTo(session::outputOf(film),
+                               session::filmedScene(mWindow.document().scene(), film, progress));
+    waitForJob(QString::fromStdString(film.path));
   } else if (command == "screenshot") {
     saveImage(mWindow.grab().toImage(), wholePath(rest).toStdString());
   } else {

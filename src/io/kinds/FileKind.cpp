@@ -1,8 +1,14 @@
 #include "io/kinds/FileKind.h"
 
 #include <fmt/format.h>
+#include <sys/stat.h>
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
+#include <map>
+#include <mutex>
+#include <optional>
 #include <sstream>
 #include <string_view>
 
@@ -45,16 +51,7 @@ WrittenFormat formatOf(std::string_view name, std::string_view endings) {
   return format;
 }
 
-}  // namespace
-
-bool isDrawing(const fs::path& path) {
-  std::string ending = lowerExtension(path);
-  return ending == ".svg" || ending == ".pdf";
-}
-
-FileKind kindOf(const fs::path& path) {
-  std::error_code error;
-  if (fs::is_directory(path, error)) return looksLikeLabels(path) ? FileKind::Labels : FileKind::Volume;
+FileKind kindByContents(const fs::path& path) {
   std::string ending = lowerExtension(path);
   if (isTransferFile(path)) return FileKind::Look;
   if (isSurface(ending)) return FileKind::Surface;
@@ -63,6 +60,58 @@ FileKind kindOf(const fs::path& path) {
   if (ending == ".png" || ending == ".exr" || isDrawing(path)) return FileKind::Picture;
   if ((ending == ".tif" || ending == ".tiff") && carriesScene(path)) return FileKind::Picture;
   return looksLikeLabels(path) ? FileKind::Labels : FileKind::Volume;
+}
+
+/// What a file is and when it or the names beside it have changed.
+using FileStamp = std::array<std::int64_t, 8>;
+std::optional<FileStamp> fileStampOf(const fs::path& path) {
+  struct stat file {
+  }, folder{};
+  fs::path beside = path.has_parent_path() ? path.parent_path() : fs::path(".");
+  if (::stat(path.c_str(), &file) != 0 || !S_ISREG(file.st_mode) || ::stat(beside.c_str(), &folder) != 0)
+    return std::nullopt;
+  return FileStamp{std::int64_t(file.st_dev), std::int64_t(file.st_ino), file.st_size,
+                   file.st_ctim.tv_sec,       file.st_ctim.tv_nsec,      std::int64_t(folder.st_ino),
+                   folder.st_ctim.tv_sec,     folder.st_ctim.tv_nsec};
+}
+
+/// Kinds of files that have been looked into. A load asks eight times, and each look opens a file a dozen times, which
+/// file servers of clusters feel.
+class KnownKinds {
+ public:
+  FileKind kindOf(const fs::path& path) {
+    auto stamp = fileStampOf(path);
+    if (!stamp) return kindByContents(path);
+    {
+      std::lock_guard lock(mMutex);
+      auto known = mKinds.find(*stamp);
+      if (known != mKinds.end() && known->second.first == path) return known->second.second;
+    }
+    FileKind kind = kindByContents(path);
+    std::lock_guard lock(mMutex);
+    if (mKinds.size() >= kMost) mKinds.clear();
+    mKinds.insert_or_assign(*stamp, std::pair(path, kind));
+    return kind;
+  }
+
+ private:
+  static constexpr std::size_t kMost = 256;
+  std::mutex mMutex;
+  std::map<FileStamp, std::pair<fs::path, FileKind>> mKinds;
+};
+
+}  // namespace
+
+bool isDrawing(const fs::path& path) {
+  std::string ending = lowerExtension(path);
+  return ending == ".svg" || ending == ".pdf";
+}
+
+FileKind kindOf(const fs::path& path) {
+  static KnownKinds known;
+  std::error_code error;
+  if (fs::is_directory(path, error)) return looksLikeLabels(path) ? FileKind::Labels : FileKind::Volume;
+  return known.kindOf(path);
 }
 
 FileKind kindOf(const scene::Source& source) {

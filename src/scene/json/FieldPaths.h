@@ -7,7 +7,7 @@
 #include "scene/json/FieldJson.h"
 #include "scene/json/PathKey.h"
 
-/// Sets single fields of structs by their paths: "rayCast.stepVoxels", "cuts.0.centre", "cuts[Plane 1].enabled".
+/// Sets single fields of structs by their paths: "rayCast.stepVoxels", "cuts.0.centre", "cuts[Plane 1].enabled", "cuts[0].face".
 namespace velum::scene::detail {
 
 /// A value from text: JSON, else a comma list of numbers, else such lists with semicolons between them, else a bare
@@ -73,7 +73,7 @@ std::size_t itemWithKey(T& target, std::string_view name, const std::string& pat
     });
     return place;
   } else {
-    return findByKey(target, name, path);
+    return findInBrackets(target, name, path);
   }
 }
 

@@ -19,10 +19,7 @@ bool equalsLoosely(std::string_view a, std::string_view b) {
 }
 
 /// "#12".
-bool isIdOnly(std::string_view name) {
-  auto isDigit = [](char c) { return c >= '0' && c <= '9'; };
-  return name.size() > 1 && name.front() == '#' && std::all_of(name.begin() + 1, name.end(), isDigit);
-}
+bool isIdOnly(std::string_view name) { return name.starts_with('#') && bareNumber(name.substr(1)); }
 
 std::string callsOf(const std::vector<NamedItem>& items, const std::vector<std::size_t>& which) {
   std::string text;
@@ -66,6 +63,21 @@ PathKey takeKey(std::string_view path, const std::string& list) {
   for (std::size_t end = path.find(']'); end != path.npos; end = path.find(']', end + 1))
     if (endsAt(end)) return keyTo(end);
   throw ArgumentError(fmt::format("{}{}: expected {}[NAME] or {}[NAME].FIELD", list, path, list, list));
+}
+
+std::optional<std::size_t> bareNumber(std::string_view name) {
+  constexpr std::size_t kLarge = 1'000'000'000'000;
+  std::size_t number = 0;
+  for (char c : name) {
+    if (c < '0' || c > '9') return std::nullopt;
+    number = std::min(kLarge, number * 10 + std::size_t(c - '0'));
+  }
+  return name.empty() ? std::nullopt : std::optional(number);
+}
+
+void failNoPlace(std::string_view name, std::size_t size, const std::string& list) {
+  throw ArgumentError(fmt::format("{} has {} item{}; [{}] is none of them: places begin with 0, an id is [#{}]", list,
+                                  size, size == 1 ? "" : "s", name, name));
 }
 
 void failNotThere(const std::vector<NamedItem>& items, std::string_view name, const std::string& list) {

@@ -1,16 +1,18 @@
 #pragma once
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <type_traits>
 #include <vector>
 
 #include "core/Fields.h"
+#include "scene/SceneFwd.h"
 
 /// Names items of a list by what people call them: "labels.structures[aorta].visible", "labels.structures[12].color",
-/// "labels.structures[#12].opacity", "cuts[Plane 1].enabled", "model.types[root.A].visible". A place in the list
-/// changes when another item comes or goes; a name and an id do not.
+/// "labels.structures[#12].opacity", "cuts[Plane 1].enabled", "model.types[root.A].visible"; or by their places:
+/// "cuts[0].face". A place in the list changes when another item comes or goes; a name and an id do not.
 namespace velum::scene::detail {
 
 /// "[name].rest", taken apart.
@@ -83,6 +85,28 @@ std::size_t findByKey(const std::vector<Item>& list, std::string_view name, cons
   } else {
     return findNamed(items, name, path);
   }
+}
+
+/// The number of a structure is its label's, which people know. Ids of all else are counted by the program.
+template <class Item>
+inline constexpr bool kIsKnownByNumber = std::is_same_v<Item, Structure>;
+
+/// "12" as a place in a list; nothing for a text that is no whole number.
+std::optional<std::size_t> bareNumber(std::string_view name);
+/// @throw ArgumentError that says how many items there are
+[[noreturn]] void failNoPlace(std::string_view name, std::size_t size, const std::string& list);
+
+/// Index of the item that brackets of a field's path name: the item of this name; where none is called so, a bare
+/// number is a place from 0, unless the items are known by numbers; else see findByKey().
+/// @throw ArgumentError that says which items there are
+template <class Item>
+std::size_t findInBrackets(const std::vector<Item>& list, std::string_view name, const std::string& path) {
+  if constexpr (!Keyed<Item> && !kIsKnownByNumber<Item>) {
+    auto isCalledSo = [&](const Item& item) { return namedItem(item).name == name; };
+    if (auto place = bareNumber(name); place && std::none_of(list.begin(), list.end(), isCalledSo))
+      return *place < list.size() ? *place : (failNoPlace(name, list.size(), path), *place);
+  }
+  return findByKey(list, name, path);
 }
 
 }  // namespace velum::scene::detail

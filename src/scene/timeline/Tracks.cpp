@@ -26,7 +26,7 @@ void appendStableItem(std::string& out, const T& target, std::string_view rest) 
   std::string_view tail;
   if (rest.starts_with('[')) {
     detail::PathKey key = detail::takeKey(rest, out);
-    place = detail::findByKey(target, key.name, out);
+    place = detail::findInBrackets(target, key.name, out);
     tail = key.rest;
   } else {
     detail::PathPart part = detail::takePart(rest);

@@ -14,16 +14,32 @@ PictureOptions optionsOf(const MakePicture& arguments) {
           arguments.dpi};
 }
 
-namespace detail {
-
 namespace {
-
-using Lines = std::vector<std::string>;
 
 std::string wholePath(const std::string& path) {
   if (path.empty()) throw ArgumentError("a path is missing");
   return std::filesystem::absolute(path).lexically_normal().string();
 }
+
+}  // namespace
+
+std::string pathToSave(const WorkFile& file, const SaveScene& asked) {
+  if (!asked.path.empty()) return wholePath(asked.path);
+  if (!file.scenePath().empty()) return file.scenePath();
+  std::filesystem::path data = wholePath(file.path());
+  if (!data.has_filename()) data = data.parent_path();
+  std::string name = data.filename().string();
+  std::filesystem::path beside = data.parent_path() / (name.substr(0, name.find('.', 1)) + ".json");
+  if (std::filesystem::exists(beside))
+    throw InputError(fmt::format("{}: the file is there already; say where to save", beside.string()));
+  return beside.string();
+}
+
+namespace detail {
+
+namespace {
+
+using Lines = std::vector<std::string>;
 
 Lines open(Session& session, const OpenFile& arguments, Progress& progress) {
   scene::Source source;
@@ -82,7 +98,7 @@ std::vector<Command> documentCommands() {
                          "scene.carry other.nii.gz other_labels.nii.gz liver", carry),
       actRow<SaveScene>("Writes the scene: what is open, and how it is shown.", "save work.json",
                         [](Session& session, const SaveScene& arguments, Progress&) {
-                          session.file().save(wholePath(arguments.path));
+                          session.file().save(pathToSave(session.file(), arguments));
                           return Lines();
                         }),
       actRow<MakePicture>("Makes a picture of the scene, with the scene inside.", "picture 1280x720 head.png",

@@ -9,6 +9,8 @@
 /// The arguments of commands of the session: files, history, fields.
 namespace velum::session {
 
+class WorkFile;
+
 /// Sets a field, see setFields().
 struct SetField {
   static constexpr std::string_view kName = "set";
@@ -82,8 +84,14 @@ struct SaveScene {
   static constexpr std::string_view kName = "save";
   static constexpr std::size_t kTakesRest = 1;
   std::string path;
-  static void fields(auto& o, auto& visit) { visit("path", o.path, FieldInfo{"", {}, "The file, .json."}); }
+  static void fields(auto& o, auto& visit) {
+    visit("path", o.path,
+          FieldInfo{"", {}, "The file, .json; nothing: where it was saved last, else beside the data by its name."});
+  }
 };
+/// Where a scene is to be saved, a whole path. @throw ArgumentError where nothing has a name; InputError where somebody
+/// would lose a file that he has not named
+std::string pathToSave(const WorkFile& file, const SaveScene& asked);
 
 /// Makes a picture of the scene.
 struct MakePicture {

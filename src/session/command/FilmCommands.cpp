@@ -7,6 +7,7 @@
 #include "scene/timeline/Tracks.h"
 #include "session/Session.h"
 #include "session/command/CommandRow.h"
+#include "session/command/SaveFilm.h"
 #include "session/film/ReadyFilms.h"
 
 namespace velum::session::detail {
@@ -173,6 +174,8 @@ std::vector<Command> filmCommands() {
                            return std::vector<std::string>();
                          }),
   };
+  rows.push_back(actRow<SaveFilm>("Draws the film of the scene, and writes it as a video or as frames.",
+                                  "film.save turn.mp4 640x480", saveFilm));
   for (Command& row : readyFilms()) rows.push_back(std::move(row));
   return rows;
 }

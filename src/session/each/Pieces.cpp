@@ -65,28 +65,46 @@ std::string ownName(const std::string& path) {
   return name.substr(0, name.find('.', 1));
 }
 
-std::string nameIn(const std::string& path, const std::string& pattern) {
+/// What the wildcards stand for in a path that a pattern has matched.
+std::string nameIn(const std::string& path, const std::regex& pattern) {
   std::smatch groups;
-  if (path == pattern || !std::regex_match(path, groups, groupsOf(pattern))) return ownName(path);
+  if (!std::regex_match(path, groups, pattern)) return ownName(path);
   std::string name;
   for (std::size_t i = 1; i < groups.size(); ++i)
     if (groups[i].length() > 0) name += (name.empty() ? "" : "-") + groups[i].str();
   return name.empty() ? ownName(path) : name;
 }
 
-std::string filled(std::string text, const Piece& piece) {
-  std::string folder = fs::absolute(piece.data).lexically_normal().parent_path().filename().string();
+/// Adds a piece for each path of a pattern that has none yet.
+void addPieces(std::map<std::string, Piece>& byPath, const std::string& pattern) {
+  std::vector<std::string> paths = pathsOf(pattern);
+  bool isItself = paths.size() == 1 && paths[0] == pattern;
+  const std::regex groups = isItself ? std::regex() : groupsOf(pattern);
+  for (const std::string& path : paths)
+    byPath.try_emplace(path, Piece{isItself ? ownName(path) : nameIn(path, groups), path, {}, {}, {}});
+}
+
+/// Tells whether files lie in folders. A thousand tasks ask for each of a thousand pieces: the disk is asked only where
+/// the names say yes.
+class Whereabouts {
+ public:
+  fs::path whole(const fs::path& path) const { return (mHere / path).lexically_normal(); }
+  /// A file lies in a folder, or is the folder.
+  bool isWithin(const fs::path& file, const fs::path& folder) const {
+    std::string way = whole(file).lexically_relative(whole(folder)).string();
+    return !way.empty() && !way.starts_with("..") && fs::is_directory(folder);
+  }
+
+ private:
+  fs::path mHere = fs::current_path();
+};
+
+std::string filled(std::string text, const Piece& piece, const Whereabouts& places) {
+  std::string folder = places.whole(piece.data).parent_path().filename().string();
   for (const auto& [key, value] : {std::pair<std::string, std::string>("{name}", piece.name), {"{dir}", folder}})
     for (std::size_t at = 0; (at = text.find(key, at)) != text.npos; at += value.size())
       text.replace(at, key.size(), value);
   return text;
-}
-
-/// A file lies in a folder, or is the folder.
-bool isWithin(const fs::path& file, const std::string& folder) {
-  if (!fs::is_directory(folder)) return false;
-  std::string way = fs::absolute(file).lexically_normal().lexically_relative(fs::absolute(folder).lexically_normal());
-  return !way.empty() && !way.starts_with("..");
 }
 
 bool hasName(const std::string& text) { return text.find("{name}") != text.npos || text.find("{dir}") != text.npos; }
@@ -106,17 +124,17 @@ fs::path folderOfAll(const std::string& output) {
 std::vector<Piece> findPieces(const PiecePatterns& patterns) {
   fs::path records =
       patterns.records.empty() ? folderOfAll(patterns.outputs.at(0)) / kDefaultRecords : fs::path(patterns.records);
+  const Whereabouts places;
   std::map<std::string, Piece> byPath;
-  for (const std::string& pattern : patterns.data)
-    for (const std::string& path : pathsOf(pattern))
-      if (!isWithin(path, records.string())) byPath.try_emplace(path, Piece{nameIn(path, pattern), path, {}, {}, {}});
+  for (const std::string& pattern : patterns.data) addPieces(byPath, pattern);
+  std::erase_if(byPath, [&](const auto& entry) { return places.isWithin(entry.first, records); });
   std::vector<Piece> pieces;
   std::map<fs::path, std::string> makers;
   for (auto& [path, piece] : byPath) {
-    if (!patterns.labels.empty()) piece.labels = filled(patterns.labels, piece);
+    if (!patterns.labels.empty()) piece.labels = filled(patterns.labels, piece, places);
     for (const std::string& output : patterns.outputs) {
-      fs::path file = fs::path(filled(output, piece)).lexically_normal();
-      if (isWithin(file, path))
+      fs::path file = fs::path(filled(output, piece, places)).lexically_normal();
+      if (places.isWithin(file, path))
         throw ArgumentError(
             fmt::format("{} lies in the data's folder {}; have it elsewhere, as it would be data the next time",
                         file.string(), path));

@@ -90,7 +90,7 @@ void setRange(scene::Growth& step, const GrowStructure& asked, const scene::Volu
         step.seeds.empty() ? pathOf(voxels.grid(), "strokes", asked.strokes.front()).at(0) : step.seeds.front();
     auto material = materialRangeAt(layer, first);
     if (!material)
-      throw ArgumentError(fmt::format("seeds {}: nothing is known of the values there; give the range", textOf(first)));
+      throw ArgumentError(fmt::format("seed {}: nothing is known of the values there; give the range", textOf(first)));
     step.low = material->low, step.high = material->high;
   } else {
     if (asked.range[0] > asked.range[1]) throw ArgumentError("range A,B: A must not be more than B");
@@ -99,7 +99,7 @@ void setRange(scene::Growth& step, const GrowStructure& asked, const scene::Volu
   for (const auto& seed : step.seeds)
     if (!hasValueOf(step, voxels, seed))
       throw ArgumentError(
-          fmt::format("seeds {}: the value there is {:.6g}, not from {:.6g} to {:.6g}; choose another place, or the "
+          fmt::format("seed {}: the value there is {:.6g}, not from {:.6g} to {:.6g}; choose another place, or the "
                       "range",
                       textOf(seed), valueThere(step, voxels, seed), step.low, step.high));
 }
@@ -133,14 +133,14 @@ void setWithin(scene::Growth& step, const GrowStructure& asked, const scene::Sce
 scene::Growth stepOf(const scene::Scene& scene, const GrowStructure& asked) {
   if (!scene.volume.data) throw InputError("there is no volume to grow in: name a file that has one");
   if (asked.seeds.empty() && asked.strokes.empty())
-    throw ArgumentError("seeds or strokes are needed: a place on the structure");
+    throw ArgumentError("seed or strokes are needed: a place on the structure");
   FinestVoxels voxels(*scene.volume.data);
   scene::Growth step;
   auto id = freeStructureId(scene);
   if (!id || scene.labels.growths.size() >= scene::kMostGrowths)
     throw InputError("the labels have no number left for another structure");
   step.structure = *id;
-  for (glm::dvec3 seed : asked.seeds) expectInside(voxels.grid(), "seeds", seed, textOf(seed));
+  for (glm::dvec3 seed : asked.seeds) expectInside(voxels.grid(), "seed", seed, textOf(seed));
   step.seeds = asked.seeds;
   step.channel = scene::shownChannel(scene.volume);
   step.timeStep = scene::shownTimeStep(scene.volume);

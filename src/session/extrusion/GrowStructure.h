@@ -23,7 +23,8 @@ struct GrowStructure {
   bool fillHoles = false, guard = false;
   std::string name;
   static void fields(auto& o, auto& visit) {
-    visit("seeds", o.seeds, FieldInfo{kLength, {}, "Places on the structure, world: [[x,y,z],...]."});
+    visit("seed", o.seeds,
+          FieldInfo{kLength, {}, "A place on the structure, or several, world: x,y,z or [[x,y,z],...]."});
     visit("range", o.range,
           FieldInfo{"", {}, "Values that belong to it: A,B; nothing: the material at the first seed."});
     visit("strokes", o.strokes, FieldInfo{"", {}, "Lines over it, x,y,z;x,y,z;... each: all that has its values."});

@@ -3,9 +3,12 @@
 #include <algorithm>
 
 #include "core/Memory.h"
+#include "gpu/CurrentLimits.h"
 #include "render/RenderPicture.h"
 #include "scene/SectionPlane.h"
+#include "session/Session.h"
 #include "session/lettering/SeenSection.h"
+#include "session/membrane/Membranes.h"
 #include "session/model/TrueLevels.h"
 #include "session/picture/Picture.h"
 
@@ -16,6 +19,10 @@ namespace {
 constexpr int kNamesAcross = 400;  // pixels of the small pictures in which names look for what they name
 
 int namesStep(glm::ivec2 size) { return std::max(1, std::max(size.x, size.y) / kNamesAcross); }
+
+bool needsContext(const scene::Scene& scene, const FilmOutput& output) {
+  return !output.section || hasMembranes(scene);
+}
 
 }  // namespace
 
@@ -79,6 +86,26 @@ FilmFrame FilmDrawer::draw(int frame, double share, Progress& progress) {
     return {drawSectionPicture(at.drawn, *mOutput.section, mOutput.picture, progress, &known), std::move(at.scene)};
   Image image = drawPicture(*mRenderer, at.drawn, mOutput.picture, *mLimits, progress, &known);
   return {std::move(image), std::move(at.scene)};
+}
+
+FrameSource framesOf(Session& session, const scene::Scene& scene, const FilmOutput& output) {
+  expectBlur(output);
+  bool draws = needsContext(scene, output);
+  render::Renderer* renderer = draws ? &session.renderer() : nullptr;
+  auto drawer = std::make_shared<FilmDrawer>(scene, output, renderer, draws ? &gpu::currentLimits() : nullptr);
+  auto draw = [&session, drawer, draws](int frame, double share, Progress& progress) {
+    if (draws) session.renderer();  // its context becomes current
+    return drawer->draw(frame, share, progress);
+  };
+  return {drawer->count(), draw};
+}
+
+FilmReport drawFilm(Session& session, const scene::Scene& scene, FilmOutput output, Progress& progress) {
+  output.framesPerSecond = scene.timeline.framesPerSecond;
+  expectFilmOutput(output);
+  bool draws = needsContext(scene, output);
+  std::string driver = draws ? session.renderer().stats().renderer : "no graphics";
+  return makeFilm(framesOf(session, scene, output), output, filmIdentity(scene, output, driver), progress);
 }
 
 }  // namespace velum::session

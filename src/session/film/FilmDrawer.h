@@ -10,6 +10,8 @@
 
 namespace velum::session {
 
+class Session;
+
 /// Draws the frames of a scene's film, each at rest, with its lettering. GL thread, but for sections of scenes without
 /// membranes.
 class FilmDrawer {
@@ -34,5 +36,11 @@ class FilmDrawer {
   scene::Scene mMeasuredOf;  ///< what `mMeasured` depends on
   std::map<int, Measured> mMeasured;
 };
+
+/// The frames of a scene's film, drawn by a session that owns its context. The session and `output` outlive the source;
+/// it is made, called and destroyed in the session's thread. @throw gpu::GpuError, ArgumentError
+FrameSource framesOf(Session& session, const scene::Scene& scene, const FilmOutput& output);
+/// Draws and writes the film of a scene, see Session::film().
+FilmReport drawFilm(Session& session, const scene::Scene& scene, FilmOutput output, Progress& progress);
 
 }  // namespace velum::session

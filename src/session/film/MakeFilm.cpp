@@ -25,21 +25,6 @@ io::VideoOptions videoOptionsOf(const FilmOutput& output) {
   return {output.framesPerSecond, output.quality, output.picture.transparent};
 }
 
-/// The mean of the pictures while the shutter is open.
-FilmFrame drawBlurred(const FrameSource& source, const FilmOutput& output, int frame, Progress& progress) {
-  if (output.blur == 1) return source.draw(frame, 0.0, progress);
-  FilmFrame out;
-  MeanImage mean;
-  for (int i = 0; i < output.blur; ++i) {
-    FilmFrame one = source.draw(frame, subFrameShare(i, output.blur, output.shutter), progress);
-    bool isMiddle = i == middleSubFrame(output.blur);
-    mean.add(one.image, isMiddle);
-    if (isMiddle) out.scene = std::move(one.scene);
-  }
-  out.image = mean.mean();
-  return out;
-}
-
 /// Where the frames go: to a folder, or to a video.
 class FilmSink {
  public:
@@ -99,13 +84,17 @@ std::string sayTime(double seconds) {
   return fmt::format("{} h {} min", minutes / 60, minutes % 60);
 }
 
-void expectFilmOutput(const FilmOutput& output) {
-  if (output.path.empty() || output.path == "-")
-    throw ArgumentError("a film needs a name, such as turn.mp4 or frames/");
+void expectBlur(const FilmOutput& output) {
   if (output.blur < 1 || output.blur > kMostSubFrames)
     throw ArgumentError(fmt::format("{} pictures for a frame: expected 1 to {}", output.blur, kMostSubFrames));
   if (!(output.shutter >= 0.0 && output.shutter <= 1.0))
     throw ArgumentError(fmt::format("shutter {:g}: expected 0 to 1", output.shutter));
+}
+
+void expectFilmOutput(const FilmOutput& output) {
+  if (output.path.empty() || output.path == "-")
+    throw ArgumentError("a film needs a name, such as turn.mp4 or frames/");
+  expectBlur(output);
   if (!io::isVideo(output.path)) {
     FrameNames names(output.path);
     try {
@@ -165,6 +154,20 @@ FilmIdentity filmIdentity(const scene::Scene& scene, const FilmOutput& output, c
   return film;
 }
 
+FilmFrame drawFrame(const FrameSource& source, const FilmOutput& output, int frame, Progress& progress) {
+  if (output.blur == 1) return source.draw(frame, 0.0, progress);
+  FilmFrame out;
+  MeanImage mean;
+  for (int i = 0; i < output.blur; ++i) {
+    FilmFrame one = source.draw(frame, subFrameShare(i, output.blur, output.shutter), progress);
+    bool isMiddle = i == middleSubFrame(output.blur);
+    mean.add(one.image, isMiddle);
+    if (isMiddle) out.scene = std::move(one.scene);
+  }
+  out.image = mean.mean();
+  return out;
+}
+
 FilmReport makeFilm(const FrameSource& source, const FilmOutput& output, const FilmIdentity& film, Progress& progress) {
   expectFilmOutput(output);
   FilmReport report;
@@ -183,7 +186,7 @@ FilmReport makeFilm(const FrameSource& source, const FilmOutput& output, const F
       progress.report(double(report.kept + tried) / report.frames,
                       fmt::format("Frame {} of {}{}", i + 1, source.count,
                                   tried > 0 ? fmt::format(", {} left", sayTime(leftS)) : ""));
-      std::string error = sink.add(i, [&] { return drawBlurred(source, output, i, quiet); });
+      std::string error = sink.add(i, [&] { return drawFrame(source, output, i, quiet); });
       ++tried;
       if (error.empty())
         ++report.drawn;

@@ -55,6 +55,8 @@ struct FilmReport {
 /// empty: none is.
 std::string failedFrames(const FilmReport& report);
 
+/// @throw ArgumentError for a blur that cannot be
+void expectBlur(const FilmOutput& output);
 /// Checks, before any data is read, whether a film could be written so. @throw ArgumentError, InputError
 void expectFilmOutput(const FilmOutput& output);
 
@@ -67,6 +69,9 @@ std::string filmCommand(const std::filesystem::path& scene, const FilmOutput& ou
 /// What the frames of a film depend on, for its manifest. @param scene  without what moves in it  @param renderer  the
 /// driver that draws, and the program's version
 FilmIdentity filmIdentity(const scene::Scene& scene, const FilmOutput& output, const std::string& renderer);
+
+/// A frame as it is written: the mean of the pictures while the shutter is open. @throw what the source throws
+FilmFrame drawFrame(const FrameSource& source, const FilmOutput& output, int frame, Progress& progress);
 
 /// Draws the frames of a part, one after the other, and writes each before the next is begun, so that time and memory
 /// are the same for each. A frame that cannot be drawn or written is noted, and the others go on; a video shows the

@@ -10145,7 +10145,7 @@ In den Ansichten sagt es Strg+Umschalt+Klick jederzeit</translation>
     </message>
     <message>
         <source>Follow what is there</source>
-        <translation>Folgen, was dort ist</translation>
+        <translation>Dem folgen, was dort ist</translation>
     </message>
 </context>
 <context>

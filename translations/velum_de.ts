@@ -5079,6 +5079,34 @@
         <source>lit sphere</source>
         <translation>Lichtkugel</translation>
     </message>
+    <message>
+        <source>&apos;%1&apos;</source>
+        <translation>„%1“</translation>
+    </message>
+    <message>
+        <source>No such file or directory</source>
+        <translation>Datei oder Ordner nicht gefunden</translation>
+    </message>
+    <message>
+        <source>Permission denied</source>
+        <translation>keine Berechtigung</translation>
+    </message>
+    <message>
+        <source>No space left on device</source>
+        <translation>kein Platz mehr auf dem Datenträger</translation>
+    </message>
+    <message>
+        <source>Is a directory</source>
+        <translation>ist ein Ordner</translation>
+    </message>
+    <message>
+        <source>Read-only file system</source>
+        <translation>der Datenträger ist schreibgeschützt</translation>
+    </message>
+    <message>
+        <source>Input/output error</source>
+        <translation>Fehler beim Lesen oder Schreiben</translation>
+    </message>
 </context>
 <context>
     <name>QFileDialog</name>
@@ -5164,29 +5192,6 @@ Ersetzen?</translation>
     <message>
         <source>yesterday %1</source>
         <translation>gestern %1</translation>
-    </message>
-</context>
-<context>
-    <name>SectionView</name>
-    <message>
-        <source>&amp;Grey window</source>
-        <translation>&amp;Grauwertfenster</translation>
-    </message>
-    <message>
-        <source>&amp;Whole range</source>
-        <translation>G&amp;anzer Bereich</translation>
-    </message>
-    <message>
-        <source>From the smallest value to the largest</source>
-        <translation>Vom kleinsten bis zum größten Wert</translation>
-    </message>
-    <message>
-        <source>&amp;Type it...	W</source>
-        <translation>&amp;Eintippen...	W</translation>
-    </message>
-    <message>
-        <source>Width and level as numbers, or a name</source>
-        <translation>Breite und Mitte als Zahlen oder ein Name</translation>
     </message>
 </context>
 <context>
@@ -10148,7 +10153,7 @@ In den Ansichten sagt es Strg+Umschalt+Klick jederzeit</translation>
     </message>
     <message>
         <source>Follow what is there</source>
-        <translation>Folgen, was dort ist</translation>
+        <translation>Dem folgen, was dort ist</translation>
     </message>
 </context>
 <context>
@@ -12824,6 +12829,26 @@ Das Bild trägt die Szene in sich: auf das Fenster ziehen, um damit weiterzuarbe
     <message>
         <source>Along the axes again, crosshair in the middle</source>
         <translation>Wieder entlang der Achsen, Fadenkreuz in der Mitte</translation>
+    </message>
+    <message>
+        <source>&amp;Grey window</source>
+        <translation>&amp;Grauwertfenster</translation>
+    </message>
+    <message>
+        <source>&amp;Whole range</source>
+        <translation>G&amp;anzer Bereich</translation>
+    </message>
+    <message>
+        <source>From the smallest value to the largest</source>
+        <translation>Vom kleinsten bis zum größten Wert</translation>
+    </message>
+    <message>
+        <source>&amp;Type it...	W</source>
+        <translation>&amp;Eintippen...	W</translation>
+    </message>
+    <message>
+        <source>Width and level as numbers, or a name</source>
+        <translation>Breite und Mitte als Zahlen oder ein Name</translation>
     </message>
 </context>
 <context>

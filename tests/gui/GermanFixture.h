@@ -1,6 +1,7 @@
 #pragma once
 #include <QAbstractButton>
 #include <QComboBox>
+#include <QContextMenuEvent>
 #include <QGroupBox>
 #include <QLabel>
 #include <QLineEdit>
@@ -10,6 +11,7 @@
 #include <QStyle>
 #include <QStyleOptionComboBox>
 #include <QTabBar>
+#include <QTimer>
 #include <QTranslator>
 #include <QXmlStreamReader>
 
@@ -145,6 +147,25 @@ class German : public ModelWindow {
     }
   }
 
+  /// The menu that the right button, or the key, opens in a place of a widget.
+  void expectGermanMenu(QWidget& widget, QPoint at, const QString& where,
+                        QContextMenuEvent::Reason reason = QContextMenuEvent::Mouse) {
+    bool isSeen = false;
+    QTimer::singleShot(50, mWindow.get(), [&] {
+      auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+      if (!menu) return;
+      isSeen = true;
+      for (const QAction* action : menu->actions())
+        EXPECT_FALSE(isEnglish(action->text()) || isEnglish(action->toolTip())) << action->text().toStdString();
+      expectNothingEnglish(*menu);
+      expectDifferentLetters(*menu);
+      takeShot(*menu, "german-menu-" + where);
+      menu->close();
+    });
+    QContextMenuEvent event(reason, at, widget.mapToGlobal(at));
+    QApplication::sendEvent(&widget, &event);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return isSeen; }, kPatience)) << where.toStdString();
+  }
   /// No two of them have the same letter.
   void expectDifferentLetters(const QStringList& texts, const QString& where) {
     QMap<QString, QString> letters;

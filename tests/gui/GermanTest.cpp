@@ -1,4 +1,5 @@
 // The window in German: all of its words, its numbers, its letters; what it is told by the libraries below it.
+#include <QAbstractItemView>
 #include <clocale>
 
 #include "GermanFixture.h"
@@ -92,6 +93,35 @@ TEST_F(German, DialogsSayNothingInEnglish) {
   expectGermanDialog(rawDialog, "raw");
 }
 
+TEST_F(German, MenusOfTheRightButtonSayNothingInEnglish) {
+  mWindow->openPaths({path("phantom.nrrd"), path("phantom_labels.seg.nrrd")});
+  ASSERT_TRUE(waitForJob());
+  mWindow->views().setLayout(scene::Layout::FourUp);
+  mWindow->actions().find("cut.addPlane")->trigger();
+  Progress progress;
+  session::run(mWindow->session(), session::parseCall("mark.add distance [[1,1,1],[4,1,1]]"), progress);
+  auto expectMenuOfList = [&](const char* page, const char* name) {
+    mWindow->tabs().showPage(page);
+    QTest::qWait(30);
+    auto* list = child<QAbstractItemView>(name);
+    ASSERT_TRUE(list) << name;
+    list->setCurrentIndex(list->model()->index(0, 0));
+    QPoint first = list->visualRect(list->currentIndex()).center();
+    expectGermanMenu(*list->viewport(), first, name);
+  };
+  expectMenuOfList("Structures", "structureList");
+  expectMenuOfList("Marks", "markList");
+  auto* section = child<QWidget>("section.axial");
+  ASSERT_TRUE(section);
+  expectGermanMenu(*section, section->rect().center(), "section", QContextMenuEvent::Keyboard);
+}
+
+TEST_F(German, MenusOfAModelSayNothingInEnglish) {
+  openModel();
+  mWindow->actions().find("cut.addPlane")->trigger();
+  expectGermanMenu(*list().viewport(), list().cellOfType(0, ModelTree::Name).center(), "type");
+}
+
 TEST_F(German, LettersOfMenusAndDialogsDiffer) {
   openPhantom();
   QStringList bar;
@@ -172,7 +202,7 @@ TEST_F(German, MessagesAreGermanWithTheirNamesAndACommaInNumbers) {
   expectSaid("/data/a b.nii: is cut off: 12 bytes of data are missing",
              "/data/a b.nii: ist abgeschnitten: 12 Bytes Daten fehlen");
   expectSaid("a: cannot be written (No space left on device); check the folder and the free space",
-             "a: kann nicht geschrieben werden (No space left on device); Ordner und freien Platz prüfen");
+             "a: kann nicht geschrieben werden (kein Platz mehr auf dem Datenträger); Ordner und freien Platz prüfen");
   expectSaid("planes are not evenly apart; each was put on the nearest of 1.5 mm, by up to 0.25 mm",
              "die Ebenen haben ungleiche Abstände; jede wurde auf die nächste von 1,5 mm gelegt, um bis zu 0,25 mm "
              "verschoben");
@@ -182,7 +212,11 @@ TEST_F(German, MessagesAreGermanWithTheirNamesAndACommaInNumbers) {
              "40 % von capsid ist verdeckt: 30 % durch blood, 5 % durch cell wall, der Rest durch 3 weitere");
   expectSaid("lit sphere wax: /x/y.png: is damaged; it looks like porcelain",
              "Lichtkugel wax: /x/y.png: is damaged; sie sieht aus wie Porzellan");
+  expectSaid("a.nrrd: the encoding 'zstd' is not supported; raw, gzip and ascii are",
+             "a.nrrd: die Kodierung „zstd“ wird nicht unterstützt; raw, gzip und ascii schon");
   expectSaid("Something that nobody knows", "Something that nobody knows");
+  expectSaid("no finish 'nope' (is 'none' meant?); there are none, plate",
+             "Ausführung „nope“ gibt es nicht (ist „none“ gemeint?); es gibt: none, plate");
   // Two of a line.
   expectSaid("Reading voxels\nReading labels", "Voxel werden gelesen\nLabels werden gelesen");
 }

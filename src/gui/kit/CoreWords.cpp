@@ -16,26 +16,52 @@ namespace {
 
 /// What is too short to be told from code where it is written: words that are put into messages, and numbers of things.
 constexpr const char* kPutIn[] = {
-    QT_TRANSLATE_NOOP("Core", "%1 structures"), QT_TRANSLATE_NOOP("Core", "%1 types"),
-    QT_TRANSLATE_NOOP("Core", "%1 marks"),      QT_TRANSLATE_NOOP("Core", "%1 rows"),
-    QT_TRANSLATE_NOOP("Core", "%1 numbers"),    QT_TRANSLATE_NOOP("Core", "%1 frames"),
-    QT_TRANSLATE_NOOP("Core", ": %1 by %2"),    QT_TRANSLATE_NOOP("Core", ", %1 by %2"),
-    QT_TRANSLATE_NOOP("Core", "brick"),         QT_TRANSLATE_NOOP("Core", "bricks"),
-    QT_TRANSLATE_NOOP("Core", "volume"),        QT_TRANSLATE_NOOP("Core", "surface"),
-    QT_TRANSLATE_NOOP("Core", "model"),         QT_TRANSLATE_NOOP("Core", "none"),
-    QT_TRANSLATE_NOOP("Core", "tile"),          QT_TRANSLATE_NOOP("Core", "strip"),
-    QT_TRANSLATE_NOOP("Core", "quote"),         QT_TRANSLATE_NOOP("Core", "bracket"),
-    QT_TRANSLATE_NOOP("Core", "labels"),        QT_TRANSLATE_NOOP("Core", "the file is prestack"),
-    QT_TRANSLATE_NOOP("Core", "distance"),      QT_TRANSLATE_NOOP("Core", "angle"),
-    QT_TRANSLATE_NOOP("Core", "path"),          QT_TRANSLATE_NOOP("Core", "area"),
-    QT_TRANSLATE_NOOP("Core", "arrow"),         QT_TRANSLATE_NOOP("Core", "label"),
-    QT_TRANSLATE_NOOP("Core", "name"),          QT_TRANSLATE_NOOP("Core", "circle"),
-    QT_TRANSLATE_NOOP("Core", "box"),           QT_TRANSLATE_NOOP("Core", "region"),
-    QT_TRANSLATE_NOOP("Core", "profile"),       QT_TRANSLATE_NOOP("Core", "preset"),
-    QT_TRANSLATE_NOOP("Core", "finish"),        QT_TRANSLATE_NOOP("Core", "look"),
-    QT_TRANSLATE_NOOP("Core", "style"),         QT_TRANSLATE_NOOP("Core", "window"),
-    QT_TRANSLATE_NOOP("Core", "lit sphere"),    QT_TRANSLATE_NOOP("Core", "supported"),
+    QT_TRANSLATE_NOOP("Core", "%1 structures"),
+    QT_TRANSLATE_NOOP("Core", "%1 types"),
+    QT_TRANSLATE_NOOP("Core", "%1 marks"),
+    QT_TRANSLATE_NOOP("Core", "%1 rows"),
+    QT_TRANSLATE_NOOP("Core", "%1 numbers"),
+    QT_TRANSLATE_NOOP("Core", "%1 frames"),
+    QT_TRANSLATE_NOOP("Core", ": %1 by %2"),
+    QT_TRANSLATE_NOOP("Core", ", %1 by %2"),
+    QT_TRANSLATE_NOOP("Core", "brick"),
+    QT_TRANSLATE_NOOP("Core", "bricks"),
+    QT_TRANSLATE_NOOP("Core", "volume"),
+    QT_TRANSLATE_NOOP("Core", "surface"),
+    QT_TRANSLATE_NOOP("Core", "model"),
+    QT_TRANSLATE_NOOP("Core", "none"),
+    QT_TRANSLATE_NOOP("Core", "tile"),
+    QT_TRANSLATE_NOOP("Core", "strip"),
+    QT_TRANSLATE_NOOP("Core", "quote"),
+    QT_TRANSLATE_NOOP("Core", "bracket"),
+    QT_TRANSLATE_NOOP("Core", "labels"),
+    QT_TRANSLATE_NOOP("Core", "the file is prestack"),
+    QT_TRANSLATE_NOOP("Core", "distance"),
+    QT_TRANSLATE_NOOP("Core", "angle"),
+    QT_TRANSLATE_NOOP("Core", "path"),
+    QT_TRANSLATE_NOOP("Core", "area"),
+    QT_TRANSLATE_NOOP("Core", "arrow"),
+    QT_TRANSLATE_NOOP("Core", "label"),
+    QT_TRANSLATE_NOOP("Core", "name"),
+    QT_TRANSLATE_NOOP("Core", "circle"),
+    QT_TRANSLATE_NOOP("Core", "box"),
+    QT_TRANSLATE_NOOP("Core", "region"),
+    QT_TRANSLATE_NOOP("Core", "profile"),
+    QT_TRANSLATE_NOOP("Core", "preset"),
+    QT_TRANSLATE_NOOP("Core", "finish"),
+    QT_TRANSLATE_NOOP("Core", "look"),
+    QT_TRANSLATE_NOOP("Core", "style"),
+    QT_TRANSLATE_NOOP("Core", "window"),
+    QT_TRANSLATE_NOOP("Core", "lit sphere"),
+    QT_TRANSLATE_NOOP("Core", "supported"),
     QT_TRANSLATE_NOOP("Core", "known"),
+    // What the system says most.
+    QT_TRANSLATE_NOOP("Core", "No such file or directory"),
+    QT_TRANSLATE_NOOP("Core", "Permission denied"),
+    QT_TRANSLATE_NOOP("Core", "No space left on device"),
+    QT_TRANSLATE_NOOP("Core", "Is a directory"),
+    QT_TRANSLATE_NOOP("Core", "Read-only file system"),
+    QT_TRANSLATE_NOOP("Core", "Input/output error"),
 };
 
 QString ofCore(const QString& text) { return QCoreApplication::translate("Core", text.toUtf8().constData()); }
@@ -120,7 +146,11 @@ const std::vector<Pattern>& patterns() {
 }
 
 QString valueWords(const QString& value) {
-  return isNumeric(value) ? localNumber(value.toStdString()) : inWords(value);
+  static const QRegularExpression quoted("\\A'([^']*)'\\z");
+  if (isNumeric(value)) return localNumber(value.toStdString());
+  if (auto found = quoted.match(value); found.hasMatch())
+    return QCoreApplication::translate("Core", "'%1'").arg(found.captured(1));
+  return inWords(value);
 }
 
 /// A translation with what is put in.
@@ -132,7 +162,9 @@ QString filled(const QString& text, const QStringList& values) {
       out += text[i];
       continue;
     }
-    out += valueWords(values[place - 1]);
+    // What stands in quotes is a name, or a word of a script.
+    bool isQuoted = out.endsWith(QChar(0x201e));
+    out += isQuoted ? values[place - 1] : valueWords(values[place - 1]);
     ++i;
   }
   return out;

@@ -28,8 +28,8 @@ constexpr double kAtOnceMs = 15.0;  // full pictures that take longer wait for a
 constexpr int kRestMs = 140;        // as in the 3D view
 constexpr int kMostCoarse = 4;
 constexpr int kButton = 24;
-constexpr std::size_t kMostOutlines = 40000, kMostMoving = 6000;  // circles: at rest, and while something moves
-constexpr double kDotPixels = 1.6;                                // smaller circles are dots
+constexpr unsigned kMostOutlines = 40000, kMostMoving = 6000;  // circles: at rest, and while something moves
+constexpr double kDotPixels = 1.6;                             // smaller circles are dots
 
 /// Windows by name, the whole range, and one that is typed.
 void addWindowMenu(QMenu& menu, SectionView& view, session::Document& document) {

@@ -140,14 +140,6 @@
         <translation>Strukturen werden geglättet</translation>
     </message>
     <message>
-        <source>the driver has no memory for %1 (%2 MiB): lower VELUM_GPU_MEMORY_MB</source>
-        <translation>der Treiber hat keinen Speicher für %1 (%2 MiB): VELUM_GPU_MEMORY_MB verkleinern</translation>
-    </message>
-    <message>
-        <source>the driver cannot map %1 (%2 bytes)</source>
-        <translation>der Treiber kann %1 nicht einblenden (%2 Bytes)</translation>
-    </message>
-    <message>
         <source>the driver&apos;s shaders reach %1 MiB of a buffer, and %2 MiB are needed: take fewer copies, or a smaller picture or volume</source>
         <translation>die Shader des Treibers erreichen %1 MiB eines Puffers, nötig sind %2 MiB: weniger Kopien nehmen oder ein kleineres Bild oder Volumen</translation>
     </message>
@@ -172,24 +164,8 @@
         <translation>der Shader %1 gehört nicht zum Programm</translation>
     </message>
     <message>
-        <source>the driver has no memory for %1 (%2 x %3 x %4, %5 MiB): lower VELUM_GPU_MEMORY_MB or use a smaller picture</source>
-        <translation>der Treiber hat keinen Speicher für %1 (%2 x %3 x %4, %5 MiB): VELUM_GPU_MEMORY_MB verkleinern oder ein kleineres Bild verwenden</translation>
-    </message>
-    <message>
         <source>%1: %2 texels are more than the %3 that the driver takes in a buffer: use a smaller model, picture or volume</source>
         <translation>%1: %2 Texel sind mehr als die %3, die der Treiber in einem Puffer nimmt: ein kleineres Modell, Bild oder Volumen verwenden</translation>
-    </message>
-    <message>
-        <source>the driver lacks gl</source>
-        <translation>dem Treiber fehlt gl</translation>
-    </message>
-    <message>
-        <source>; OpenGL 4.5 is needed: update the graphics driver</source>
-        <translation>; OpenGL 4.5 ist nötig: den Grafiktreiber aktualisieren</translation>
-    </message>
-    <message>
-        <source>%1 offers OpenGL %2.%3; 4.5 is needed: update the graphics driver</source>
-        <translation>%1 bietet OpenGL %2.%3; nötig ist 4.5: den Grafiktreiber aktualisieren</translation>
     </message>
     <message>
         <source>no way to draw without a display: %1; %2</source>
@@ -3272,10 +3248,6 @@
         <translation>die 3D-Texturen des Treibers enden bei %1 Texeln</translation>
     </message>
     <message>
-        <source>it needs %1 MiB of the %2 MiB that the driver has</source>
-        <translation>nötig sind %1 MiB von den %2 MiB, die der Treiber hat</translation>
-    </message>
-    <message>
         <source>a scene holds %1 captions at most; remove one first</source>
         <translation>eine Szene enthält höchstens %1 Bildtexte; zuerst einen entfernen</translation>
     </message>
@@ -4064,16 +4036,8 @@
         <translation>range: A,B angeben</translation>
     </message>
     <message>
-        <source>seeds %1: nothing is known of the values there; give the range</source>
-        <translation>seeds %1: die Werte dort sind unbekannt; den Bereich angeben</translation>
-    </message>
-    <message>
         <source>range A,B: A must not be more than B</source>
         <translation>range A,B: A darf nicht größer als B sein</translation>
-    </message>
-    <message>
-        <source>seeds %1: the value there is %2, not from %3 to %4; choose another place, or the range</source>
-        <translation>seeds %1: der Wert dort ist %2, nicht von %3 bis %4; eine andere Stelle oder den Bereich wählen</translation>
     </message>
     <message>
         <source>distance needs plane: it is from the plane that it is measured</source>
@@ -4098,10 +4062,6 @@
     <message>
         <source>there is no volume to grow in: name a file that has one</source>
         <translation>es gibt kein Volumen zum Wachsen: eine Datei nennen, die eines hat</translation>
-    </message>
-    <message>
-        <source>seeds or strokes are needed: a place on the structure</source>
-        <translation>seeds oder strokes sind nötig: eine Stelle auf der Struktur</translation>
     </message>
     <message>
         <source>the labels have no number left for another structure</source>
@@ -4816,14 +4776,6 @@
         <translation>dieser Bildschirm (%1) gibt Fenstern kein OpenGL; %2</translation>
     </message>
     <message>
-        <source>the graphics driver makes no OpenGL context; %1</source>
-        <translation>der Grafiktreiber erzeugt keinen OpenGL-Kontext; %1</translation>
-    </message>
-    <message>
-        <source>the graphics driver offers OpenGL %1.%2; %3</source>
-        <translation>der Grafiktreiber bietet OpenGL %1.%2; %3</translation>
-    </message>
-    <message>
         <source>labels</source>
         <translation>Labels</translation>
     </message>
@@ -5106,6 +5058,106 @@
     <message>
         <source>Input/output error</source>
         <translation>Fehler beim Lesen oder Schreiben</translation>
+    </message>
+    <message>
+        <source>close other programs that draw, make the picture smaller, or lower VELUM_GPU_MEMORY_MB</source>
+        <translation>andere Programme schließen, die zeichnen, das Bild kleiner machen oder VELUM_GPU_MEMORY_MB senken</translation>
+    </message>
+    <message>
+        <source>the driver has no memory for %1 (%2): %3</source>
+        <translation>der Treiber hat keinen Speicher für %1 (%2): %3</translation>
+    </message>
+    <message>
+        <source>the driver has run out of memory: %1</source>
+        <translation>dem Treiber ist der Speicher ausgegangen: %1</translation>
+    </message>
+    <message>
+        <source>the driver cannot map %1 (%2 bytes): make the picture smaller</source>
+        <translation>der Treiber kann %1 (%2 Bytes) nicht einblenden: das Bild kleiner machen</translation>
+    </message>
+    <message>
+        <source>%1, and OpenGL 4.5 is needed: Mesa&apos;s software driver draws instead, which is slower; install or update the graphics driver to draw with the card</source>
+        <translation>%1, und OpenGL 4.5 ist nötig: Stattdessen zeichnet der Softwaretreiber von Mesa, langsamer; mit einem neueren Grafiktreiber zeichnet die Karte</translation>
+    </message>
+    <message>
+        <source>%1; OpenGL 4.5 is needed: install or update the graphics driver; Mesa&apos;s software driver will do, too%2</source>
+        <translation>%1; OpenGL 4.5 ist nötig: den Grafiktreiber installieren oder aktualisieren; der Softwaretreiber von Mesa genügt%2</translation>
+    </message>
+    <message>
+        <source> (it was tried: %1)</source>
+        <translation> (er wurde versucht: %1)</translation>
+    </message>
+    <message>
+        <source>VELUM_CONTEXT: &apos;%1&apos; is not one of auto, egl, osmesa</source>
+        <translation>VELUM_CONTEXT: „%1“ ist keines von auto, egl, osmesa</translation>
+    </message>
+    <message>
+        <source>the graphics driver has no %1</source>
+        <translation>der Grafiktreiber hat kein %1</translation>
+    </message>
+    <message>
+        <source>%1 offers OpenGL %2.%3</source>
+        <translation>%1 bietet OpenGL %2.%3</translation>
+    </message>
+    <message>
+        <source>%1 lacks %2 of OpenGL 4.5</source>
+        <translation>%1 fehlt %2 aus OpenGL 4.5</translation>
+    </message>
+    <message>
+        <source>the driver that GALLIUM_DRIVER names (%1) makes no OpenGL</source>
+        <translation>der Treiber, den GALLIUM_DRIVER nennt (%1), bietet kein OpenGL</translation>
+    </message>
+    <message>
+        <source>it needs %1 MiB, and the driver has %2 MiB for it</source>
+        <translation>nötig sind %1 MiB, und der Treiber hat dafür %2 MiB</translation>
+    </message>
+    <message>
+        <source>%1 has %2 item%3; [%4] is none of them: places begin with 0, an id is [#%5]</source>
+        <translation>%1 hat %2 Einträge; [%4] ist keiner davon: die Zählung beginnt bei 0, eine Id ist [#%5]</translation>
+    </message>
+    <message>
+        <source>%1: the file is there already; say where to save</source>
+        <translation>%1: die Datei gibt es schon; angeben, wohin gespeichert wird</translation>
+    </message>
+    <message>
+        <source>Draws the film of the scene, and writes it as a video or as frames.</source>
+        <translation>Zeichnet den Film der Szene und schreibt ihn als Video oder als Einzelbilder.</translation>
+    </message>
+    <message>
+        <source>film.save turn.mp4 640x480</source>
+        <translation>film.save turn.mp4 640x480</translation>
+    </message>
+    <message>
+        <source>animate %1: not one of %2</source>
+        <translation>animate %1: keines von %2</translation>
+    </message>
+    <message>
+        <source>section &apos;%1&apos; is not one of %2</source>
+        <translation>Schnittbild „%1“ ist keines von %2</translation>
+    </message>
+    <message>
+        <source>bits %1: 8 or 16</source>
+        <translation>bits %1: 8 oder 16</translation>
+    </message>
+    <message>
+        <source>layers: a section has none; leave them out with section</source>
+        <translation>layers: ein Schnittbild hat keine; bei section weglassen</translation>
+    </message>
+    <message>
+        <source>seconds: the scene has a film of its own, of %1 s; set timeline.duration, timeline.rangeStart or timeline.rangeEnd, or choose another film with animate</source>
+        <translation>seconds: die Szene hat einen eigenen Film von %1 s; timeline.duration, timeline.rangeStart oder timeline.rangeEnd setzen oder mit animate einen anderen Film wählen</translation>
+    </message>
+    <message>
+        <source>seed %1: nothing is known of the values there; give the range</source>
+        <translation>seed %1: die Werte dort sind unbekannt; den Bereich angeben</translation>
+    </message>
+    <message>
+        <source>seed %1: the value there is %2, not from %3 to %4; choose another place, or the range</source>
+        <translation>seed %1: der Wert dort ist %2, nicht von %3 bis %4; eine andere Stelle oder den Bereich wählen</translation>
+    </message>
+    <message>
+        <source>seed or strokes are needed: a place on the structure</source>
+        <translation>seed oder strokes sind nötig: eine Stelle auf der Struktur</translation>
     </message>
 </context>
 <context>

@@ -11,7 +11,8 @@ class GpuError : public Error {
   explicit GpuError(const std::string& message) : Error(ExitCode::Gpu, message) {}
 };
 
-/// Thrown where the driver has no memory for a texture or a buffer. Smaller ones, or the same ones later, may find room.
+/// Thrown where the driver has no memory for a texture or a buffer. Smaller ones, or the same ones later, may find
+/// room.
 class NoMemory : public GpuError {
  public:
   using GpuError::GpuError;

@@ -4,6 +4,7 @@
 #include "gpu/Allocation.h"
 #include "gui/kit/Messages.h"
 #include "gui/look/LookPanel.h"
+#include "gui/view/PreparingVeil.h"
 #include "gui/view/Viewport.h"
 
 namespace velum::gui {
@@ -61,6 +62,7 @@ TEST_F(ShortMemory, WhereItIsCutItIsSaidAndDrawnAtTheNextChange) {
     addCut();
     expectSaid();
     EXPECT_FALSE(viewport().pickAt({100, 100}).has_value()) << "what stands there is another picture";
+    EXPECT_EQ(child<PreparingVeil>("preparingVeil")->kind(), PreparingVeil::Kind::Dim);
     takeShot(*mWindow, "short-memory-cut");
   }
   mWindow->messages().hide();

@@ -64,9 +64,9 @@ class PictureGrid : public QWidget {
   PictureList* mList;
   QTimer mPatience;
   bool mIsOpen = false;
-  int mTurn = 0;  ///< Counts the calls of renew(), so that pictures of an earlier call are known.
+  int mTurn = 0;                   ///< Counts the calls of renew(), so that pictures of an earlier call are known.
   QSet<QString> mTried, mAwaited;  ///< of the latter the job at work has drawn none yet
-  QLabel* mWhyNot;  ///< shown where some could not be drawn
+  QLabel* mWhyNot;                 ///< shown where some could not be drawn
   QHash<QString, QPixmap> mPictures;
   std::unique_ptr<Job> mJob;
 };

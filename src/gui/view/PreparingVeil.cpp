@@ -3,6 +3,7 @@
 #include <QEvent>
 #include <QGuiApplication>
 #include <QPainter>
+#include <utility>
 
 #include "gui/kit/Theme.h"
 #include "scene/Scene.h"
@@ -47,7 +48,7 @@ PreparingVeil::PreparingVeil(QWidget& view) : QWidget(&view) {
 }
 
 void PreparingVeil::await(const scene::Scene& scene) {
-  mHasFailed = false;
+  if (std::exchange(mHasFailed, false)) update();
   if (dataOf(scene) != mShown) {
     mPatience.stop();
     set(Kind::Closed);
@@ -69,7 +70,8 @@ void PreparingVeil::lift(const scene::Scene& shown) {
 void PreparingVeil::fail() {
   mHasFailed = true;
   mPatience.stop();
-  set(mKind == Kind::Closed ? Kind::Failed : Kind::None);
+  set(mKind == Kind::Closed ? Kind::Failed : Kind::Dim);  // what is still seen is no picture of the scene
+  update();
 }
 
 void PreparingVeil::forget() {
@@ -98,7 +100,7 @@ void PreparingVeil::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   painter.fillRect(rect(), mKind == Kind::Dim ? kDim : kClosed);
-  QString text = mKind == Kind::Failed ? tr("No picture") : tr("Preparing");
+  QString text = mHasFailed ? tr("No picture") : tr("Preparing");
   QSizeF size = QSizeF(painter.fontMetrics().size(0, text)) + QSizeF(2.0 * kAroundWords, kAroundWords);
   QRectF chip(QRectF(rect()).center() - QPointF(0.5 * size.width(), 0.5 * size.height()), size);
   painter.setPen(Qt::NoPen);

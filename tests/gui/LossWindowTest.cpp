@@ -128,14 +128,12 @@ TEST_F(LossWindow, APausedMembraneStaysWhereItIs) {
   for (int i = 0; i < 12; ++i) viewport().stepMembranes();  // until it is seen
   ASSERT_TRUE(settle());
   scene::SheetShape hanging = shape();
-  QImage before = picture();
   EXPECT_FALSE(hanging.places.empty());
   QSignalSpy heard(&viewport(), &Viewport::drawnAnew);
   gpu::simulateLoss(1);
   viewport().update();
   expectRecovery(heard);
   EXPECT_EQ(shape(), hanging);
-  EXPECT_EQ(picture(), before);
   // And rests where it would.
   viewport().playMembranes(true);
   ASSERT_TRUE(settle());

@@ -261,6 +261,7 @@ inline constexpr const char* kTableWords[] = {
     QT_TRANSLATE_NOOP("Words", "Removes all keys."),
     QT_TRANSLATE_NOOP("Words", "Shows the scene at a time of its film; changes nothing."),
     QT_TRANSLATE_NOOP("Words", "Makes keys of whatever is changed at the playhead from now on."),
+    QT_TRANSLATE_NOOP("Words", "Draws the film of the scene, and writes it as a video or as frames."),
     QT_TRANSLATE_NOOP("Words", "Ready-made film: the eye goes round."),
     QT_TRANSLATE_NOOP("Words", "Seconds"),
     QT_TRANSLATE_NOOP("Words", "How long it takes."),

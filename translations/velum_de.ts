@@ -7061,6 +7061,10 @@ Ersetzen?</translation>
         <translation>Macht von nun an Schlüsselbilder von allem, was an der Abspielmarke geändert wird.</translation>
     </message>
     <message>
+        <source>Draws the film of the scene, and writes it as a video or as frames.</source>
+        <translation>Zeichnet den Film der Szene und schreibt ihn als Video oder als Einzelbilder.</translation>
+    </message>
+    <message>
         <source>Ready-made film: the eye goes round.</source>
         <translation>Fertiger Film: das Auge geht herum.</translation>
     </message>

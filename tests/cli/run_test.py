@@ -24,6 +24,16 @@ class Run(CliTest):
         self.run_batch("render", "s.json", "-o", "q.png", "--size", "48x36")
         self.assertEqual((self.folder / "p.png").read_bytes(), (self.folder / "q.png").read_bytes())
 
+    def test_films_are_those_of_the_verb(self):
+        path = self.sample()
+        self.run_batch("run", self.script("cut.add plane", "set cuts[0].face section", "set rayCast.samplesPerPixel 1", "set timeline.framesPerSecond 4",
+                                          "film.turn 1", "save s.json", "film.save mine.gif 48x36", "film.save one/ 48x36 part=2/4 blur=2"), path)
+        self.run_batch("film", "s.json", "-o", "theirs.gif", "--size", "48x36")
+        self.run_batch("film", "s.json", "-o", "two/", "--size", "48x36", "--part", "2/4", "--blur", "2")
+        for mine, theirs in (("mine.gif", "theirs.gif"), ("one/frame-00001.png", "two/frame-00001.png")):
+            self.assertEqual((self.folder / mine).read_bytes(), (self.folder / theirs).read_bytes(), mine)
+        self.assertIn(b"timeline.duration", self.run_batch("run", self.script("film.save a.gif seconds=3"), "s.json", code=1).stderr)
+
     def test_sheets_come_to_rest_as_by_the_verb(self):
         path = self.sample()
         self.run_batch("run", self.script("cut.add membrane", "set rayCast.samplesPerPixel 1", "save s.json", "picture 48x36 p.png"), path)

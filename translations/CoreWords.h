@@ -914,7 +914,6 @@ inline constexpr const char* kCoreWords[] = {
     QT_TRANSLATE_NOOP("Core", "Move key"),
     QT_TRANSLATE_NOOP("Core", "Remove track"),
     QT_TRANSLATE_NOOP("Core", "Clear film"),
-    QT_TRANSLATE_NOOP("Core", "Draws the film of the scene, and writes it as a video or as frames."),
     QT_TRANSLATE_NOOP("Core", "film.save turn.mp4 640x480"),
     QT_TRANSLATE_NOOP("Core", "%1 was not grown"),
     QT_TRANSLATE_NOOP("Core", "growth.pullAt %1: there is nothing that could be pulled"),

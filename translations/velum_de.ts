@@ -5120,10 +5120,6 @@
         <translation>%1: die Datei gibt es schon; angeben, wohin gespeichert wird</translation>
     </message>
     <message>
-        <source>Draws the film of the scene, and writes it as a video or as frames.</source>
-        <translation>Zeichnet den Film der Szene und schreibt ihn als Video oder als Einzelbilder.</translation>
-    </message>
-    <message>
         <source>film.save turn.mp4 640x480</source>
         <translation>film.save turn.mp4 640x480</translation>
     </message>

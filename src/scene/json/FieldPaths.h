@@ -7,7 +7,8 @@
 #include "scene/json/FieldJson.h"
 #include "scene/json/PathKey.h"
 
-/// Sets single fields of structs by their paths: "rayCast.stepVoxels", "cuts.0.centre", "cuts[Plane 1].enabled", "cuts[0].face".
+/// Sets single fields of structs by their paths: "rayCast.stepVoxels", "cuts.0.centre", "cuts[Plane 1].enabled",
+/// "cuts[0].face".
 namespace velum::scene::detail {
 
 /// A value from text: JSON, else a comma list of numbers, else such lists with semicolons between them, else a bare

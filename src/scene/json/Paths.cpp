@@ -61,7 +61,8 @@ template <detail::List T>
 Json lookUpItem(const T& target, std::string_view rest, const std::string& path) {
   if (rest.starts_with('[')) {
     detail::PathKey key = detail::takeKey(rest, path);
-    return lookUp(target[detail::findInBrackets(target, key.name, path)], key.rest, fmt::format("{}[{}]", path, key.name));
+    return lookUp(target[detail::findInBrackets(target, key.name, path)], key.rest,
+                  fmt::format("{}[{}]", path, key.name));
   }
   detail::PathPart part = detail::takePart(rest);
   if (part.head == "*") {

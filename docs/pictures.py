@@ -385,7 +385,7 @@ def brain_cells(folder):
     opaque = [{"value": 250, "opacity": 0}, {"value": 350, "opacity": 0.95}]
     colors = [{"value": value, "color": color} for value, color in tissue]
     scene.write_text(json.dumps({
-        "velum": 3,
+        "velum": 4,
         "volume": {"source": {"path": str(brain)}, "transfer": {"colors": colors, "opacities": opaque, "unitDistance": 0.006}},
         "labels": {"source": {"path": str(cells)}, "unlabelled": 1,
                    "structures": [{"id": 1, "name": "nerve cells", "color": [1, 0.80, 0.35], "showAs": "solid"}]},

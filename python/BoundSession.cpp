@@ -207,12 +207,18 @@ BoundSession::Frames BoundSession::frames(const std::string& line) {
   session::Call call = session::parseCall(line);
   const auto& film = std::any_cast<const session::SaveFilm&>(call.arguments());
   Frames frames;
-  in([&](session::Session& session, Progress& progress) {
+  auto begin = [&](session::Session& session, Progress& progress) {
     auto drawer = std::make_shared<Frames::Drawer>(Frames::Drawer{session::outputOf(film), {}});
     drawer->source = session::framesOf(session, session::filmedScene(session.scene(), film, progress), drawer->output);
     frames = {drawer, drawer->source.count};
     mThread.keep(std::move(drawer));
-  });
+  };
+  try {
+    in(begin);
+  } catch (...) {
+    endFrames(frames);  // a pulse may stop the call when they are there already
+    throw;
+  }
   return frames;
 }
 
@@ -226,12 +232,7 @@ Image BoundSession::frame(const Frames& frames, int frame) {
   return image;
 }
 
-void BoundSession::endFrames(const Frames& frames) {
-  try {
-    in([&](session::Session&, Progress&) { mThread.drop(frames.drawer.lock().get()); });
-  } catch (const ArgumentError&) {  // the session has ended, and they with it
-  }
-}
+void BoundSession::endFrames(const Frames& frames) { mThread.drop(frames.drawer); }
 
 std::string BoundSession::measure(bool marks, bool structures, bool faces) {
   std::string json;

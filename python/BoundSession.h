@@ -52,6 +52,7 @@ class BoundSession {
   Frames frames(const std::string& line);
   /// @param frame  never below that of the call before
   Image frame(const Frames& frames, int frame);
+  /// Nothing stops this, nor waits for it.
   void endFrames(const Frames& frames);
 
   /// Tables as JSON.

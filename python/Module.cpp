@@ -41,7 +41,8 @@ py::list commandRows() {
     example = example.substr(example.find('\n') + 1);
     rows.append(py::dict(py::arg("name") = command.name, py::arg("pythonName") = session::pythonName(command.name),
                          py::arg("doc") = command.doc, py::arg("example") = example.substr(0, example.size() - 1),
-                         py::arg("answers") = command.answers, py::arg("arguments") = arguments));
+                         py::arg("answers") = command.answers, py::arg("arguments") = arguments,
+                         py::arg("renamed") = command.renamed));
   }
   return rows;
 }

@@ -45,7 +45,11 @@ void SessionThread::live(State& state, gpu::ContextKind context) {
     session.setContextKind(context);
     std::unique_lock lock(state.mutex);
     for (;;) {
-      state.called.wait(lock, [&] { return state.isClosed || !state.tasks.empty(); });
+      state.called.wait(lock, [&] { return state.isClosed || !state.tasks.empty() || !state.dropped.empty(); });
+      if (!state.dropped.empty()) {
+        endDropped(state, lock);
+        continue;
+      }
       if (state.tasks.empty()) break;
       Task& task = *state.tasks.front();
       lock.unlock();
@@ -65,6 +69,14 @@ void SessionThread::live(State& state, gpu::ContextKind context) {
     state.kept.clear();
   }
   releaseFreeMemory();
+}
+
+void SessionThread::endDropped(State& state, std::unique_lock<std::mutex>& lock) {
+  auto dropped = std::exchange(state.dropped, {});
+  lock.unlock();
+  auto isSame = [](const auto& a, const auto& b) { return !a.owner_before(b) && !b.owner_before(a); };
+  for (const auto& thing : dropped) std::erase_if(state.kept, [&](const auto& kept) { return isSame(kept, thing); });
+  lock.lock();
 }
 
 void SessionThread::run(const Work& work, const Pulse& pulse) {
@@ -95,8 +107,13 @@ void SessionThread::run(const Work& work, const Pulse& pulse) {
 
 void SessionThread::keep(std::shared_ptr<void> thing) { mState->kept.push_back(std::move(thing)); }
 
-void SessionThread::drop(const void* thing) {
-  std::erase_if(mState->kept, [&](const auto& kept) { return kept.get() == thing; });
+void SessionThread::drop(std::weak_ptr<void> thing) {
+  if (isForked()) return;
+  {
+    std::lock_guard lock(mState->mutex);
+    mState->dropped.push_back(std::move(thing));
+  }
+  mState->called.notify_all();
 }
 
 void SessionThread::cancel() {

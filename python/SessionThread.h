@@ -38,8 +38,8 @@ class SessionThread {
   void run(const Work& work, const Pulse& pulse);
   /// Has something end in the session's thread, and before the session. Called by work.
   void keep(std::shared_ptr<void> thing);
-  /// Ends what is kept. Called by work.
-  void drop(const void* thing);
+  /// Ends something that is kept, soon, in the session's thread, before other work. Any thread.
+  void drop(std::weak_ptr<void> thing);
   /// Stops the work that is being done. Any thread.
   void cancel();
   /// Stops all work and ends the session. Any thread.
@@ -51,6 +51,7 @@ class SessionThread {
     std::mutex mutex;  ///< of all that follows
     std::condition_variable called, done;
     std::deque<Task*> tasks;  ///< The first one is being done.
+    std::vector<std::weak_ptr<void>> dropped;
     bool isClosed = false;
     std::thread thread;
     std::vector<std::shared_ptr<void>> kept;  ///< the thread's own
@@ -58,6 +59,7 @@ class SessionThread {
   /// A fork has a copy of the state, and no such thread: what waits there for it would wait for ever.
   bool isForked() const { return ::getpid() != mProcess; }
   static void live(State& state, gpu::ContextKind context);
+  static void endDropped(State& state, std::unique_lock<std::mutex>& lock);
 
   pid_t mProcess;
   std::unique_ptr<State> mState;

@@ -61,6 +61,17 @@ class Volumes(Case):
             out = session.voxels.array
         numpy.testing.assert_array_equal(out, ball())
 
+    def test_numpy_takes_them_and_copies_only_where_it_may(self):
+        volume, labels = velum.Volume(ball()), velum.Labels(ball(inside=3))
+        self.assertEqual(volume.__array__(copy=False).ctypes.data, volume.array.ctypes.data)
+        self.assertEqual(volume.__array__("int16", copy=False).ctypes.data, volume.array.ctypes.data)
+        self.assertTrue(volume.__array__(copy=True).flags.writeable)
+        self.assertEqual(volume.__array__("float32").dtype, numpy.float32)
+        numpy.testing.assert_array_equal(numpy.asarray(labels), ball(inside=3))
+        for data, dtype in ((volume, "float32"), (labels, None), (labels, "uint16")):
+            with self.subTest(dtype=dtype), self.assertRaises(ValueError):
+                data.__array__(dtype, copy=False)
+
     def test_what_goes_in_is_copied(self):
         array = ball()
         volume = velum.Volume(array)

@@ -44,6 +44,14 @@ class Table(Case):
             self.assertEqual(len(lines), 1, command["example"])
             self.assertEqual(_velum.asLine(lines[0]), table[command["name"]])
 
+    def test_arguments_are_taken_by_the_names_that_they_had(self):
+        session = velum.Session()
+        lines = []
+        session._do = lines.append
+        session.growth.grow(seeds=[(1, 2, 3)], range=(5, 7))
+        session.growth.grow(seed=[(1, 2, 3)], range=(5, 7))
+        self.assertEqual(lines[0], lines[1])
+
 
 class Fields(Case):
     def setUp(self):

@@ -161,6 +161,28 @@ class Memory(Case):
         gc.collect()
         self.assertLess(resident_mb() - before, 10, "MB; 200 volumes are 100")
 
+    def test_frames_that_are_left_are_let_go_whatever_the_listener_says(self):
+        velum.Volume(ball(side=96)).save(self.folder / "ball.nrrd")  # nearly two megabytes
+
+        def refuse(fraction, what):
+            raise KeyboardInterrupt
+
+        with velum.Session() as session:
+            def work():
+                session.progress = None
+                session.open(self.folder / "ball.nrrd")
+                frames = session.frames(48, 36, section="axial", animate="turn", seconds=1)
+                next(frames)
+                session.progress = refuse
+                del frames
+
+            for _ in range(5):
+                work()
+            before = resident_mb()
+            for _ in range(60):
+                work()
+            self.assertLess(resident_mb() - before, 50, "MB; 60 volumes are 100")
+
     def test_what_nobody_has_any_more_is_given_up(self):
         threads = threading.active_count(), len(os.listdir("/proc/self/task"))
         for _ in range(5):

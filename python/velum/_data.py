@@ -33,6 +33,7 @@ class _Data:
     """What volumes and labels have in common."""
 
     _held: Any
+    _array_is_copy = False
 
     @classmethod
     def _of(cls, held: Any):
@@ -41,7 +42,10 @@ class _Data:
         return made
 
     def __array__(self, dtype: Any = None, copy: Optional[bool] = None) -> numpy.ndarray:
-        return numpy.array(self.array, dtype=dtype) if copy else numpy.asarray(self.array, dtype=dtype)
+        array = self.array
+        if copy is False and (self._array_is_copy or (dtype is not None and numpy.dtype(dtype) != array.dtype)):
+            raise ValueError("there is no such array without a copy")
+        return numpy.array(array, dtype=dtype) if copy else numpy.asarray(array, dtype=dtype)
 
     @property
     def array(self) -> numpy.ndarray:
@@ -146,6 +150,8 @@ class Labels(_Data):
     array: [z, y, x], numbers from 0 to 65535 of any type of whole numbers. names, colors: by number; colours are sRGB, 0 to 1.
     The rest as of Volume.
     """
+
+    _array_is_copy = True
 
     def __init__(self, array: Any, *, names: Optional[Mapping[int, str]] = None, colors: Optional[Mapping[int, Sequence[float]]] = None,
                  spacing: Optional[Sequence[float]] = None, origin: Optional[Sequence[float]] = None, affine: Any = None,

@@ -117,9 +117,12 @@ def method(command: Mapping[str, Any], session_of: Callable[[Any], Any]) -> Call
     parameters = _parameters(command["arguments"])
     names = [parameter.name for parameter in parameters]
     self = inspect.Parameter("self", inspect.Parameter.POSITIONAL_ONLY)
+    before, now = command["renamed"]
     signature = inspect.Signature([self, *parameters], return_annotation=list[str] if command["answers"] else None)
 
     def call(*arguments: Any, **named: Any) -> Any:
+        if before in named and now not in named:
+            named[now] = named.pop(before)
         try:
             bound = signature.bind(*arguments, **named).arguments
         except TypeError as error:

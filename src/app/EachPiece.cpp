@@ -91,9 +91,15 @@ void PieceMaker::make(const session::Piece& piece) {
     mSession.reset();
     throw;
   }
-  mSession->file().close();
-  // A picture of nothing lets go of the data of the last one.
-  if (mDraws) mSession->picture({glm::ivec2(1), 1}, consoleProgress());
+  // The piece is there: what goes wrong from here on is no fault of its, and is not stopped with it.
+  try {
+    Progress quiet;
+    mSession->file().close();
+    // A picture of nothing lets go of the data of the last one.
+    if (mDraws) mSession->picture({glm::ivec2(1), 1}, quiet);
+  } catch (const std::exception&) {
+    mSession.reset();
+  }
 }
 
 }  // namespace velum::app

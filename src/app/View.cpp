@@ -133,7 +133,8 @@ struct Window {
 };
 
 /// Frame after frame, until the window is closed; nothing is done while nothing changes. @throw gpu::ContextLost
-void show(Viewer& viewer, GLFWwindow* window) {
+/// @param losses  of contexts since a picture was complete
+void show(Viewer& viewer, GLFWwindow* window, int& losses) {
   auto context = gpu::Context::adopt([](const char* name) { return reinterpret_cast<void*>(glfwGetProcAddress(name)); },
                                      [] { return static_cast<const void*>(glfwGetCurrentContext()); });
   render::Renderer renderer(*context);
@@ -163,6 +164,7 @@ void show(Viewer& viewer, GLFWwindow* window) {
       renderer.present(0, windowSize);
     } else {
       done = renderer.work(frame, 30.0);
+      if (done) losses = 0;
       if (renderer.stats().samples < 1) continue;
       renderer.present(0, windowSize);
     }
@@ -186,7 +188,7 @@ int run(const ViewOptions& options) {
   for (int losses = 0;; ++losses) {
     Window window(size, fmt::format("Velum - {}", named));
     try {
-      show(viewer, window.handle);
+      show(viewer, window.handle, losses);
       return 0;
     } catch (const gpu::ContextLost&) {
       if (losses == gpu::kMostLosses) gpu::giveUpAfterLosses();

@@ -51,6 +51,15 @@ bool isRefused(const Allocation& what) {
   return fault && fault->refuses(what);
 }
 
+/// @return true when one of them was for want of memory
+bool takeErrors() {
+  bool isExhausted = false;
+  // A lost context may say so without end.
+  for (GLenum error = gl().GetError(); error != GL_NO_ERROR && error != GL_CONTEXT_LOST; error = gl().GetError())
+    isExhausted = isExhausted || error == GL_OUT_OF_MEMORY;
+  return isExhausted;
+}
+
 }  // namespace
 
 void allocate(const Allocation& what, Answer answer, const std::function<void()>& request) {
@@ -67,12 +76,10 @@ void allocate(const Allocation& what, Answer answer, const std::function<void()>
 }
 
 void throwIfExhausted() {
-  bool isExhausted = false;
-  // A lost context may say so without end.
-  for (GLenum error = gl().GetError(); error != GL_NO_ERROR && error != GL_CONTEXT_LOST; error = gl().GetError())
-    isExhausted = isExhausted || error == GL_OUT_OF_MEMORY;
-  if (isExhausted) throw NoMemory(fmt::format("the driver has run out of memory: {}", kWhatToDo));
+  if (takeErrors()) throw NoMemory(fmt::format("the driver has run out of memory: {}", kWhatToDo));
 }
+
+void forgetExhaustion() { takeErrors(); }
 
 AllocationFault::AllocationFault(Which which, std::size_t n, Threads threads)
     : mWhich(which), mN(n), mThreads(threads) {

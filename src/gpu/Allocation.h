@@ -30,6 +30,9 @@ void allocate(const Allocation& what, Answer answer, const std::function<void()>
 /// driver that has a thread of its own. GL thread.
 void throwIfExhausted();
 
+/// What has found no memory until now is nobody's: for whoever begins something. GL thread.
+void forgetExhaustion();
+
 /// While an object of this class lives, allocations fail as they do where the card's memory is full: for tests. The
 /// variable VELUM_FAIL_ALLOCATION does the same to a whole program.
 class AllocationFault {

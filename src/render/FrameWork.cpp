@@ -21,6 +21,7 @@ bool FrameWork::work(const Frame& frame, double budgetMs) {
   try {
     if (!wanted || !(*wanted == frame)) {
       ++begun;
+      gpu::forgetExhaustion();  // others', such as the window's
       begin(frame);
     }
     if (queue.isEmpty()) return true;

@@ -43,11 +43,11 @@ Image renderPicture(Renderer& renderer, const Frame& frame, const Layers& layers
       part.windowOrigin = glm::max(corner - margin, glm::ivec2(0));
       part.windowSize = glm::min(size, corner + wanted + margin) - part.windowOrigin;
       renderer.render(part, progress);
+      Image image = renderer.read(layers);
       // The driver has run out of memory between two parts: all are to look alike.
       if (row + column == 0) coarseness = coarsenessOf(renderer.stats());
       if (coarsenessOf(renderer.stats()) != coarseness)
         return renderPicture(renderer, frame, layers, largestWindow, progress);
-      Image image = renderer.read(layers);
       if (columns * rows == 1) return image;
       if (whole.pixels.empty()) {
         whole = {size.x, size.y, image.channels, {}};

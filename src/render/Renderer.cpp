@@ -1,5 +1,6 @@
 #include "render/Renderer.h"
 
+#include "gpu/Allocation.h"
 #include "gpu/Loss.h"
 #include "render/FrameWork.h"
 #include "render/Shortage.h"
@@ -22,7 +23,7 @@ struct Renderer::Impl {
   std::unique_ptr<FrameWork> work;
   unsigned context = gpu::contextNumber();  ///< in which all of it is
 
-  void beginAnew();
+  void beginAnew(bool keepsPrograms = true);
   void setWaits(bool now) {
     waits = now;
     work->bricks.setWaits(now);
@@ -30,9 +31,9 @@ struct Renderer::Impl {
 };
 
 /// What is on the GPU goes before anything new comes.
-void Renderer::Impl::beginAnew() {
+void Renderer::Impl::beginAnew(bool keepsPrograms) {
   auto next = std::make_unique<FrameWork>(driver, shortage.limits(), work->stats);
-  next->takePrograms(*work);
+  if (keepsPrograms) next->takePrograms(*work);
   next->bricks.setWaits(waits);
   work = std::move(next);
 }
@@ -75,7 +76,7 @@ bool Renderer::work(const Frame& frame, double budgetMs) {
       bool goesOn = refusal && mImpl->shortage.yield(frame, mImpl->work->framesBegun(), *refusal);
       // With less than the driver has something else may have no room: what was refused at first says it best.
       auto first = goesOn ? std::nullopt : mImpl->shortage.takeRefusal();
-      mImpl->beginAnew();
+      mImpl->beginAnew(refusal != nullptr);  // else a program may be what has failed
       if (first) throw gpu::NoMemory(*first);
       if (!goesOn) throw;
     }
@@ -104,10 +105,17 @@ void Renderer::renderOnce(const Frame& frame, Progress& progress) {
 template <class Question>
 auto Renderer::ask(Question question) {
   auto answer = [&] {
-    auto given = question(*mImpl->work);
-    gpu::throwIfLost();
-    return given;
+    try {
+      auto given = question(*mImpl->work);
+      gpu::throwIfLost();
+      return given;
+    } catch (const gpu::NoMemory&) {
+      gpu::throwIfLost();
+      mImpl->beginAnew();  // what was made for the answer may be half made
+      throw;
+    }
   };
+  if (!mImpl->work->wanted) keepUp();
   const auto& asked = mImpl->work->wanted;
   if (!asked || !asked->sheets.empty()) return answer();
   std::optional<Frame> lost;
@@ -122,6 +130,7 @@ auto Renderer::ask(Question question) {
 }
 
 void Renderer::present(unsigned framebuffer, glm::ivec2 size) {
+  keepUp();
   if (mImpl->work->look(false)) mImpl->work->resolve.present(framebuffer, size);
 }
 
@@ -131,6 +140,7 @@ Image Renderer::read(const Layers& layers) {
     Image image = work.resolve.read();
     work.gbuffer.appendLayers(work.data, layers, image);
     if (layers.ghosts) work.ghosts.appendLayer(image);
+    gpu::throwIfExhausted();
     return image;
   });
 }

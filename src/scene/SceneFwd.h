@@ -6,6 +6,7 @@ namespace velum::scene {
 struct Camera;
 struct Cut;
 struct LabelLayer;
+struct LabelStrength;
 struct ModelLayer;
 struct Scene;
 struct Source;

@@ -41,7 +41,11 @@ Session::~Session() {
   dropJob();
   for (auto& working : mWorking) working.job.reset();  // they know their workers
   if (mContext) {
-    mContext->makeCurrent();
+    try {
+      mContext->makeCurrent();
+    } catch (const Error&) {
+      mContext.reset();  // lost, and with it all that was in it
+    }
     releaseGpu();
     mRenderer.reset();
   }

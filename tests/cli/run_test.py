@@ -34,6 +34,17 @@ class Run(CliTest):
             self.assertEqual((self.folder / mine).read_bytes(), (self.folder / theirs).read_bytes(), mine)
         self.assertIn(b"timeline.duration", self.run_batch("run", self.script("film.save a.gif seconds=3"), "s.json", code=1).stderr)
 
+    def test_a_film_says_what_does_not_fit_also_where_it_fails(self):
+        path = self.sample()
+        (self.folder / "out/frame-00001.png/in the way").mkdir(parents=True)
+        lost = 'set timeline.tracks.+ {"path":"cuts[#9].centre","keys":[{"time":0,"value":[0,0,0]}]}'
+        film = ["set timeline.framesPerSecond 4", "film.turn 1", lost]
+        said = self.run_batch("run", self.script(*film, "film.save out/ 48x36 samples=1"), path, code=2).stderr.decode().splitlines()
+        self.assertTrue(said[-2].startswith("warning: timeline: "), said)
+        self.assertIn("script.txt:4: 1 of 4 frames could not be drawn: 1 (", said[-1])
+        said = self.run_batch("run", self.script(*film, "film.save whole/ 48x36 samples=1"), path).stderr.decode().splitlines()
+        self.assertEqual(len([line for line in said if line.startswith("warning: timeline: ")]), 1, said)
+
     def test_sheets_come_to_rest_as_by_the_verb(self):
         path = self.sample()
         self.run_batch("run", self.script("cut.add membrane", "set rayCast.samplesPerPixel 1", "save s.json", "picture 48x36 p.png"), path)

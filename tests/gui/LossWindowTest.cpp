@@ -129,11 +129,13 @@ TEST_F(LossWindow, APausedMembraneStaysWhereItIs) {
   ASSERT_TRUE(settle());
   scene::SheetShape hanging = shape();
   EXPECT_FALSE(hanging.places.empty());
+  QImage before = picture();
   QSignalSpy heard(&viewport(), &Viewport::drawnAnew);
   gpu::simulateLoss(1);
   viewport().update();
   expectRecovery(heard);
   EXPECT_EQ(shape(), hanging);
+  EXPECT_EQ(picture(), before);
   // And rests where it would.
   viewport().playMembranes(true);
   ASSERT_TRUE(settle());

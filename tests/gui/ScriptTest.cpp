@@ -7,6 +7,7 @@
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QTest>
+#include <filesystem>
 
 #include "RunBatch.h"
 #include "WindowFixture.h"
@@ -80,6 +81,21 @@ TEST_F(ScriptTest, ErrorsNameTheLineAndTheKind) {
     EXPECT_TRUE(said.endsWith(QString("(%1)").arg(row.code))) << said.toStdString();
     EXPECT_FALSE(said.contains('\n')) << said.toStdString();
   }
+}
+
+TEST_F(ScriptTest, AFilmOfWhichFramesFailEndsIt) {
+  ASSERT_TRUE(std::filesystem::create_directories(mFolder / "out/frame-00001.png/in the way"));
+  QString open = QString("open %1\nset timeline.framesPerSecond 4\nfilm.turn 1\n").arg(path("phantom.nrrd"));
+  QString lost = R"(set timeline.tracks.+ {"path":"cuts[#9].centre","keys":[{"time":0,"value":[0,0,0]}]})";
+  EXPECT_EQ(run(QString("%1%2\nfilm.save \"%3/\" 48x36 samples=1\n").arg(open, lost, path("whole"))), "");
+  QString told = mWindow.messages().text();
+  EXPECT_TRUE(told.startsWith("Saved ") && told.contains("timeline: ")) << told.toStdString();
+  QString said = run(QString("\nfilm.save \"%1/\" 48x36 samples=1\nundo\n").arg(path("out")));
+  EXPECT_TRUE(said.startsWith("test:2: ") && said.contains("1 of 4 frames could not be drawn: 1 ("))
+      << said.toStdString();
+  EXPECT_TRUE(said.endsWith("(2)")) << said.toStdString();
+  EXPECT_TRUE(QFile::exists(path("out/frame-00002.png"))) << "the others are there";
+  EXPECT_FALSE(scene().timeline.tracks.empty()) << "nothing is done after that";
 }
 
 TEST_F(ScriptTest, NamesAndValuesMayHoldBlanks) {

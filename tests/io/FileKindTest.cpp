@@ -69,6 +69,15 @@ TEST_F(FileKinds, SamplesWithALayoutAreAVolumeWhateverTheyLookLike) {
   EXPECT_EQ(kindOf(source), FileKind::Volume);
 }
 
+/// Within a tick of the disk's clock, of the same size and in the same place.
+TEST_F(FileKinds, AFileThatIsChangedAtOnceIsLookedAtAgain) {
+  std::string atom = "ATOM      1  CA  ALA A   1      11.104   6.134  -6.504  1.00  0.00           C\n";
+  for (int i = 0; i < 50; ++i) {
+    ASSERT_EQ(kindOf(text("a.pdb", atom)), FileKind::Model) << i;
+    ASSERT_EQ(kindOf(text("a.pdb", std::string(atom.size(), 'x'))), FileKind::Volume) << i;
+  }
+}
+
 TEST_F(FileKinds, WhatIsNotThereIsToldByItsName) {
   EXPECT_EQ(kindOf(folder / "new.json"), FileKind::Scene);
   EXPECT_EQ(kindOf(folder / "new.stl"), FileKind::Surface);

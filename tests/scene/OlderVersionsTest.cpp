@@ -1,4 +1,5 @@
 // Files of older versions open to the scenes that they held, files of newer ones are refused.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -7,6 +8,7 @@
 #include "SceneKinds.h"
 #include "SourceFolder.h"
 #include "core/Error.h"
+#include "scene/Scene.h"
 #include "scene/json/ChangeLog.h"
 #include "scene/json/Json.h"
 
@@ -82,15 +84,48 @@ TEST(OlderVersions, AJournalOfVersion1IsReplayed) {
   EXPECT_EQ(found->scene.cuts.at(1).spares, (std::vector<Spare>{{7}, {9}}));
 }
 
+/// It is a place now.
+TEST(OlderVersions, ANumberInBracketsOfATracksPathWasAnId) {
+  auto pathsOf = [](int version) {
+    Scene scene = fromJson(fmt::format(
+        R"({{"velum": {}, "cuts": [{{"id": 2}}, {{"id": 1}}, {{"id": 5, "name": "7"}}],
+          "lettering": {{"captions": [{{"id": 4, "text": "a"}}]}}, "timeline": {{"tracks": [
+          {{"path": "cuts[1].centre"}}, {{"path": "cuts[7].centre"}}, {{"path": "cuts[#2].centre"}},
+          {{"path": "cuts.1.centre"}}, {{"path": "cuts[2].spares[3].distance"}}, {{"path": "lettering.captions[4].size"}},
+          {{"path": "labels.structures[5].opacity"}}, {{"path": "cuts[1"}},
+          {{"path": "cuts[2].membrane.field.byLabel[6].strength"}}]}}}})",
+        version));
+    std::vector<std::string> paths;
+    for (const Track& track : scene.timeline.tracks) paths.push_back(track.path);
+    return paths;
+  };
+  const std::vector<std::string> asWritten = {"cuts[1].centre",
+                                              "cuts[7].centre",
+                                              "cuts[#2].centre",
+                                              "cuts.1.centre",
+                                              "cuts[2].spares[3].distance",
+                                              "lettering.captions[4].size",
+                                              "labels.structures[5].opacity",
+                                              "cuts[1",
+                                              "cuts[2].membrane.field.byLabel[6].strength"};
+  std::vector<std::string> marked = asWritten;
+  marked[0] = "cuts[#1].centre";
+  marked[4] = "cuts[#2].spares[3].distance";
+  marked[5] = "lettering.captions[#4].size";
+  marked[8] = "cuts[#2].membrane.field.byLabel[6].strength";
+  EXPECT_EQ(pathsOf(3), marked) << "but where a cut is called 7, and of structures";
+  EXPECT_EQ(pathsOf(4), asWritten);
+}
+
 TEST(OlderVersions, AFileOfAFutureVersionSaysSoInOneLine) {
   std::string message;
   try {
-    fromJson(R"({"velum": 4, "cuts": {}})");
+    fromJson(R"({"velum": 5, "cuts": {}})");
   } catch (const InputError& error) {
     message = error.what();
   }
   EXPECT_NE(message.find("newer Velum"), std::string::npos) << message;
-  EXPECT_NE(message.find("version 4"), std::string::npos) << message;
+  EXPECT_NE(message.find("version 5"), std::string::npos) << message;
   EXPECT_EQ(message.find('\n'), std::string::npos) << message;
 }
 

@@ -164,6 +164,12 @@ TEST(PythonLines, CommandsAreMethodsAndFieldsAreItems) {
   EXPECT_THROW(pythonProgram({"cut.ad"}), ArgumentError);
 }
 
+TEST(RenamedArguments, AreTakenByTheirOldNamesToo) {
+  EXPECT_EQ(parseCall("growth.grow range=200,3000 seeds=[[1,2,3]]").line(), "growth.grow [[1.0,2.0,3.0]] 200,3000");
+  EXPECT_EQ(parseCall("growth.grow seeds.0=1,2,3").line(), parseCall("growth.grow seed=1,2,3").line());
+  EXPECT_THROW(parseCall("growth.grow grains=1,2,3"), ArgumentError);
+}
+
 TEST_F(CommandLines, AnErrorNamesTheLine) {
   Session other;
   try {

@@ -11,6 +11,7 @@
 #include <thread>
 #include <vector>
 
+#include "core/Log.h"
 #include "gpu/Context.h"
 #include "gpu/Gl.h"
 #include "gpu/GpuError.h"
@@ -115,14 +116,19 @@ void EglContext::makeCurrent() {
   renew();
 }
 
-/// As soon as the driver has come back.
+/// As soon as the driver has come back; another one only where it does not.
 void EglContext::renew() {
   auto start = std::chrono::steady_clock::now();
   while (hasGl() && gl().GetGraphicsResetStatus() != GL_NO_ERROR &&
          std::chrono::steady_clock::now() - start < kLongestReset)
     std::this_thread::sleep_for(kPause);
+  std::string before = limits().renderer;
   destroy();
-  make();
+  while (!open(mDisplay) && std::chrono::steady_clock::now() - start < kLongestReset)
+    std::this_thread::sleep_for(kPause);
+  if (mContext == EGL_NO_CONTEXT) make();
+  if (limits().renderer != before)
+    log::warning(fmt::format("the graphics driver has not come back: {} draws instead", limits().renderer));
 }
 
 /// Real devices first, then Mesa's surfaceless platform; devices that are software stand in for them.

@@ -34,8 +34,9 @@ class OsMesaContext : public Context {
   OsMesaContext() : mPixels(16 * 16 * 4) { make(); }
   ~OsMesaContext() override { destroy(); }
   void makeCurrent() override {
-    auto make = library().find<GLboolean (*)(::OSMesaContext, void*, GLenum, GLsizei, GLsizei)>("OSMesaMakeCurrent");
-    if (!make(mContext, mPixels.data(), GL_UNSIGNED_BYTE, 16, 16))
+    if (!mContext) return make();  // which it could not before
+    auto bind = library().find<GLboolean (*)(::OSMesaContext, void*, GLenum, GLsizei, GLsizei)>("OSMesaMakeCurrent");
+    if (!bind(mContext, mPixels.data(), GL_UNSIGNED_BYTE, 16, 16))
       throw GpuError("OSMesa: the context cannot be made current");
     Context::makeCurrent();
   }

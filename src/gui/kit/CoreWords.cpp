@@ -101,6 +101,12 @@ class Pattern {
   bool match(const QString& text, QStringList& values) const {
     if (text.size() < mLetters || !text.startsWith(mParts.first()) || !text.endsWith(mParts.last())) return false;
     if (mPlaces.isEmpty()) return text == mEnglish;
+    qsizetype at = 0;
+    for (const QString& part : mParts) {
+      at = text.indexOf(part, at);
+      if (at < 0) return false;
+      at += part.size();
+    }
     QRegularExpressionMatch found = expression().match(text);
     if (!found.hasMatch()) return false;
     // Else "FILE: ..." would be the thing of which the rest speaks, and all that ends in "types" a number of them.
@@ -181,8 +187,15 @@ QString byPattern(const QString& said, bool beginsWithPlace) {
   return {};
 }
 
+/// Lists of names and the like: to look at each part of each part would take long.
+bool hasManyMarks(const QString& said) {
+  constexpr qsizetype kMany = 24;
+  return said.count(", ") + said.count("; ") + said.count(": ") > kMany;
+}
+
 /// A text behind which something is added: ", not 20: there are no more". @return none where nothing is
 QString withTail(const QString& said) {
+  if (hasManyMarks(said)) return {};
   for (qsizetype at = said.size() - 1; at > 0; --at) {
     bool isMark = said[at] == ',' || said[at] == ';' || said[at] == ':' || (said[at] == ' ' && said.mid(at, 2) == " (");
     if (!isMark) continue;
@@ -214,6 +227,12 @@ QString toWords(const QString& said) {
   }
   if (said.endsWith('.'))
     if (QString plain = said.chopped(1), words = inWords(plain); words != plain) return words + '.';
+  if (hasManyMarks(said)) {
+    QStringList parts = said.split("; ");
+    for (QString& part : parts)
+      if (QString words = patternWords(part); !words.isEmpty()) part = words;
+    return parts.join("; ");
+  }
   if (QString words = joinedWords(said, "; ", false); words != said) return words;
   return joinedWords(said, ": ", true);
 }

@@ -37,7 +37,7 @@ void MessageBar::showText(const char* kind, const QString& text) {
   setProperty("kind", kind);
   style()->unpolish(this);
   style()->polish(this);
-  mText->setText(inWords(text));
+  mText->setText(text);
   show();
 }
 

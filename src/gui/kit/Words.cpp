@@ -3,7 +3,9 @@
 #include <QCoreApplication>
 #include <QLocale>
 #include <QRegularExpression>
+#include <algorithm>
 #include <string>
+#include <string_view>
 
 #include "gui/kit/CoreWords.h"
 
@@ -109,6 +111,9 @@ constexpr const char* kStepPatterns[] = {
     QT_TRANSLATE_NOOP("Words", "Take out of legend: %1"),
 };
 
+/// Those whose rest is a word of the program; of all others it is a name of the user's.
+constexpr std::string_view kOfProgramsWords[] = {"Add %1", "Change %1", "Cut %1", "Remove %1", "Reset %1", "Set %1"};
+
 QString translated(const std::string& text) { return QCoreApplication::translate("Words", text.c_str()); }
 
 }  // namespace
@@ -123,7 +128,9 @@ QString stepText(std::string_view label) {
   if (QString words = patternWords(plain); !words.isEmpty()) return words;
   for (const char* pattern : kStepPatterns) {
     QString said = translated(pattern), beginning = QString(pattern).chopped(2);
-    if (said != pattern && plain.startsWith(beginning)) return said.arg(inWords(plain.mid(beginning.size())));
+    if (said == pattern || !plain.startsWith(beginning)) continue;
+    QString rest = plain.mid(beginning.size());
+    return said.arg(std::ranges::count(kOfProgramsWords, std::string_view(pattern)) > 0 ? inWords(rest) : rest);
   }
   return plain;
 }

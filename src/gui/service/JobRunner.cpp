@@ -1,4 +1,5 @@
 #include "gui/service/JobRunner.h"
+#include "gui/kit/CoreWords.h"
 
 #include "core/Memory.h"
 #include "gui/service/CallLater.h"
@@ -97,7 +98,7 @@ void JobRunner::cancel() {
 
 void JobRunner::setError(const QString& error) {
   mLastError = error;
-  if (!error.isEmpty()) mMessages.showError(error);
+  if (!error.isEmpty()) mMessages.showError(inWords(error));
 }
 
 }  // namespace velum::gui

@@ -83,6 +83,7 @@ void Viewport::paintGL() {
 }
 
 void Viewport::sceneChanged() {
+  if (std::exchange(mHasGivenUp, false)) noteLoss();
   wakeSheets();
   scene::Scene wanted = drawnScene();
   bool isSameFrame = marksOverlaps() == mFrame.marksOverlaps && mFrame.brickBytes == memoryBudget().gpuBrickBytes;
@@ -153,6 +154,12 @@ void Viewport::section() {
 /// Works on the picture for a while. @return false when there is nothing to do until something happens
 bool Viewport::drawSome() {
   if (mHasPicture && holdsPicture(mToolbox)) return false;
+  if (!mShown) resizeGL(width(), height());  // there was no memory for it
+  if (!mShown) {
+    mStage = Stage::Idle;
+    mPending = false;
+    return false;
+  }
   bool otherData = mFrame.scene.volume.data != mDocument.shown().volume.data;
   // A coarse picture on its way is finished first: a steady drag would otherwise never show one.
   if (mPending && (mStage != Stage::Coarse || otherData)) begin(Stage::Coarse);

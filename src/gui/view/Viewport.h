@@ -146,9 +146,11 @@ class Viewport : public QOpenGLWidget, public ToolView {
   PreparingVeil* mVeil;
   std::unique_ptr<gpu::Context> mContext;
   std::unique_ptr<render::Renderer> mRenderer;
-  bool mIsLost = false;                              ///< The driver has lost the context; recover() comes next.
-  bool mTellsLoss = false;                           ///< drawnAnew() is to be told with the next picture.
-  int mLosses = 0;                                   ///< since a picture was complete
+  bool mIsLost = false;      ///< The driver has lost the context; recover() comes next.
+  bool mTellsLoss = false;   ///< drawnAnew() is to be told with the next picture.
+  int mLosses = 0;           ///< since a picture was complete, or a while without
+  bool mHasGivenUp = false;  ///< After too many losses; the next change tries anew.
+  QElapsedTimer mSinceLoss;
   std::unique_ptr<QOpenGLFramebufferObject> mShown;  ///< The picture on the screen, kept while the next one is made.
   render::Frame mFrame;
   std::uint64_t mSheetsShown = 0;  ///< The session's shownCount() when mFrame was begun.

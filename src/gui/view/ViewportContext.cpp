@@ -7,6 +7,7 @@
 
 #include "core/Error.h"
 #include "gpu/Loss.h"
+#include "gui/kit/CoreWords.h"
 #include "gui/view/CoarseScale.h"
 #include "gui/view/PreparingVeil.h"
 #include "gui/view/Viewport.h"
@@ -16,6 +17,7 @@ namespace velum::gui {
 namespace {
 
 constexpr int kDriverPauseMs = 1000;
+constexpr int kLossesCountMs = 60'000;  // losses that far apart have not the same cause
 
 }  // namespace
 
@@ -34,7 +36,7 @@ void Viewport::initializeGL() {
   } catch (const Error& error) {
     mContext.reset();
     QMetaObject::invokeMethod(
-        this, [this, text = QString::fromUtf8(error.what())] { emit failed(text); }, Qt::QueuedConnection);
+        this, [this, text = inWords(error.what())] { emit failed(text); }, Qt::QueuedConnection);
   }
 }
 
@@ -66,6 +68,7 @@ void Viewport::release() {
 
 void Viewport::showEvent(QShowEvent* event) {
   QOpenGLWidget::showEvent(event);
+  if (std::exchange(mHasGivenUp, false)) noteLoss();
   if (bindContext() && !mShown) resizeGL(width(), height());
   if (mRenderer) mSectionTimer.start();  // what stood still while nobody saw it
 }
@@ -105,7 +108,7 @@ bool Viewport::tries(const std::function<void()>& work) {
     mStage = Stage::Idle;
     mPending = mAwaitsCounts = false;
     mVeil->fail();
-    emit failed(QString::fromUtf8(error.what()));
+    emit failed(inWords(error.what()));
     return false;
   }
 }
@@ -113,6 +116,8 @@ bool Viewport::tries(const std::function<void()>& work) {
 /// The driver has lost the context: there will be another one as soon as nobody is at work in this one.
 void Viewport::noteLoss() {
   mSectionTimer.stop();
+  if (mSinceLoss.isValid() && mSinceLoss.elapsed() > kLossesCountMs) mLosses = 0;
+  mSinceLoss.start();
   if (!std::exchange(mIsLost, true)) QMetaObject::invokeMethod(this, &Viewport::recover, Qt::QueuedConnection);
 }
 
@@ -126,12 +131,14 @@ void Viewport::recover() {
     return;
   }
   release();
+  mHasGivenUp = true;
+  mLosses = 0;
   mVeil->await(mDocument.shown());
   mVeil->fail();
   try {
     gpu::giveUpAfterLosses();
   } catch (const Error& error) {
-    emit failed(QString::fromUtf8(error.what()));
+    emit failed(inWords(error.what()));
   }
   tellProgress();
 }

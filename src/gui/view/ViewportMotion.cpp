@@ -10,8 +10,13 @@ constexpr int kTellSheetsMs = 200;
 
 }  // namespace
 
-/// Starts the timer, as sheets may need work although no picture is being drawn.
+/// Starts the timer, as sheets may need work although no picture is being drawn. The picture that is there is no longer
+/// one of sheets that have been moved.
 void Viewport::wakeSheets() {
+  if (mRenderer && mSession.shownCount() != mSheetsShown) {
+    mPending = true;
+    mRestTimer.stop();
+  }
   bool isDue = !mSession.isStill() || membranes().indices() != mIndicesTold || mSession.shownCount() != mSheetsShown;
   if (mRenderer && isDue && !mSectionTimer.isActive() && !mPauseTimer.isActive()) mSectionTimer.start();
 }
@@ -56,6 +61,7 @@ void Viewport::playMembranes(bool play) {
 void Viewport::stepMembranes() {
   mSession.membranes().setPlaying(false);
   if (tries([this] { mSession.membranes().stepOnce(); })) wakeSheets();
+  tellSheets();
   emit sheetsTold();
 }
 

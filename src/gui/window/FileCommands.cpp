@@ -146,7 +146,7 @@ void FileCommands::saveSceneTo(const QString& path) {
     mLoads.rememberFile(QString::fromStdString(mParts.session.file().path()));
     mLoads.rememberPicture();
   } catch (const std::exception& error) {
-    mParts.jobs.setError(inWords(error.what()));
+    mParts.jobs.setError(QString::fromUtf8(error.what()));
   }
 }
 

@@ -7,6 +7,7 @@
 #include "gui/window/SaveFilmDialog.h"
 #include "session/Session.h"
 #include "session/command/FilmCommands.h"
+#include "session/command/SaveFilm.h"
 
 namespace velum::gui {
 
@@ -73,21 +74,26 @@ void FilmCommands::askSave(bool asMp4) {
 
 void FilmCommands::saveFilmTo(const session::FilmOutput& output, const scene::Scene& scene) {
   auto report = std::make_shared<session::FilmReport>();
+  bool wasBusy = mParts.jobs.isBusy();
+  std::vector<std::string> notes = session::filmNotes(scene, output);
   mParts.jobs.start(
       tr("Drawing %1").arg(QFileInfo(QString::fromStdString(output.path.string())).fileName()),
       [report, scene, output](Progress& progress) { *report = session::Session(scene).film(output, progress); },
-      [this, report, output] { tell(*report, output); });
+      [this, report, output, notes] { tell(*report, output, notes); });
+  if (!wasBusy && !notes.empty()) mParts.messages.showNote({}, notes);
 }
 
-void FilmCommands::tell(const session::FilmReport& report, const session::FilmOutput& output) {
+void FilmCommands::tell(const session::FilmReport& report, const session::FilmOutput& output,
+                        const std::vector<std::string>& notes) {
   QString path = QString::fromStdString(output.path.string());
   int there = report.drawn + report.kept;
   QString failed = QString::fromStdString(session::failedFrames(report));
   if (report.isStopped && there == 0) return mParts.messages.showNote(tr("Stopped: there is no frame yet."));
   if (report.isStopped)
-    return mParts.messages.showNote(tr("Stopped: %1 of %2 frames are in %3").arg(there).arg(report.frames).arg(path));
-  if (!failed.isEmpty()) return mParts.messages.showError(tr("%1: %2").arg(path, failed));
-  mParts.messages.showNote(tr("Saved %1: %2 frames").arg(path).arg(report.frames));
+    return mParts.messages.showNote(tr("Stopped: %1 of %2 frames are in %3").arg(there).arg(report.frames).arg(path),
+                                    notes);
+  if (!failed.isEmpty()) return mParts.jobs.setError(QString("%1: %2").arg(path, failed));
+  mParts.messages.showNote(tr("Saved %1: %2 frames").arg(path).arg(report.frames), notes);
 }
 
 }  // namespace velum::gui

@@ -13,8 +13,9 @@ class FilmCommands : public Room {
  public:
   explicit FilmCommands(const WindowParts& parts);
   void refresh(const session::Session& session) override;
-  /// Draws the film of a scene in the background and writes it; what becomes of it is told in the message bar. A film
-  /// that is cancelled keeps what has been drawn.
+  /// Draws the film of a scene in the background and writes it; what becomes of it is told in the message bar, and what
+  /// of it does not come out as it is meant. A film that is cancelled keeps what has been drawn; frames that could not
+  /// be drawn are an error, see JobRunner::lastError().
   void saveFilmTo(const session::FilmOutput& output, const scene::Scene& scene);
 
  public slots:
@@ -23,7 +24,8 @@ class FilmCommands : public Room {
  private:
   void askReady(session::ReadyFilm film);
   void askSave(bool asMp4);
-  void tell(const session::FilmReport& report, const session::FilmOutput& output);
+  void tell(const session::FilmReport& report, const session::FilmOutput& output,
+            const std::vector<std::string>& notes);
 
   QHash<QString, QAction*> mReady;  ///< by the name of the film
   QAction* mClear;

@@ -8,6 +8,7 @@
 #include "core/BrickCache.h"
 #include "core/Memory.h"
 #include "gui/extrusion/ExtrusionRoom.h"
+#include "gui/kit/CoreWords.h"
 #include "gui/service/CallLater.h"
 #include "gui/service/FieldUndo.h"
 #include "gui/service/KeyboardFocus.h"
@@ -164,7 +165,7 @@ void MainWindow::protectWork(const std::filesystem::path& root, bool offers) {
   mSession.file().protect(root, [this](const std::string& text) {
     callLater(this, [this, text] {
       text.empty() ? mFrame.messages->showNote(tr("The disk takes changes again: unsaved work is protected."))
-                   : mFrame.messages->showError(QString::fromStdString(text));
+                   : mFrame.messages->showError(inWords(text));
     });
   });
   mFrame.empty->recent()->refresh();

@@ -75,7 +75,7 @@ void VolumeCommands::reread(const QString& step, const scene::Source& source) {
   auto commit = [this, call](const session::Edit& edit) {
     session::commit(mParts.document(), edit, call);
     std::string misplaced = session::misplacedLabels(mParts.session.shown());
-    if (!misplaced.empty()) mParts.messages.showError(QString::fromStdString(misplaced));
+    if (!misplaced.empty()) mParts.messages.showError(inWords(misplaced));
   };
   mParts.jobs.edit(step, {.make = make, .commit = commit});
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <sys/stat.h>
+#include <time.h>
 
 #include <algorithm>
 #include <array>
@@ -75,13 +76,28 @@ std::optional<FileStamp> fileStampOf(const fs::path& path) {
                    folder.st_ctim.tv_sec,     folder.st_ctim.tv_nsec};
 }
 
+/// A file that has just been changed may be changed again within the same tick of the disk's clock, and the stamp would
+/// be the same. @param stamp  of now
+bool isYoung(const FileStamp& stamp) {
+  constexpr std::int64_t kYoungS = 3;  // as coarse as the clocks of file servers and old file systems are
+  timespec now{};
+  ::clock_gettime(CLOCK_REALTIME, &now);
+  return std::max(stamp[3], stamp[6]) > now.tv_sec - kYoungS;
+}
+
+/// What an image is stands in the header beside it, whose stamp is another one.
+bool isOfPair(const fs::path& path) {
+  std::string ending = lowerExtension(path);
+  return ending.starts_with(".img") || ending.starts_with(".hdr");
+}
+
 /// Kinds of files that have been looked into. A load asks eight times, and each look opens a file a dozen times, which
 /// file servers of clusters feel.
 class KnownKinds {
  public:
   FileKind kindOf(const fs::path& path) {
     auto stamp = fileStampOf(path);
-    if (!stamp) return kindByContents(path);
+    if (!stamp || isYoung(*stamp) || isOfPair(path)) return kindByContents(path);
     {
       std::lock_guard lock(mMutex);
       auto known = mKinds.find(*stamp);

@@ -7,7 +7,7 @@
 
 namespace velum::scene {
 
-constexpr int kSceneVersion = 3;
+constexpr int kSceneVersion = 4;
 
 /// The scene as JSON text (version, then every field of every saved struct). The same scene gives the same bytes.
 std::string toJson(const Scene& scene);

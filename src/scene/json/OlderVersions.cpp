@@ -1,7 +1,12 @@
 #include "scene/json/OlderVersions.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <string>
 #include <string_view>
+
+#include "core/Error.h"
+#include "scene/json/PathKey.h"
 
 namespace velum::scene::detail {
 
@@ -121,11 +126,47 @@ void changeAt(Json& node, std::string_view path, const Change& by) {
   }
 }
 
+bool hasItemCalled(const Json& scene, const std::string& list, std::string_view name) {
+  Json::json_pointer at(list);
+  if (!scene.contains(at) || !scene.at(at).is_array()) return false;
+  return std::ranges::any_of(scene.at(at), [&](const Json& item) {
+    return item.is_object() && item.contains("name") && item["name"] == name;
+  });
+}
+
+/// Up to version 3 a number in the brackets of a track's path was an id, where it is a place now.
+std::string withIdsMarked(const Json& scene, std::string path) {
+  struct {
+    std::string_view path;
+    const char* at;
+  } constexpr kLists[] = {
+      {"cuts", "/cuts"}, {"lettering.captions", "/lettering/captions"}, {"lettering.marks", "/lettering/marks"}};
+  for (const auto& list : kLists) {
+    if (!path.starts_with(std::string(list.path) + "[")) continue;
+    PathKey key = takeKey(std::string_view(path).substr(list.path.size()), std::string(list.path));
+    if (bareNumber(key.name) && !hasItemCalled(scene, list.at, key.name)) path.insert(list.path.size() + 1, "#");
+  }
+  return path;
+}
+
+void markIdsInTracks(Json& scene) {
+  Json::json_pointer tracks("/timeline/tracks");
+  if (!scene.contains(tracks) || !scene.at(tracks).is_array()) return;
+  for (Json& track : scene.at(tracks)) {
+    if (!track.is_object() || !track.contains("path") || !track["path"].is_string()) continue;
+    try {
+      track["path"] = withIdsMarked(scene, track["path"].get<std::string>());
+    } catch (const ArgumentError&) {  // a bracket that is not closed: no field is called so
+    }
+  }
+}
+
 }  // namespace
 
 void bringUpToDate(Json& scene, int version) {
   for (const Change& by : kChanges)
     if (version < by.since) changeAt(scene, by.path, by);
+  if (version < 4) markIdsInTracks(scene);
 }
 
 }  // namespace velum::scene::detail

@@ -87,9 +87,10 @@ std::size_t findByKey(const std::vector<Item>& list, std::string_view name, cons
   }
 }
 
-/// The number of a structure is its label's, which people know. Ids of all else are counted by the program.
+/// The number of a structure, and of a strength of one, is its label's, which people know. Ids of all else are counted
+/// by the program.
 template <class Item>
-inline constexpr bool kIsKnownByNumber = std::is_same_v<Item, Structure>;
+inline constexpr bool kIsKnownByNumber = std::is_same_v<Item, Structure> || std::is_same_v<Item, LabelStrength>;
 
 /// "12" as a place in a list; nothing for a text that is no whole number.
 std::optional<std::size_t> bareNumber(std::string_view name);

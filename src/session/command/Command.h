@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/Task.h"
@@ -44,6 +45,8 @@ struct Command {
   /// For commands that act on the session. The session's thread. @return notes for the user, one line each
   std::function<std::vector<std::string>(Session&, const std::any&, Progress&)> act = {};
   bool answers = false;  ///< The lines that the command returns are what was asked for, rather than notes.
+  /// What an argument was called before, and is called now: calls take both. Empty: none has another name.
+  std::pair<std::string_view, std::string_view> renamed = {};
 };
 
 /// All commands, ordered by the rooms of the window to which they belong.

@@ -60,12 +60,25 @@ constexpr std::size_t restOf() {
     return 0;
 }
 
+/// See Command::renamed.
+template <class Arguments>
+constexpr std::pair<std::string_view, std::string_view> renamedOf() {
+  if constexpr (requires { Arguments::kRenamed; })
+    return Arguments::kRenamed;
+  else
+    return {};
+}
+
 template <class Arguments>
 std::any parseArguments(std::string_view text) {
-  std::vector<std::string> names = namesOf<Arguments>();
+  std::vector<std::string> names = namesOf<Arguments>(), known = names;
+  auto [before, now] = renamedOf<Arguments>();
+  if (!before.empty()) known.emplace_back(before);
   Arguments out{};
   std::size_t place = 0;
-  for (Word& word : wordsOfLine(text, names, restOf<Arguments>())) {
+  for (Word& word : wordsOfLine(text, known, restOf<Arguments>())) {
+    if (!before.empty() && word.name.substr(0, word.name.find_first_of(".[")) == before)
+      word.name.replace(0, before.size(), now);
     if (word.name.empty() && place >= names.size())
       throw ArgumentError(fmt::format("'{}' is one argument too many for {}", word.value, Arguments::kName));
     std::string path = word.name.empty() ? names[place++] : word.name;
@@ -164,9 +177,11 @@ std::vector<scene::FieldRow> argumentRows() {
 
 template <class Arguments>
 Command rowOf(std::string_view doc, std::string_view example) {
-  return {
+  Command row{
       Arguments::kName,   doc, example, argumentRows<Arguments>, parseArguments<Arguments>, writeArguments<Arguments>,
       valuesOf<Arguments>};
+  row.renamed = renamedOf<Arguments>();
+  return row;
 }
 
 /// A command that changes the scene.

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "core/Error.h"
+#include "core/Log.h"
 #include "scene/timeline/SceneAt.h"
 #include "session/Session.h"
 #include "session/command/Command.h"
@@ -68,17 +69,29 @@ scene::Scene filmedScene(const scene::Scene& scene, const SaveFilm& asked, Progr
   return filmed;
 }
 
+std::vector<std::string> filmNotes(const scene::Scene& scene, FilmOutput output) {
+  std::vector<std::string> notes = scene::tracksThatDoNotFit(scene);
+  output.framesPerSecond = scene.timeline.framesPerSecond;
+  if (std::string note = filmNote(output); !note.empty()) notes.push_back(note);
+  return notes;
+}
+
 namespace detail {
 
 std::vector<std::string> saveFilm(Session& session, const SaveFilm& asked, Progress& progress) {
   FilmOutput output = outputOf(asked);
   expectFilmOutput(output);
   scene::Scene scene = filmedScene(session.scene(), asked, progress);
-  std::vector<std::string> notes = scene::tracksThatDoNotFit(scene);
-  if (std::string note = filmNote(output); !note.empty()) notes.push_back(note);
-  FilmReport report = drawFilm(session, scene, output, progress);
-  progress.throwIfCancelled();
-  if (std::string failed = failedFrames(report); !failed.empty()) throw InputError(failed);
+  std::vector<std::string> notes = filmNotes(scene, output);
+  try {
+    FilmReport report = drawFilm(session, scene, output, progress);
+    progress.throwIfCancelled();
+    if (std::string failed = failedFrames(report); !failed.empty()) throw InputError(failed);
+  } catch (...) {
+    // They may be why.
+    for (const std::string& note : notes) log::warning(note);
+    throw;
+  }
   return notes;
 }
 

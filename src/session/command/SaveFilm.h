@@ -62,9 +62,13 @@ FilmOutput outputOf(const SaveFilm& asked);
 /// The scene with the film that is asked for in its timeline: its own, or ready-made ones in its place. Any thread.
 /// @throw ArgumentError where there is no such film
 scene::Scene filmedScene(const scene::Scene& scene, const SaveFilm& asked, Progress& progress);
+/// What of a film does not come out as it is meant, one line each, for people: tracks that do not fit its scene, what
+/// the file cannot do. @param scene  with the film in its timeline
+std::vector<std::string> filmNotes(const scene::Scene& scene, FilmOutput output);
 
 namespace detail {
-/// @return notes, one line each  @throw Cancelled when it was stopped: what was drawn until then is there
+/// @return notes, one line each  @throw Cancelled when it was stopped: what was drawn until then is there; as of other
+/// errors, the notes have been said then
 std::vector<std::string> saveFilm(Session& session, const SaveFilm& asked, Progress& progress);
 }  // namespace detail
 

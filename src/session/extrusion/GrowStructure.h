@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/Fields.h"
@@ -15,6 +16,7 @@ namespace velum::session {
 /// The arguments of the command that grows a structure out of the volume, as somebody types them.
 struct GrowStructure {
   static constexpr std::string_view kName = "growth.grow";
+  static constexpr std::pair<std::string_view, std::string_view> kRenamed{"seeds", "seed"};  ///< see Command::renamed
   std::vector<glm::dvec3> seeds, others;           ///< places on the structure; places that do not belong to it
   std::vector<std::string> strokes, otherStrokes;  ///< lines over the structure; lines over what is not of it
   std::vector<double> range, plane;                ///< low and high value; normal and n.p

@@ -1,4 +1,5 @@
 // What is shown of a live sheet, and what is kept of it where it rests.
+#include "gpu/Allocation.h"
 #include "gpu/GpuError.h"
 #include "gpu/Program.h"
 #include "membrane/sheet/SheetIndex.h"
@@ -33,6 +34,7 @@ render::FrameSheet LiveSheet::upload() {
     glm::ivec2 flat = glm::max(mCut.membrane->cloth.particles, glm::ivec2(3));
     glm::ivec2 count = isLive ? mMotion.simulation().particles() : glm::ivec2(0);
     auto fits = [&] { return isLive && sheet->particles() == count && sheet->size() == mCut.size; };
+    bool isMade = !sheet || !fits();
     if (!sheet)
       sheet = std::make_shared<membrane::Sheet>(shape(), flat, mCut.size);
     else if (!fits())
@@ -43,7 +45,8 @@ render::FrameSheet LiveSheet::upload() {
       gpu::barrier();
       sheet->index();
     }
-    if (mMotion.isAtRest()) sheet->grow();
+    bool hasGrown = mMotion.isAtRest() && sheet->grow();
+    if (isMade || hasGrown) gpu::throwIfExhausted();
     mShown.uploaded = mShown.count;
   }
   return {sheet, sheet->revision()};

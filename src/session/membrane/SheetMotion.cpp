@@ -74,7 +74,7 @@ SheetPlace SheetMotion::place() const {
 }
 
 void SheetMotion::releaseGpu() {
-  if (isInterrupted()) return;
+  if (isInterrupted()) return void(mSimulation.emplace());
   bool isOver = mState == State::None || (mIsKept && mSimulation->isAtRest());
   if (isOver)
     mState = State::None;
@@ -89,6 +89,7 @@ void SheetMotion::resume() {
   mSimulation->begin(mCut, mInterrupted->forces, mStart);
   mSimulation->advance(mInterrupted->steps);
   gpu::throwIfLost();
+  gpu::throwIfExhausted();
   mInterrupted.reset();
   see();
 }

@@ -110,6 +110,14 @@ TEST(NamedField, ABareNumberIsAPlaceWhereNothingIsCalledSo) {
   EXPECT_EQ(getField(scene, "lettering.captions[0].text"), "a");
 }
 
+TEST(NamedField, AStrengthIsKnownByTheNumberOfItsLabel) {
+  Scene scene;
+  scene.cuts.emplace_back().membrane.emplace().field.byLabel = {{7, 1.0}, {0, 2.0}};
+  setField(scene, "cuts[0].membrane.field.byLabel[7].strength", "3");
+  setField(scene, "cuts[0].membrane.field.byLabel.1.strength", "4");
+  EXPECT_EQ(scene.cuts[0].membrane->field.byLabel, (std::vector<LabelStrength>{{7, 3.0}, {0, 4.0}}));
+}
+
 TEST(NamedField, TheExactCaseGoesBeforeAnother) {
   Scene scene = organs();
   setField(scene, "labels.structures[Rib].opacity", "0.5");

@@ -264,7 +264,7 @@ TEST(Captions, CommandsAddSetAndRemoveThem) {
             (std::vector<Caption>{{.id = 1, .text = "The heart, \"opened\"", .place = CaptionPlace::TopLeft, .size = 2},
                                   {.id = 2, .text = "two\nlines"}}));
   edit(document, parseCall("set lettering.captions[#2].opacity 0.25"));
-  edit(document, parseCall("set lettering.captions[2].color 1,0,0"));
+  edit(document, parseCall("set lettering.captions[1].color 1,0,0"));
   EXPECT_EQ(captions[1].opacity, 0.25);
   EXPECT_EQ(captions[1].color, glm::vec3(1, 0, 0));
   for (const char* text : {"\"quoted\"", "1", "true", "[1]", "a\nb", " a ", ""}) {

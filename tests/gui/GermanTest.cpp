@@ -174,6 +174,7 @@ TEST_F(German, OneAndSeveralDiffer) {
 TEST_F(German, StepsOfTheHistoryAreSaidInGerman) {
   EXPECT_EQ(stepText("Add cut"), QString::fromUtf8("Schnitt hinzufügen"));
   EXPECT_EQ(stepText("Hide aorta"), "aorta ausblenden");
+  EXPECT_EQ(stepText("Hide label"), "label ausblenden") << "a structure's name";
   EXPECT_EQ(stepText("Hide 3 structures"), "3 Strukturen ausblenden");
   EXPECT_EQ(stepText("Set number of capsid"), "Anzahl von capsid setzen");
   EXPECT_EQ(stepText("Something new"), "Something new");

@@ -114,6 +114,9 @@ constexpr const char* kStepPatterns[] = {
 /// Those whose rest is a word of the program; of all others it is a name of the user's.
 constexpr std::string_view kOfProgramsWords[] = {"Add %1", "Change %1", "Cut %1", "Remove %1", "Reset %1", "Set %1"};
 
+/// "3 structures", for which it stands where there are too many names.
+bool isCount(const QString& rest) { return !rest.isEmpty() && rest[0].isDigit(); }
+
 QString translated(const std::string& text) { return QCoreApplication::translate("Words", text.c_str()); }
 
 }  // namespace
@@ -130,7 +133,8 @@ QString stepText(std::string_view label) {
     QString said = translated(pattern), beginning = QString(pattern).chopped(2);
     if (said == pattern || !plain.startsWith(beginning)) continue;
     QString rest = plain.mid(beginning.size());
-    return said.arg(std::ranges::count(kOfProgramsWords, std::string_view(pattern)) > 0 ? inWords(rest) : rest);
+    bool isName = std::ranges::count(kOfProgramsWords, std::string_view(pattern)) == 0 && !isCount(rest);
+    return said.arg(isName ? rest : inWords(rest));
   }
   return plain;
 }

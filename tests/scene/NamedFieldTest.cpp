@@ -112,10 +112,10 @@ TEST(NamedField, ABareNumberIsAPlaceWhereNothingIsCalledSo) {
 
 TEST(NamedField, AStrengthIsKnownByTheNumberOfItsLabel) {
   Scene scene;
-  scene.cuts.emplace_back().membrane.emplace().field.byLabel = {{7, 1.0}, {0, 2.0}};
-  setField(scene, "cuts[0].membrane.field.byLabel[7].strength", "3");
-  setField(scene, "cuts[0].membrane.field.byLabel.1.strength", "4");
-  EXPECT_EQ(scene.cuts[0].membrane->field.byLabel, (std::vector<LabelStrength>{{7, 3.0}, {0, 4.0}}));
+  scene.cuts.emplace_back().membrane.emplace().field.byLabel = {LabelStrength{7, 1.0}, LabelStrength{1, 2.0}};
+  EXPECT_EQ(getField(scene, "cuts[0].membrane.field.byLabel[7].strength"), "1");
+  EXPECT_EQ(getField(scene, "cuts[0].membrane.field.byLabel[1].strength"), "2");
+  EXPECT_EQ(getField(scene, "cuts[0].membrane.field.byLabel.0.strength"), "1");
 }
 
 TEST(NamedField, TheExactCaseGoesBeforeAnother) {

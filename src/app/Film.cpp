@@ -16,10 +16,10 @@
 #include "session/Session.h"
 #include "session/command/DocumentCommands.h"
 #include "session/command/FilmCommands.h"
+#include "session/command/SaveFilm.h"
 #include "session/document/Open.h"
 #include "session/film/JoinFrames.h"
 #include "session/film/MakeFilm.h"
-#include "session/film/ReadyFilms.h"
 #include "session/film/Retarget.h"
 
 namespace velum::app {
@@ -49,37 +49,18 @@ session::FilmOutput filmOutput(const FilmVerb& options) {
   return output;
 }
 
-/// Runs a ready-made film: its name as in the commands film.turn, film.pull ..., and what they take.
-void addReadyMade(session::Session& session, const std::string& text, double seconds) {
-  std::string name = text.substr(0, text.find(' '));
-  named<session::ReadyFilm>("--animate", name);
-  std::string line = "film." + text;
-  if (seconds > 0.0 && text.find("seconds=") == text.npos) line += fmt::format(" seconds={:.17g}", seconds);
-  run(session, session::parseCall(line), {{"film." + name, "--animate " + name}});
-}
-
 /// Brings the film that is asked for into the scene: the scene's own, or ready-made ones in its place.
 void chooseFilm(session::Session& session, const FilmVerb& options) {
   if (options.framesPerSecond > 0.0)
     run(session, session::SetField{"timeline.framesPerSecond", fmt::format("{:.17g}", options.framesPerSecond)});
-  const scene::Timeline& timeline = session.scene().timeline;
-  bool hasOwn = !timeline.tracks.empty() && options.animate.empty();
-  bool isTimed = options.frames > 0 || options.seconds > 0.0;
-  if (hasOwn && isTimed)
-    throw ArgumentError(
-        fmt::format("{}: the scene has a film of its own, of {:g} s; set timeline.duration, timeline.rangeStart or "
-                    "timeline.rangeEnd, or choose another film with --animate",
-                    options.frames > 0 ? "--frames" : "--seconds", timeline.duration));
-  if (hasOwn) {
-    for (const std::string& line : scene::tracksThatDoNotFit(session.scene())) log::warning(line);
-    return;
-  }
-  run(session, session::ClearFilm{});
-  double seconds = options.frames > 0 ? options.frames / timeline.framesPerSecond : options.seconds;
-  if (options.animate.empty())
-    addReadyMade(session, std::string(enumName(session::usualFilm(session.scene()))), seconds);
-  for (const std::string& text : options.animate) addReadyMade(session, text, seconds);
-  for (const char* end : {"timeline.rangeStart", "timeline.rangeEnd"}) run(session, session::SetField{end, "0"});
+  session::SaveFilm asked;
+  asked.animate = options.animate;
+  asked.seconds = options.frames > 0 ? options.frames / session.scene().timeline.framesPerSecond : options.seconds;
+  const char* timed = options.frames > 0 ? "--frames:" : "--seconds:";
+  withOptionsNamed({{"animate", "--animate"}, {"film.", "--animate "}, {"seconds:", timed}}, [&] {
+    session.document().replace(session::filmedScene(session.scene(), asked, consoleProgress()));
+  });
+  for (const std::string& line : scene::tracksThatDoNotFit(session.scene())) log::warning(line);
 }
 
 /// Makes a video of the frames that a folder holds. @return nothing where the input is no such folder

@@ -190,15 +190,21 @@ void sayWhereLinesLie(const scene::Scene& scene) {
 
 }  // namespace
 
-void run(session::Session& session, const session::Call& call, Words options) {
+void withOptionsNamed(const Words& options, const std::function<void()>& work) {
   try {
-    for (const std::string& note : session::run(session, call, consoleProgress())) log::warning(note);
+    work();
   } catch (const ArgumentError& error) {
     std::string_view text = error.what();
     for (const auto& [words, option] : options)
       if (text.starts_with(words)) throw ArgumentError(option + std::string(text.substr(words.size())));
     throw;
   }
+}
+
+void run(session::Session& session, const session::Call& call, const Words& options) {
+  withOptionsNamed(options, [&] {
+    for (const std::string& note : session::run(session, call, consoleProgress())) log::warning(note);
+  });
 }
 
 namespace {

@@ -1,6 +1,7 @@
 #pragma once
 #include <fmt/format.h>
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -72,8 +73,9 @@ void openInputs(session::Session& session, const InputOptions& input, double asp
 void applyInput(session::Session& session, const InputOptions& input, double aspect, bool hasCamera);
 /// Pairs: the words of a command that an error may begin with, and the option of the command line that they stand for.
 using Words = std::vector<std::pair<std::string, std::string>>;
-/// Runs a command and prints, as warnings, what the command tells. @param options  see Words  @throw what
-/// session::run() throws; an ArgumentError names the option in place of the command's own words
-void run(session::Session& session, const session::Call& call, Words options = {});
+/// Does some work. @throw what it throws; an ArgumentError names the option in place of the command's own words
+void withOptionsNamed(const Words& options, const std::function<void()>& work);
+/// Runs a command so, and prints, as warnings, what the command tells.
+void run(session::Session& session, const session::Call& call, const Words& options = {});
 
 }  // namespace velum::app

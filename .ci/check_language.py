@@ -15,7 +15,7 @@ import core_words
 TITLE = "## Words in German"
 NEVER = re.compile(r"\bslices?\b|opazität|preset|screenshot|datensatz|clippen|\bbitte\b", re.I)
 POLITE = re.compile(r"(?<![.!?:] )(?<!^)\b(Sie|Ihnen|Ihrem|Ihren)\b")
-CONTEXTS = ("Core", "Words", "SayTime", "QObject", "QFileDialog", "QMessageBox")  # all others are classes of the window
+CONTEXTS = ("Core", "Memory", "Words", "SayTime", "QObject", "QFileDialog", "QMessageBox")  # all others are classes of the window
 PATH = re.compile(r"\b\w+\.\w[\w.\[\]#]*")  # "lettering.captions[#1].opacity" is no word
 LUPDATE = shutil.which("lupdate", path="/usr/lib/qt6/bin:/usr/lib/x86_64-linux-gnu/qt6/bin") or shutil.which("lupdate6")
 

@@ -24,6 +24,12 @@ SAYS_NOTHING = re.compile(r"(?:structureLabel|typesLabel|\w*ASSERT|static_assert
 CODE = re.compile(r"^\s*[<#]|\\n.|\\r|^(property|comment|element|format|space:|space |velum-batch|q |s\.set|velum: | --)|^[\w./]*%|"
                   r"domain |^made: |^velum film$|^most frequent id$|^(?:[A-Z]{2} )+|^ACR|: *\\n|=\\\"|Times|Helvetica|^%d|ResolutionLevel")
 PLACE = re.compile(r"\{(\d*)(?::[^{}]*)?\}")
+PURPOSES = """
+/// What memory on the GPU is for.
+inline constexpr const char* kMemoryPurposes[] = {
+"""
+# Calls that make textures and buffers, whose first words say what they are for.
+PURPOSE = re.compile(r"^(?:gpu::)?(?:Buffer|Buffer::makeReadable|Texture::make2d|Texture::make3d|bufferOf)$")
 VERB = re.compile(r"^(?:structureLabel|typesLabel|step(?:By|Of\w+))$")
 
 
@@ -145,9 +151,26 @@ def verbs(root):
     return found
 
 
+def purposes(root):
+    """What memory on the GPU is for: the names that textures and buffers are given."""
+    found = {}
+    for path in sorted((root / "src").rglob("*")):
+        if path.suffix not in (".cpp", ".h"):
+            continue
+        text = path.read_text()
+        for begin, literal in sums(text):
+            calls = around(text, begin)[0]
+            declared = re.search(r"\b(?:UniformBuffer<[\w:]+>|Readback<[\w:]+>|ReadbackRing) \w+[({]$", text[max(0, begin - 100):begin])
+            if declared or calls and PURPOSE.search(calls[0]):
+                found[literal] = path
+    return found
+
+
 def listed(root):
-    """The list as it should be."""
-    return HEAD + "".join(f'    QT_TRANSLATE_NOOP("Core", "{text}"),\n' for text in collected(root)) + "};\n"
+    """The lists as they should be."""
+    def rows(context, texts):
+        return "".join(f'    QT_TRANSLATE_NOOP("{context}", "{text}"),\n' for text in texts) + "};\n"
+    return HEAD + rows("Core", collected(root)) + PURPOSES + rows("Memory", sorted(purposes(root)))
 
 
 def problems_of(root):

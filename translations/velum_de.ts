@@ -5157,6 +5157,313 @@
     </message>
 </context>
 <context>
+    <name>Memory</name>
+    <message>
+        <source>balls of pixels</source>
+        <translation>Kugeln der Pixel</translation>
+    </message>
+    <message>
+        <source>bend stencils</source>
+        <translation>Muster der Biegung</translation>
+    </message>
+    <message>
+        <source>blocks of copies</source>
+        <translation>Blöcke der Kopien</translation>
+    </message>
+    <message>
+        <source>blue noise</source>
+        <translation>blaues Rauschen</translation>
+    </message>
+    <message>
+        <source>bricks of labels</source>
+        <translation>Blöcke der Labels</translation>
+    </message>
+    <message>
+        <source>bundles that may show</source>
+        <translation>Bündel, die sichtbar sein können</translation>
+    </message>
+    <message>
+        <source>cell ranges</source>
+        <translation>Bereiche der Zellen</translation>
+    </message>
+    <message>
+        <source>cloth</source>
+        <translation>Tuchmodell</translation>
+    </message>
+    <message>
+        <source>colour</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>compartments of types</source>
+        <translation>Kompartimente der Arten</translation>
+    </message>
+    <message>
+        <source>copies</source>
+        <translation>Kopien</translation>
+    </message>
+    <message>
+        <source>copies with slots</source>
+        <translation>Kopien mit Plätzen</translation>
+    </message>
+    <message>
+        <source>corrected</source>
+        <translation>berichtigte Orte</translation>
+    </message>
+    <message>
+        <source>counts of draws</source>
+        <translation>Zahlen der Aufrufe</translation>
+    </message>
+    <message>
+        <source>cuts</source>
+        <translation>Schnitte</translation>
+    </message>
+    <message>
+        <source>depths of instances</source>
+        <translation>Tiefen der Instanzen</translation>
+    </message>
+    <message>
+        <source>draws</source>
+        <translation>Aufrufe</translation>
+    </message>
+    <message>
+        <source>extinction table</source>
+        <translation>Tabelle der Dichten</translation>
+    </message>
+    <message>
+        <source>farthest depths</source>
+        <translation>größte Tiefen</translation>
+    </message>
+    <message>
+        <source>finish</source>
+        <translation>Ausführung</translation>
+    </message>
+    <message>
+        <source>ghosts</source>
+        <translation>Geisterbilder</translation>
+    </message>
+    <message>
+        <source>gradients</source>
+        <translation>Gradienten</translation>
+    </message>
+    <message>
+        <source>grid of cuts</source>
+        <translation>Gitter der Schnitte</translation>
+    </message>
+    <message>
+        <source>instances of pixels</source>
+        <translation>Instanzen der Pixel</translation>
+    </message>
+    <message>
+        <source>instances seen</source>
+        <translation>gesehene Instanzen</translation>
+    </message>
+    <message>
+        <source>instances that are nearest</source>
+        <translation>nächste Instanzen</translation>
+    </message>
+    <message>
+        <source>kernels</source>
+        <translation>Kernel</translation>
+    </message>
+    <message>
+        <source>labels</source>
+        <translation>Labels</translation>
+    </message>
+    <message>
+        <source>light extinction</source>
+        <translation>Abschwächung des Lichts</translation>
+    </message>
+    <message>
+        <source>light grid</source>
+        <translation>Gitter des Lichts</translation>
+    </message>
+    <message>
+        <source>lit spheres</source>
+        <translation>Lichtkugeln</translation>
+    </message>
+    <message>
+        <source>lit spheres of structures</source>
+        <translation>Lichtkugeln der Strukturen</translation>
+    </message>
+    <message>
+        <source>longest distance in a mask</source>
+        <translation>größter Abstand in einer Maske</translation>
+    </message>
+    <message>
+        <source>mask of a focus</source>
+        <translation>Maske eines Fokus</translation>
+    </message>
+    <message>
+        <source>means of structure shares</source>
+        <translation>Mittel der Anteile der Strukturen</translation>
+    </message>
+    <message>
+        <source>no cells</source>
+        <translation>keine Zellen</translation>
+    </message>
+    <message>
+        <source>no labels</source>
+        <translation>keine Labels</translation>
+    </message>
+    <message>
+        <source>no shares</source>
+        <translation>keine Anteile</translation>
+    </message>
+    <message>
+        <source>no volume</source>
+        <translation>kein Volumen</translation>
+    </message>
+    <message>
+        <source>normal, distance</source>
+        <translation>Normale, Abstand</translation>
+    </message>
+    <message>
+        <source>openness</source>
+        <translation>Offenheit</translation>
+    </message>
+    <message>
+        <source>own paper</source>
+        <translation>eigenes Papier</translation>
+    </message>
+    <message>
+        <source>pages</source>
+        <translation>Seiten</translation>
+    </message>
+    <message>
+        <source>pages seen</source>
+        <translation>gesehene Seiten</translation>
+    </message>
+    <message>
+        <source>paper</source>
+        <translation>Papier</translation>
+    </message>
+    <message>
+        <source>picture</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>placed kernels</source>
+        <translation>gesetzte Kernel</translation>
+    </message>
+    <message>
+        <source>places</source>
+        <translation>Orte</translation>
+    </message>
+    <message>
+        <source>predicted</source>
+        <translation>vorausgesagte Orte</translation>
+    </message>
+    <message>
+        <source>refined sheet</source>
+        <translation>verfeinertes Tuch</translation>
+    </message>
+    <message>
+        <source>room</source>
+        <translation>Platz</translation>
+    </message>
+    <message>
+        <source>sample</source>
+        <translation>Abtastung</translation>
+    </message>
+    <message>
+        <source>seeds of a mask</source>
+        <translation>Startpunkte einer Maske</translation>
+    </message>
+    <message>
+        <source>shade of instances</source>
+        <translation>Schattierung der Instanzen</translation>
+    </message>
+    <message>
+        <source>sheets</source>
+        <translation>Tücher</translation>
+    </message>
+    <message>
+        <source>skip map</source>
+        <translation>Karte des Leeren</translation>
+    </message>
+    <message>
+        <source>slots of copies</source>
+        <translation>Plätze der Kopien</translation>
+    </message>
+    <message>
+        <source>spares</source>
+        <translation>Schonung</translation>
+    </message>
+    <message>
+        <source>spares of types</source>
+        <translation>Schonung der Arten</translation>
+    </message>
+    <message>
+        <source>states of instances</source>
+        <translation>Zustände der Instanzen</translation>
+    </message>
+    <message>
+        <source>strokes</source>
+        <translation>Striche</translation>
+    </message>
+    <message>
+        <source>structure covers</source>
+        <translation>Hüllen der Strukturen</translation>
+    </message>
+    <message>
+        <source>structure shares</source>
+        <translation>Anteile der Strukturen</translation>
+    </message>
+    <message>
+        <source>structure, instance</source>
+        <translation>Struktur, Instanz</translation>
+    </message>
+    <message>
+        <source>structures</source>
+        <translation>Strukturen</translation>
+    </message>
+    <message>
+        <source>sums</source>
+        <translation>Summen</translation>
+    </message>
+    <message>
+        <source>surface colour</source>
+        <translation>Farbe der Oberfläche</translation>
+    </message>
+    <message>
+        <source>surface depth</source>
+        <translation>Tiefe der Oberfläche</translation>
+    </message>
+    <message>
+        <source>surface ids</source>
+        <translation>Kennungen der Oberfläche</translation>
+    </message>
+    <message>
+        <source>surface normal, distance</source>
+        <translation>Normale der Oberfläche, Abstand</translation>
+    </message>
+    <message>
+        <source>transfer table</source>
+        <translation>Tabelle der Transferfunktion</translation>
+    </message>
+    <message>
+        <source>types</source>
+        <translation>Arten</translation>
+    </message>
+    <message>
+        <source>velocities</source>
+        <translation>Geschwindigkeiten</translation>
+    </message>
+    <message>
+        <source>view of a focus</source>
+        <translation>Ansicht eines Fokus</translation>
+    </message>
+    <message>
+        <source>view of states</source>
+        <translation>Ansicht der Zustände</translation>
+    </message>
+    <message>
+        <source>volume</source>
+        <translation>Volumen</translation>
+    </message>
+</context>
+<context>
     <name>QFileDialog</name>
     <message>
         <source>%1 already exists.
@@ -8068,6 +8375,14 @@ Ersetzen?</translation>
     <message>
         <source>Cut %1</source>
         <translation>Schnitt %1</translation>
+    </message>
+    <message>
+        <source>%1 copy</source>
+        <translation>Kopie von %1</translation>
+    </message>
+    <message>
+        <source>Way to %1</source>
+        <translation>Weg zu %1</translation>
     </message>
 </context>
 <context>
@@ -12791,6 +13106,17 @@ Von einem Inlay auch, was davor steht, sein Bild und was dahinter liegt, zum Zus
 The picture carries the scene: drop it on the window to go on with it.</source>
         <translation>%1 x %2 Pixel (%L3 Megapixel), %4.
 Das Bild trägt die Szene in sich: auf das Fenster ziehen, um damit weiterzuarbeiten.</translation>
+    </message>
+</context>
+<context>
+    <name>velum::gui::Script</name>
+    <message>
+        <source>Stopped</source>
+        <translation>Angehalten</translation>
+    </message>
+    <message>
+        <source>%1; line %2 of the script was the last.</source>
+        <translation>%1; Zeile %2 des Skripts war die letzte.</translation>
     </message>
 </context>
 <context>

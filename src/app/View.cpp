@@ -7,6 +7,7 @@
 #include "app/Inputs.h"
 #include "app/Verbs.h"
 #include "gpu/Loss.h"
+#include "gpu/SoftwareDriver.h"
 #include "render/Renderer.h"
 #include "scene/Navigate.h"
 #include "scene/VisibleFrame.h"
@@ -15,6 +16,8 @@
 namespace velum::app {
 
 namespace {
+
+constexpr double kPatience = 0.2;  // seconds until a signal is heard that comes while nothing moves
 
 struct ViewOptions {
   Common common;
@@ -110,7 +113,8 @@ struct Glfw {
   ~Glfw() { glfwTerminate(); }
 };
 
-/// A window with a context that tells of resets, where the display has such.
+/// A window with a context that tells of resets, where the display has such. @throw gpu::TooOld where it has none at
+/// all
 struct Window {
   GLFWwindow* handle = nullptr;
   Window(glm::ivec2 size, const std::string& title) {
@@ -121,10 +125,12 @@ struct Window {
       glfwWindowHint(GLFW_CONTEXT_ROBUSTNESS, robustness);
       if (!handle) handle = glfwCreateWindow(size.x, size.y, title.c_str(), nullptr, nullptr);
     }
-    if (!handle)
-      throw gpu::GpuError(
-          "view: the display offers no OpenGL 4.5 core context: use velum-batch render, or have Mesa's software driver "
-          "draw (LIBGL_ALWAYS_SOFTWARE=1)");
+    // Of a driver that is too old, which then says what it offers.
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 1);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 0);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_ANY_PROFILE);
+    if (!handle) handle = glfwCreateWindow(size.x, size.y, title.c_str(), nullptr, nullptr);
+    if (!handle) throw gpu::TooOld("the graphics driver makes no OpenGL context");
     glfwMakeContextCurrent(handle);
   }
   ~Window() { glfwDestroyWindow(handle); }
@@ -132,11 +138,24 @@ struct Window {
   Window& operator=(const Window&) = delete;
 };
 
-/// Frame after frame, until the window is closed; nothing is done while nothing changes. @throw gpu::ContextLost
+std::unique_ptr<gpu::Context> adoptCurrent() {
+  return gpu::Context::adopt([](const char* name) { return reinterpret_cast<void*>(glfwGetProcAddress(name)); },
+                             [] { return static_cast<const void*>(glfwGetCurrentContext()); });
+}
+
+/// Before anything is read. @throw gpu::TooOld, gpu::GpuError
+void requireOpenGl() {
+  Glfw glfw;
+  glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
+  Window window({64, 64}, "Velum");
+  adoptCurrent();
+}
+
+/// Frame after frame, until the window is closed; nothing is done while nothing changes. @throw gpu::ContextLost,
+/// Cancelled
 /// @param losses  of contexts since a picture was complete
 void show(Viewer& viewer, GLFWwindow* window, int& losses) {
-  auto context = gpu::Context::adopt([](const char* name) { return reinterpret_cast<void*>(glfwGetProcAddress(name)); },
-                                     [] { return static_cast<const void*>(glfwGetCurrentContext()); });
+  auto context = adoptCurrent();
   render::Renderer renderer(*context);
   glfwSetWindowUserPointer(window, &viewer);
   glfwSetCursorPosCallback(window, onCursor);
@@ -145,9 +164,10 @@ void show(Viewer& viewer, GLFWwindow* window, int& losses) {
   bool done = false;
   while (!glfwWindowShouldClose(window)) {
     if (done && !viewer.moved)
-      glfwWaitEvents();
+      glfwWaitEventsTimeout(kPatience);
     else
       glfwPollEvents();
+    consoleProgress().throwIfCancelled();
     render::Frame frame;
     frame.scene = viewer.scene;
     glfwGetFramebufferSize(window, &frame.pictureSize.x, &frame.pictureSize.y);
@@ -174,6 +194,8 @@ void show(Viewer& viewer, GLFWwindow* window, int& losses) {
 
 int run(const ViewOptions& options) {
   glm::ivec2 size = session::parsePictureSize(options.size, 0);
+  requireOpenGl();
+  if (std::string reason = gpu::softwareReason(); !reason.empty()) gpu::warnOfSoftware(reason);
   Viewer viewer;
   {
     session::Session

@@ -10,6 +10,7 @@
 #include "core/Log.h"
 #include "core/NearestName.h"
 #include "core/Text.h"
+#include "gpu/SoftwareDriver.h"
 #include "scene/Scene.h"
 
 namespace {
@@ -51,6 +52,15 @@ constexpr Row kVerbs[] = {
     {"view", "a bare window", velum::app::registerView},
     {"completion", "what a shell needs to complete these words", velum::app::registerCompletion}};
 
+/// What draws in a window begins once more where its driver is too old; pictures and counts see to it by themselves.
+int runOnSomeDriver(const velum::app::Run& run, char* const* arguments) {
+  try {
+    return run();
+  } catch (const velum::gpu::TooOld& error) {
+    velum::gpu::startOnSoftware(error, arguments);
+  }
+}
+
 }  // namespace
 
 /// velum-batch: every verb of Velum without a display. Errors are one line on stderr; exit codes are those of ExitCode.
@@ -89,7 +99,7 @@ int main(int argc, char** argv) {
       if (!verb->parsed()) continue;
       if (auto* verbose = verb->get_option_no_throw("--verbose"); verbose && verbose->count() > 0)
         log::setVerbose(true);
-      int code = run();
+      int code = runOnSomeDriver(run, argv);
       if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
         throw InputError("standard output: cannot be written; check the free space");
       return code;

@@ -20,6 +20,7 @@ constexpr const char* kWhatToDo =
     "close other programs that draw, make the picture smaller, or lower VELUM_GPU_MEMORY_MB";
 
 thread_local AllocationFault* tFault = nullptr;
+thread_local bool tOwesRefusal = false;  ///< One that is said as drivers do.
 std::atomic<AllocationFault*> gFault{nullptr};
 std::mutex gFaultMutex;
 
@@ -42,18 +43,20 @@ std::unique_ptr<AllocationFault> faultOf(const char* text) {
   return std::make_unique<AllocationFault>(which, isLarger ? number << 20 : number, AllocationFault::Threads::All);
 }
 
-bool isRefused(const Allocation& what) {
+AllocationFault::Refusal refusalOf(const Allocation& what) {
+  using Refusal = AllocationFault::Refusal;
   static const std::unique_ptr<AllocationFault> ofProgram = faultOf(std::getenv("VELUM_FAIL_ALLOCATION"));
-  if (tFault && tFault->refuses(what)) return true;
-  if (!gFault.load(std::memory_order_relaxed)) return false;
+  if (tFault)
+    if (Refusal refusal = tFault->refusal(what); refusal != Refusal::None) return refusal;
+  if (!gFault.load(std::memory_order_relaxed)) return Refusal::None;
   std::lock_guard lock(gFaultMutex);
   AllocationFault* fault = gFault.load();
-  return fault && fault->refuses(what);
+  return fault ? fault->refusal(what) : Refusal::None;
 }
 
 /// @return true when one of them was for want of memory
 bool takeErrors() {
-  bool isExhausted = false;
+  bool isExhausted = std::exchange(tOwesRefusal, false);
   // A lost context may say so without end.
   for (GLenum error = gl().GetError(); error != GL_NO_ERROR && error != GL_CONTEXT_LOST; error = gl().GetError())
     isExhausted = isExhausted || error == GL_OUT_OF_MEMORY;
@@ -68,7 +71,10 @@ void allocate(const Allocation& what, Answer answer, const std::function<void()>
     throwIfExhausted();
     mayRefuse.emplace();
   }
-  bool refused = isRefused(what);
+  AllocationFault::Refusal refusal = refusalOf(what);
+  bool isLate = refusal == AllocationFault::Refusal::AsDriversDo && answer == Answer::Later;
+  if (isLate) tOwesRefusal = true;
+  bool refused = refusal != AllocationFault::Refusal::None && !isLate;
   if (!refused) request();
   if (!refused && answer == Answer::AtOnce) refused = gl().GetError() != GL_NO_ERROR;
   if (refused)
@@ -97,14 +103,16 @@ AllocationFault::~AllocationFault() {
     gFault = nullptr;
 }
 
-bool AllocationFault::refuses(const Allocation& what) {
+AllocationFault::Refusal AllocationFault::refusal(const Allocation& what) {
   mAsked.emplace_back(what.label);
-  bool isRefused = mWhich == Which::Nth      ? mAsked.size() == mN
+  bool isNth = mWhich == Which::Nth || mWhich == Which::NthLate;
+  bool isRefused = isNth                     ? mAsked.size() == mN
                    : mWhich == Which::NthOn  ? mAsked.size() >= mN
                    : mWhich == Which::Larger ? what.bytes > mN
                                              : false;
-  if (isRefused) mFailed.emplace_back(what.label);
-  return isRefused;
+  if (!isRefused) return Refusal::None;
+  mFailed.emplace_back(what.label);
+  return mWhich == Which::NthLate ? Refusal::AsDriversDo : Refusal::Now;
 }
 
 std::vector<std::string> AllocationFault::asked() const {

@@ -38,10 +38,11 @@ void forgetExhaustion();
 class AllocationFault {
  public:
   enum class Which {
-    None,    ///< None fails; they are counted.
-    Nth,     ///< The n-th from now on fails, counted from 1.
-    NthOn,   ///< The n-th and all after it fail.
-    Larger,  ///< All of more than n bytes fail.
+    None,     ///< None fails; they are counted.
+    Nth,      ///< The n-th from now on fails, counted from 1.
+    NthLate,  ///< The same, heard of as from drivers: where the answer is due later, from whoever asks for it next.
+    NthOn,    ///< The n-th and all after it fail.
+    Larger,   ///< All of more than n bytes fail.
   };
   enum class Threads { This, All };
 
@@ -55,8 +56,9 @@ class AllocationFault {
   /// The labels of what has failed.
   std::vector<std::string> failed() const;
 
-  /// Called by allocate(). @return true when this one fails
-  bool refuses(const Allocation& what);
+  enum class Refusal { None, Now, AsDriversDo };
+  /// Called by allocate(). @return whether this one fails, and when that is said
+  Refusal refusal(const Allocation& what);
 
  private:
   Which mWhich;

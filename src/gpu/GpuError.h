@@ -24,13 +24,6 @@ class TooOld : public GpuError {
   explicit TooOld(const std::string& message) : GpuError(message) {}
 };
 
-/// What is said where Mesa's software driver stands in for one that offers too little. @param tooOld  what TooOld says
-std::string softwareInstead(const std::string& tooOld);
-/// Says so as a warning, once in a process.
-void warnOfSoftware(const std::string& tooOld);
-/// What is said where nothing stands in for it. @param otherwise  why Mesa's software driver does not; may be empty
-std::string nothingInstead(const std::string& tooOld, const std::string& otherwise);
-
 /// Thrown when the driver has lost the context, as after a reset of the card: all objects in it are gone, and what was
 /// drawn last may be wrong. See Loss.h.
 class ContextLost : public GpuError {

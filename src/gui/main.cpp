@@ -22,6 +22,7 @@
 #include "core/GuardWrites.h"
 #include "core/Log.h"
 #include "gpu/GpuError.h"
+#include "gpu/SoftwareDriver.h"
 #include "gui/kit/Language.h"
 #include "gui/kit/Preferences.h"
 #include "gui/look/LookPanel.h"
@@ -124,21 +125,21 @@ int runWindows(velum::gui::MainWindow& window) {
 
 /// Refuses to start, where Mesa's software driver cannot stand in for one that is too old either. @return exit code
 int refuse(const velum::gpu::GpuError& error, bool asks, const std::vector<char*>& arguments) {
-  const auto* tooOld = dynamic_cast<const velum::gpu::TooOld*>(&error);
-  if (!tooOld) return velum::gui::refuseStart(error, asks);
-  velum::gui::startOnSoftware(*tooOld, arguments.data());
-  std::string first = velum::gui::softwareReason().toStdString();
-  std::string words =
-      first == error.what() ? velum::gpu::nothingInstead(first, {}) : velum::gpu::nothingInstead(first, error.what());
-  return velum::gui::refuseStart(velum::gpu::GpuError(words), asks);
+  try {
+    if (const auto* tooOld = dynamic_cast<const velum::gpu::TooOld*>(&error))
+      velum::gpu::startOnSoftware(*tooOld, arguments.data());
+  } catch (const velum::gpu::GpuError& both) {
+    return velum::gui::refuseStart(both, asks);
+  }
+  return velum::gui::refuseStart(error, asks);
 }
 
 /// Where Mesa's software driver draws in place of another one. @param opens  a job follows, which clears the messages
 void tellOfSoftware(velum::gui::MainWindow& window, bool opens) {
-  QString reason = velum::gui::softwareReason();
-  if (reason.isEmpty()) return;
-  say(QString::fromStdString(velum::gpu::softwareInstead(reason.toStdString())));
-  auto show = [&window, reason] {
+  std::string reason = velum::gpu::softwareReason();
+  if (reason.empty()) return;
+  say(QString::fromStdString(velum::gpu::softwareInstead(reason)));
+  auto show = [&window, reason = QString::fromStdString(reason)] {
     if (window.messages().isVisible()) return;  // why nothing was opened
     window.messages().showNote(
         velum::gui::MainWindow::tr("%1, and OpenGL 4.5 is needed: Mesa's software driver draws instead, which is "

@@ -57,6 +57,16 @@ TEST_F(AllocationGL, EachThatFailsSaysWhichAndHowLargeAndWhatToDo) {
   makeAll();
 }
 
+TEST_F(AllocationGL, ARefusalAsByDriversIsSaidWhenItIsAskedFor) {
+  AllocationFault fault(Which::NthLate, 1);
+  Buffer small("small", 100);
+  EXPECT_EQ(fault.failed(), std::vector<std::string>{"small"});
+  EXPECT_THROW(throwIfExhausted(), NoMemory);
+  EXPECT_NO_THROW(throwIfExhausted());
+  AllocationFault other(Which::NthLate, 1);
+  EXPECT_THROW(Buffer("large", 3 << 20), NoMemory);
+}
+
 TEST_F(AllocationGL, WhatWasThereStaysWhereSomethingNewFails) {
   Buffer buffer("kept", 4);
   std::uint32_t seven = 7, read = 0;

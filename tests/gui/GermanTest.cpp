@@ -4,6 +4,7 @@
 
 #include "GermanFixture.h"
 #include "gui/kit/CoreWords.h"
+#include "gui/kit/CutTitle.h"
 #include "gui/kit/NumberField.h"
 #include "gui/kit/Words.h"
 #include "gui/window/CarryDialog.h"
@@ -181,6 +182,20 @@ TEST_F(German, StepsOfTheHistoryAreSaidInGerman) {
   for (const char* pattern : stepPatterns()) EXPECT_NE(wordsOf(pattern), pattern);
 }
 
+TEST_F(German, NamesThatTheProgramGivesToCutsAreGermanWhereTheyAreShown) {
+  auto title = [](const char* name) {
+    scene::Cut cut;
+    cut.name = name;
+    return cutTitle(cut, 0).toStdString();
+  };
+  EXPECT_EQ(title(""), "Schnitt 1");
+  EXPECT_EQ(title("Plane 12"), "Ebene 12");
+  EXPECT_EQ(title("Membrane"), "Membran");
+  EXPECT_EQ(title("Plane 1 copy copy"), "Kopie von Kopie von Ebene 1");
+  EXPECT_EQ(title("Way to capsid"), "Weg zu capsid");
+  for (const char* own : {"Plane of the heart", "my Plane 1", "Box set", "copy", "3"}) EXPECT_EQ(title(own), own);
+}
+
 /// What a pattern says with something in its places, by the rules of Qt's translations.
 QString withValues(const char* text, const QStringList& values) {
   QString said = QString::fromUtf8(text);
@@ -202,6 +217,11 @@ TEST_F(German, MessagesAreGermanWithTheirNamesAndACommaInNumbers) {
   };
   expectSaid("/data/a b.nii: is cut off: 12 bytes of data are missing",
              "/data/a b.nii: ist abgeschnitten: 12 Bytes Daten fehlen");
+  expectSaid(
+      "the driver has no memory for light extinction (64 x 32 x 16, 12 MiB): close other programs that draw, make "
+      "the picture smaller, or lower VELUM_GPU_MEMORY_MB",
+      "der Treiber hat keinen Speicher für Abschwächung des Lichts (64 x 32 x 16, 12 MiB): andere Programme "
+      "schließen, die zeichnen, das Bild verkleinern oder VELUM_GPU_MEMORY_MB senken");
   expectSaid("a: cannot be written (No space left on device); check the folder and the free space",
              "a: kann nicht geschrieben werden (kein Platz mehr auf dem Datenträger); Ordner und freien Platz prüfen");
   expectSaid("planes are not evenly apart; each was put on the nearest of 1.5 mm, by up to 0.25 mm",

@@ -38,6 +38,10 @@ class ScriptTest : public testing::Test {
       done = true;
       said = QString("%1 (%2)").arg(error).arg(code);
     });
+    QObject::connect(&script, &Script::interrupted, [&] {
+      done = true;
+      said = "interrupted: " + mWindow.messages().text();
+    });
     script.start();
     EXPECT_TRUE(QTest::qWaitFor([&] { return done; }, kPatience)) << text.toStdString();
     return said;
@@ -96,6 +100,21 @@ TEST_F(ScriptTest, AFilmOfWhichFramesFailEndsIt) {
   EXPECT_TRUE(said.endsWith("(2)")) << said.toStdString();
   EXPECT_TRUE(QFile::exists(path("out/frame-00002.png"))) << "the others are there";
   EXPECT_FALSE(scene().timeline.tracks.empty()) << "nothing is done after that";
+}
+
+TEST_F(ScriptTest, WhoStopsALineStopsItAll) {
+  QMetaObject::Connection once = QObject::connect(&mWindow.jobs(), &JobRunner::busyChanged, [this](bool busy) {
+    if (busy && scene().timeline.framesPerSecond == 4) QTimer::singleShot(50, &mWindow.jobs(), &JobRunner::cancel);
+  });
+  QString said =
+      run(QString("open %1\nset timeline.framesPerSecond 4\nfilm.turn 100\nfilm.save \"%2/\" 400x300 samples=8\n"
+                  "set volume.windowLevel 17\n")
+              .arg(path("phantom.nrrd"), path("film")));
+  QObject::disconnect(once);
+  EXPECT_TRUE(said.startsWith("interrupted: Stopped: ") && said.endsWith("; line 4 of the script was the last."))
+      << said.toStdString();
+  EXPECT_NE(scene().volume.windowLevel, 17);
+  EXPECT_EQ(run("set volume.windowLevel 17\n"), "") << "the next script is another one";
 }
 
 TEST_F(ScriptTest, NamesAndValuesMayHoldBlanks) {

@@ -146,6 +146,26 @@ class OnTheSoftwareDriver(WindowTest):
         self.assertTrue((self.folder / "window.png").exists())
 
 
+    def test_the_bare_window_does_so_too(self):
+        self.batch("sample", "two-spheres", "-o", "a b.nrrd", "--voxels", 16)
+        self.environment["GALLIUM_DRIVER"] = "softpipe"
+        window = subprocess.Popen([BATCH, "view", "a b.nrrd", "--size", "160x120", "--verbose"], cwd=self.folder, env=self.environment,
+                                  text=True, stderr=subprocess.PIPE)
+        self.addCleanup(window.stderr.close)
+        self.addCleanup(window.kill)
+        said = ""
+        # The second driver that is told of is that of the window, the first one that of the check before it.
+        while said.count("OpenGL: llvmpipe") < 2:
+            line = window.stderr.readline()
+            self.assertTrue(line, said)
+            said += line
+        window.send_signal(signal.SIGTERM)
+        _, rest = window.communicate(timeout=60)
+        self.assertEqual(window.returncode, 128 + signal.SIGTERM, rest)
+        self.assertEqual(said.count("warning: softpipe offers OpenGL 3.3, and OpenGL 4.5 is needed"), 1, said)
+        self.assertIn("velum-batch: stopped", rest)
+
+
 class MadeToEnd(WindowTest):
     LINES = ("size 500 400", "open a.nrrd", "set volume.windowLevel 17")
 

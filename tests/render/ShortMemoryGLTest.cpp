@@ -134,7 +134,7 @@ class ShortMemoryGL : public StreamedGL {
       makeCold();
       EXPECT_NE(refusalOf(Which::NthOn, n, [&] { drawn(frame, window); }), "") << what << " and all after it";
       Image image;
-      std::string words = refusalOf(Which::Nth, n, [&] { image = drawn(frame, window); });
+      std::string words = refusalOf(Which::NthLate, n, [&] { image = drawn(frame, window); });
       if (words.empty() && mRenderer.stats().reduction.empty()) expectSame(image, whole, 2.0, what);
       // In parts all of it is as coarse as the last part.
       bool isInParts = window < kShortSize.x;

@@ -65,7 +65,7 @@ TEST_F(ShortMemorySession, ASheetThatCannotMoveMovesLater) {
     std::vector<glm::vec3> wanted = placesOf(session);
     EXPECT_GE(firstOfEach(asked).size(), 10u);
     for (std::size_t n : firstOfEach(asked))
-      for (Which which : {Which::Nth, Which::NthOn}) {
+      for (Which which : {Which::NthLate, Which::NthOn}) {
         std::string what = "allocation " + std::to_string(n) + " (" + asked[n - 1] + ")";
         hangAgain();
         EXPECT_NE(refusalOf(which, n, move), "") << what;

@@ -12,6 +12,7 @@
 #include "core/Log.h"
 #include "gpu/Gl.h"
 #include "gpu/GpuError.h"
+#include "gpu/SoftwareDriver.h"
 
 namespace velum::gpu {
 

@@ -15,6 +15,7 @@
 #include "gpu/Context.h"
 #include "gpu/Gl.h"
 #include "gpu/GpuError.h"
+#include "gpu/SoftwareDriver.h"
 
 namespace velum::gpu {
 

@@ -73,6 +73,11 @@ bool isNumeric(const QString& text) {
   return numeric.match(text).hasMatch();
 }
 
+/// The words in which something stands that is translated by a list of its own: its words are names elsewhere.
+constexpr const char* kNoMemoryFor = "the driver has no memory for %1";
+
+QString ofMemory(const QString& purpose) { return QCoreApplication::translate("Memory", purpose.toUtf8().constData()); }
+
 constexpr qsizetype kFewLetters = 12, kLongest = 4000;
 
 /// A pattern, taken to pieces.
@@ -182,7 +187,9 @@ QString byPattern(const QString& said, bool beginsWithPlace) {
   for (const Pattern& pattern : patterns()) {
     if (pattern.beginsWithPlace() != beginsWithPlace || !pattern.match(said, values)) continue;
     QString words = ofCore(pattern.english());
-    if (words != pattern.english()) return filled(words, values);
+    if (words == pattern.english()) continue;
+    if (pattern.english().startsWith(kNoMemoryFor)) values[0] = ofMemory(values[0]);
+    return filled(words, values);
   }
   return {};
 }

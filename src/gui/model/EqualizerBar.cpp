@@ -4,6 +4,7 @@
 #include <QMenu>
 #include <algorithm>
 
+#include "gui/kit/CutTitle.h"
 #include "session/command/Command.h"
 #include "session/command/ModelCommands.h"
 #include "session/model/ClipState.h"
@@ -113,7 +114,7 @@ void EqualizerBar::fillCuts() {
   });
   menu->addSeparator();
   for (const scene::Cut& cut : mDocument.shown().cuts) {
-    QAction* action = menu->addAction(QString::fromStdString(cut.name));
+    QAction* action = menu->addAction(cutTitle(mDocument.shown(), cut.id));
     action->setCheckable(true);
     action->setEnabled(cut.enabled);
     action->setChecked(std::find(chosen.begin(), chosen.end(), cut.id) != chosen.end());
@@ -130,7 +131,7 @@ void EqualizerBar::refresh() {
   std::vector<int> chosen = mEqualizer.chosenCuts();
   if (std::erase_if(chosen, [&](int id) { return !scene::findCut(scene, id); }) > 0) mEqualizer.setCuts(chosen);
   QString text = chosen.empty() ? tr("All cuts") : tr("%n cuts", nullptr, int(chosen.size()));
-  if (chosen.size() == 1) text = QString::fromStdString(scene::findCut(scene, chosen[0])->name);
+  if (chosen.size() == 1) text = cutTitle(scene, chosen[0]);
   mCuts->setText(mCuts->fontMetrics().elidedText(text, Qt::ElideRight, 84));
   mCuts->setAccessibleName(tr("Handles set: %1").arg(text));
   showState();

@@ -94,6 +94,7 @@ void JobRunner::cancel() {
   if (!isBusy()) return;
   mSession.cancelJob();
   mStrip.setProgress(0.0, tr("stopping"));
+  emit cancelled();
 }
 
 void JobRunner::setError(const QString& error) {

@@ -45,6 +45,8 @@ class JobRunner : public QObject {
 
  signals:
   void busyChanged(bool busy);
+  /// The user has asked for the job to be stopped; it ends soon.
+  void cancelled();
   /// The job is done, was cancelled or has failed.
   void ended();
 

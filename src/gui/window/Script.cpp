@@ -44,6 +44,7 @@ QString wholePath(const QString& text) {
 Script::Script(MainWindow& window, QString name, const QString& text)
     : QObject(&window), mWindow(window), mName(std::move(name)), mLines(text.split('\n')) {
   connect(&mTimer, &QTimer::timeout, this, &Script::check);
+  connect(&window.jobs(), &JobRunner::cancelled, this, [this] { mIsInterrupted = mTimer.isActive(); });
 }
 
 void Script::start() {
@@ -55,6 +56,15 @@ void Script::start() {
 void Script::stop() {
   mTimer.stop();
   mWindow.setUnattended(false);
+}
+
+void Script::interrupt() {
+  stop();
+  MessageBar& messages = mWindow.messages();
+  // What was stopped may have said what is there of it.
+  QString said = messages.isVisible() ? messages.text() : tr("Stopped");
+  messages.showNote(tr("%1; line %2 of the script was the last.").arg(said).arg(mLine));
+  emit interrupted();
 }
 
 /// A line that has to wait goes on in check().
@@ -108,6 +118,7 @@ void Script::check() {
     emit failed(mLine == 0 ? error : QString("%1:%2: %3").arg(mName).arg(mLine).arg(error), 2);
     return;
   }
+  if (mIsInterrupted) return interrupt();
   if (!mIsSaid) say();
   mIsSaid = false;
   next();

@@ -28,6 +28,8 @@ class Script : public QObject {
   /// A line has failed, and no further line is run. @param error  one line with file and line number  @param exitCode
   /// 1 usage, 2 input
   void failed(const QString& error, int exitCode);
+  /// The user has stopped what a line does, and no further line is run: the window is the user's.
+  void interrupted();
 
  private:
   void next();
@@ -39,6 +41,7 @@ class Script : public QObject {
   void check();
   void say() const;
   void stop();
+  void interrupt();
 
   MainWindow& mWindow;
   QString mName;
@@ -46,6 +49,7 @@ class Script : public QObject {
   int mLine = 0;  ///< number of the line that runs, from 1
   bool mEcho = false;
   bool mIsSaid = false;
+  bool mIsInterrupted = false;   ///< by the user, in this line
   std::function<bool()> mReady;  ///< what the line waits for; empty: nothing
   int mMostMs = 0;
   QString mWhat;

@@ -24,9 +24,6 @@ namespace velum::gui {
 namespace {
 
 constexpr const char* kNeeded = "4.5 is needed: install or update the graphics driver; Mesa's software driver will do";
-/// Says to the program that it has been started once more, and why.
-constexpr const char* kTooOld = "VELUM_TOO_OLD";
-constexpr const char* kMesasEgl = "/usr/share/glvnd/egl_vendor.d/50_mesa.json";
 constexpr std::size_t kMostSaid = 1000;  // bytes of a driver's own words
 
 /// The messages that the handler, of which Qt has one for each process, has taken.
@@ -167,21 +164,6 @@ void requireOpenGl() {
     if (dynamic_cast<const gpu::TooOld*>(&error)) throw gpu::TooOld(words);
     throw gpu::GpuError(words);
   }
-}
-
-QString softwareReason() { return qEnvironmentVariable(kTooOld); }
-
-void startOnSoftware(const gpu::TooOld& error, char* const* arguments) {
-  if (!softwareReason().isEmpty()) return;
-  qputenv(kTooOld, error.what());
-  qputenv("LIBGL_ALWAYS_SOFTWARE", "1");
-  qputenv("GALLIUM_DRIVER", "llvmpipe");
-  qunsetenv("MESA_LOADER_DRIVER_OVERRIDE");
-  // Where a driver of the card's maker stands beside Mesa's.
-  qputenv("__GLX_VENDOR_LIBRARY_NAME", "mesa");
-  if (::access(kMesasEgl, R_OK) == 0) qputenv("__EGL_VENDOR_LIBRARY_FILENAMES", kMesasEgl);
-  const char* launcher = std::getenv("VELUM_LAUNCHER");  // where the program does not start by itself
-  ::execv(launcher ? launcher : "/proc/self/exe", arguments);
 }
 
 int refuseStart(const Error& error, bool asks) {

@@ -33,13 +33,6 @@ class StartMessages {
 /// when a window gets no OpenGL on this machine at all
 void requireOpenGl();
 
-/// Starts the program once more, in this process, with Mesa's software driver in place of one that is too old. Returns
-/// where that has been done already, or cannot be. @param arguments  of the program, with those that Qt took; ends with
-/// null
-void startOnSoftware(const gpu::TooOld& error, char* const* arguments);
-/// Why the program was started once more, as TooOld says it; empty: it was not.
-QString softwareReason();
-
 /// Says on stderr why there will be no window. @param asks  also says so in a dialog, if there is a screen, and waits
 /// until the dialog is closed
 /// @return exit code

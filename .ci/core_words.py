@@ -134,7 +134,7 @@ def collected(root):
             text = path.read_text()
             for begin, literal in sums(text):
                 calls, before = around(text, begin)
-                is_thrown = any(call.endswith("Error") for call in calls) or "kNeeded" in before
+                is_thrown = any(call.endswith("Error") for call in calls)
                 if is_message(literal) and (is_thrown if folder == "gui" else is_said(calls, before) or is_step(calls, literal)) and f'"{literal}"' not in of_tables:
                     found[pattern_of(literal)] = path.relative_to(root)
     return found

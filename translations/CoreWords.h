@@ -30,10 +30,10 @@ inline constexpr const char* kCoreWords[] = {
     QT_TRANSLATE_NOOP("Core", "%1; OpenGL 4.5 is needed: install or update the graphics driver; Mesa's software driver will do, too%2"),
     QT_TRANSLATE_NOOP("Core", " (it was tried: %1)"),
     QT_TRANSLATE_NOOP("Core", "%1: %2 texels are more than the %3 that the driver takes in a buffer: use a smaller model, picture or volume"),
-    QT_TRANSLATE_NOOP("Core", "VELUM_CONTEXT: '%1' is not one of auto, egl, osmesa"),
     QT_TRANSLATE_NOOP("Core", "the graphics driver has no %1"),
     QT_TRANSLATE_NOOP("Core", "%1 offers OpenGL %2.%3"),
     QT_TRANSLATE_NOOP("Core", "%1 lacks %2 of OpenGL 4.5"),
+    QT_TRANSLATE_NOOP("Core", "VELUM_CONTEXT: '%1' is not one of auto, egl, osmesa"),
     QT_TRANSLATE_NOOP("Core", "no way to draw without a display: %1; %2"),
     QT_TRANSLATE_NOOP("Core", "EGL: libEGL.so.1 is not installed (Debian package libegl1)"),
     QT_TRANSLATE_NOOP("Core", "the driver that GALLIUM_DRIVER names (%1) makes no OpenGL"),
@@ -1242,8 +1242,7 @@ inline constexpr const char* kCoreWords[] = {
     QT_TRANSLATE_NOOP("Core", "'%1' is no command of the window"),
     QT_TRANSLATE_NOOP("Core", "%1: cannot be done now"),
     QT_TRANSLATE_NOOP("Core", "no unsaved work was left behind"),
-    QT_TRANSLATE_NOOP("Core", "4.5 is needed: install or update the graphics driver; Mesa's software driver will do"),
-    QT_TRANSLATE_NOOP("Core", "this display (%1) gives windows no OpenGL; %2"),
+    QT_TRANSLATE_NOOP("Core", "this display (%1) gives windows no OpenGL"),
 };
 
 /// What memory on the GPU is for.
@@ -1294,6 +1293,7 @@ inline constexpr const char* kMemoryPurposes[] = {
     QT_TRANSLATE_NOOP("Memory", "pages seen"),
     QT_TRANSLATE_NOOP("Memory", "paper"),
     QT_TRANSLATE_NOOP("Memory", "picture"),
+    QT_TRANSLATE_NOOP("Memory", "picture of a view"),
     QT_TRANSLATE_NOOP("Memory", "placed kernels"),
     QT_TRANSLATE_NOOP("Memory", "places"),
     QT_TRANSLATE_NOOP("Memory", "predicted"),

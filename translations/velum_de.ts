@@ -4768,14 +4768,6 @@
         <translation>es gibt keine liegengebliebene ungespeicherte Arbeit</translation>
     </message>
     <message>
-        <source>4.5 is needed: install or update the graphics driver; Mesa&apos;s software driver will do</source>
-        <translation>nötig ist 4.5: den Grafiktreiber installieren oder aktualisieren; der Softwaretreiber von Mesa genügt</translation>
-    </message>
-    <message>
-        <source>this display (%1) gives windows no OpenGL; %2</source>
-        <translation>dieser Bildschirm (%1) gibt Fenstern kein OpenGL; %2</translation>
-    </message>
-    <message>
         <source>labels</source>
         <translation>Labels</translation>
     </message>
@@ -5155,6 +5147,10 @@
         <source>seed or strokes are needed: a place on the structure</source>
         <translation>seed oder strokes sind nötig: eine Stelle auf der Struktur</translation>
     </message>
+    <message>
+        <source>this display (%1) gives windows no OpenGL</source>
+        <translation>diese Anzeige (%1) gibt Fenstern kein OpenGL</translation>
+    </message>
 </context>
 <context>
     <name>Memory</name>
@@ -5461,6 +5457,10 @@
     <message>
         <source>volume</source>
         <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>picture of a view</source>
+        <translation>Bild einer Ansicht</translation>
     </message>
 </context>
 <context>
@@ -10446,6 +10446,10 @@ In den Ansichten sagt es Strg+Umschalt+Klick jederzeit</translation>
     <message>
         <source>The graphics driver was reset; the picture has been drawn anew.</source>
         <translation>Der Grafiktreiber wurde zurückgesetzt; das Bild ist neu gezeichnet.</translation>
+    </message>
+    <message>
+        <source>%1: the 3D view is drawn beside the window, by %2.</source>
+        <translation>%1: Die 3D-Ansicht wird neben dem Fenster gezeichnet, von %2.</translation>
     </message>
 </context>
 <context>

@@ -48,7 +48,47 @@ struct UnsetAllocator : std::allocator<T> {
     ::new (static_cast<void*>(p)) U(std::forward<Args>(args)...);
   }
 };
-using Bytes = std::vector<std::byte, UnsetAllocator<std::byte>>;
+
+/// Bytes that belong to somebody else, who keeps them unchanged for as long as the owner lives.
+struct LentBytes {
+  std::shared_ptr<const void> owner;
+  std::byte* data = nullptr;
+  std::size_t size = 0;
+  bool isTaken = false;
+};
+/// Leaves new bytes unset. The first block of a vector can be bytes that were lent; its copies have memory of their
+/// own.
+class BytesAllocator : public UnsetAllocator<std::byte> {
+ public:
+  using value_type = std::byte;
+  using is_always_equal = std::false_type;
+  using propagate_on_container_move_assignment = std::true_type;
+  using propagate_on_container_swap = std::true_type;
+  template <class U>
+  struct rebind {
+    using other = BytesAllocator;
+  };
+  BytesAllocator() = default;
+  explicit BytesAllocator(LentBytes lent) : mLent(std::make_shared<LentBytes>(std::move(lent))) {}
+
+  std::byte* allocate(std::size_t size) {
+    bool isLent = mLent && !mLent->isTaken && size == mLent->size;
+    if (!isLent) return std::allocator<std::byte>().allocate(size);
+    mLent->isTaken = true;
+    return mLent->data;
+  }
+  void deallocate(std::byte* data, std::size_t size) noexcept {
+    if (!mLent || data != mLent->data) std::allocator<std::byte>().deallocate(data, size);
+  }
+  BytesAllocator select_on_container_copy_construction() const { return {}; }
+  friend bool operator==(const BytesAllocator& a, const BytesAllocator& b) { return a.mLent == b.mLent; }
+
+ private:
+  std::shared_ptr<LentBytes> mLent;
+};
+using Bytes = std::vector<std::byte, BytesAllocator>;
+/// Lent bytes, where they are. They must not be changed through the result.
+inline Bytes bytesOver(LentBytes lent) { return Bytes(lent.size, BytesAllocator(lent)); }
 
 struct FinerLevels;
 

@@ -54,6 +54,9 @@ class Context {
   /// Auto: the kind that VELUM_CONTEXT names, else EGL, else OSMesa. The context is current on return.
   /// @throw GpuError with the reasons of both; ArgumentError when VELUM_CONTEXT names none
   static std::unique_ptr<Context> create(ContextKind kind);
+  /// What VELUM_CONTEXT names: all that is drawn without a window's context, by whichever program, is drawn so; Auto
+  /// where it names none. @throw ArgumentError when it names something else
+  static ContextKind kindOfEnvironment();
   /// Takes over a context that a window made and that is current now; does not destroy it. @throw GpuError From then on
   /// the context must be current, as @p current tells, wherever GL is called. Other contexts of the window share its
   /// programs and textures; objects deleted while one of those is current would be the wrong ones, and such deletions

@@ -21,8 +21,7 @@
 #include "core/Error.h"
 #include "core/GuardWrites.h"
 #include "core/Log.h"
-#include "gpu/GpuError.h"
-#include "gpu/SoftwareDriver.h"
+#include "gui/kit/CoreWords.h"
 #include "gui/kit/Language.h"
 #include "gui/kit/Preferences.h"
 #include "gui/look/LookPanel.h"
@@ -123,35 +122,26 @@ int runWindows(velum::gui::MainWindow& window) {
   return exitCode;
 }
 
-/// Refuses to start, where Mesa's software driver cannot stand in for one that is too old either. @return exit code
-int refuse(const velum::gpu::GpuError& error, bool asks, const std::vector<char*>& arguments) {
-  try {
-    if (const auto* tooOld = dynamic_cast<const velum::gpu::TooOld*>(&error))
-      velum::gpu::startOnSoftware(*tooOld, arguments.data());
-  } catch (const velum::gpu::GpuError& both) {
-    return velum::gui::refuseStart(both, asks);
-  }
-  return velum::gui::refuseStart(error, asks);
-}
-
-/// Where Mesa's software driver draws in place of another one. @param opens  a job follows, which clears the messages
-void tellOfSoftware(velum::gui::MainWindow& window, bool opens) {
-  std::string reason = velum::gpu::softwareReason();
-  if (reason.empty()) return;
-  say(QString::fromStdString(velum::gpu::softwareInstead(reason)));
-  auto show = [&window, reason = QString::fromStdString(reason)] {
-    if (window.messages().isVisible()) return;  // why nothing was opened
-    window.messages().showNote(
-        velum::gui::MainWindow::tr("%1, and OpenGL 4.5 is needed: Mesa's software driver draws instead, which is "
-                                   "slower. Install or update the graphics driver to draw with the card.")
-            .arg(reason));
+/// Where something draws in place of the window system. @param opens  a job follows, which clears the messages
+void tellOfSurface(velum::gui::MainWindow& window, const velum::gui::BesideWindows& beside, bool opens) {
+  if (beside.why.empty()) return;
+  using velum::gui::MainWindow;
+  QString why = velum::gui::inWords(beside.why);
+  QString words = beside.isSoftware
+                      ? MainWindow::tr(
+                            "%1, and OpenGL 4.5 is needed: Mesa's software driver draws instead, which is "
+                            "slower. Install or update the graphics driver to draw with the card.")
+                            .arg(why)
+                      : MainWindow::tr("%1: the 3D view is drawn beside the window, by %2.")
+                            .arg(why, QString::fromStdString(beside.renderer));
+  auto show = [&window, words] {
+    if (!window.messages().isVisible()) window.messages().showNote(words);  // else why nothing was opened
   };
   if (!opens) return show();
-  QObject::connect(&window, &velum::gui::MainWindow::jobEnded, &window, show, Qt::SingleShotConnection);
+  QObject::connect(&window, &MainWindow::jobEnded, &window, show, Qt::SingleShotConnection);
 }
 
 int run(int argc, char** argv) {
-  std::vector<char*> arguments(argv, argv + argc + 1);  // Qt takes some of them
   provideRuntimeFolder();
   auto messages = std::make_unique<velum::gui::StartMessages>();
   QSurfaceFormat format;
@@ -186,17 +176,19 @@ int run(int argc, char** argv) {
       return static_cast<int>(velum::ExitCode::Input);
     }
 
+  velum::gui::BesideWindows beside;
   try {
-    velum::gui::requireOpenGl();
-  } catch (const velum::gpu::GpuError& error) {
+    beside = velum::gui::chooseSurface();
+    if (!beside.why.empty()) messages->drop();  // of what will not be used
+  } catch (const velum::Error& error) {
     messages->drop();
-    return refuse(error, !parser.isSet("script") && !parser.isSet("screenshot"), arguments);
+    return velum::gui::refuseStart(error, !parser.isSet("script") && !parser.isSet("screenshot"));
   }
   messages.reset();
 
   velum::gui::MainWindow window;
   window.show();
-  tellOfSoftware(window, !parser.positionalArguments().isEmpty());
+  tellOfSurface(window, beside, !parser.positionalArguments().isEmpty());
   window.protectWork(velum::session::recoveryFolder(), !parser.isSet("screenshot"));
   window.openPaths(parser.positionalArguments());
   if (parser.isSet("script")) runScript(window, parser.value("script"), parser.isSet("echo"));

@@ -13,7 +13,7 @@ class LossWindow : public Timelines {
     gpu::simulateLoss(0);
     Timelines::TearDown();
   }
-  QImage picture() { return viewport().grabFramebuffer(); }
+  QImage picture() { return viewport().picture(); }
   /// Waits for the loss that was asked for, and for the picture that follows.
   void expectRecovery(const QSignalSpy& heard) {
     ASSERT_TRUE(QTest::qWaitFor([&] { return !heard.isEmpty(); }, kPatience)) << "nothing was lost";
@@ -34,13 +34,17 @@ TEST_F(LossWindow, AtRestItIsSeenWhenThePointerAsksAndNothingElseIsLost) {
   ASSERT_TRUE(settle());
   QImage before = picture();
   scene::Scene saved = scene();
-  const QOpenGLContext* context = viewport().context();
+  auto context = [this] {
+    EXPECT_TRUE(viewport().surface().bind());
+    return gpu::contextNumber();
+  };
+  unsigned number = context();
   QSignalSpy heard(&viewport(), &Viewport::drawnAnew);
   gpu::simulateLoss(1);
   EXPECT_FALSE(viewport().pickAt({100, 100}));
   expectRecovery(heard);
   EXPECT_EQ(heard.size(), 1);
-  EXPECT_NE(viewport().context(), context);
+  EXPECT_NE(context(), number);
   EXPECT_EQ(picture(), before);
   EXPECT_EQ(scene(), saved);
   EXPECT_EQ(document().undoLabel(), "Add cut");

@@ -86,10 +86,10 @@ TEST_F(Manners, ALostContextIsMadeAgainAndNothingElseIsLost) {
   ASSERT_TRUE(settle(*window));
   window->document().edit("Add cut", [](scene::Scene& s) { s.cuts.emplace_back(); });
   ASSERT_TRUE(settle(*window));
-  QImage before = window->viewport().grabFramebuffer();
+  QImage before = window->viewport().picture();
   window->viewport().renewContext();
   ASSERT_TRUE(settle(*window));
-  EXPECT_EQ(window->viewport().grabFramebuffer(), before);
+  EXPECT_EQ(window->viewport().picture(), before);
   EXPECT_TRUE(window->document().canUndo());
 }
 

@@ -1,9 +1,9 @@
 // Membranes in the real window: one is added, settles, rests, is dragged, undone, saved and opened again.
 #include <QCheckBox>
 #include <QComboBox>
-#include <QLabel>
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
+#include <QOpenGLWidget>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QSpinBox>
@@ -37,7 +37,7 @@ class MembraneWindow : public Window {
     ASSERT_TRUE(settle());
   }
   session::MembraneStatus status() { return *viewport().membranes().status(scene().cuts[0].id); }
-  QImage picture() { return viewport().grabFramebuffer(); }
+  QImage picture() { return viewport().picture(); }
   scene::SheetShape shape() { return viewport().membranes().withShapes(scene()).cuts[0].membrane->shape; }
 };
 
@@ -181,13 +181,14 @@ TEST_F(MembraneWindow, AlignedToAnAxisTheFrameFitsTheDataThereAndKeepsWhatItProt
   EXPECT_GE(status().fate.kept, 0.9);
 }
 
-/// Another context is current while it lives, as the window's own is whenever it has been shown. Our GL asserts that it
-/// is called in the viewport's.
+/// Another context is current while it lives, as the window's own is; our GL asserts that it is in the viewport's.
 class OtherContext {
  public:
-  explicit OtherContext(QOpenGLContext* viewports) {
+  explicit OtherContext(Viewport& viewport) {
+    auto* widget = dynamic_cast<QOpenGLWidget*>(&viewport.surface().widget());
+    if (!widget) return;
     mSurface.create();
-    mContext.setShareContext(viewports);
+    mContext.setShareContext(widget->context());
     EXPECT_TRUE(mContext.create() && mContext.makeCurrent(&mSurface));
   }
   ~OtherContext() { mContext.doneCurrent(); }
@@ -197,12 +198,11 @@ class OtherContext {
   QOpenGLContext mContext;
 };
 
-/// In another context that shares its programs, Mesa forgets the one that is to run next: the window died minutes
-/// later.
+/// In another context that shares its programs, Mesa forgets the one that is to run next: the window died later.
 TEST_F(MembraneWindow, WhatASheetHasOnTheGpuIsGivenBackInItsOwnContext) {
   addMembrane();
   {
-    OtherContext other(viewport().context());
+    OtherContext other(viewport());
     document().undo();
   }
   EXPECT_TRUE(scene().cuts.empty());
@@ -348,7 +348,7 @@ TEST_F(MembraneWindow, PausedTheWindowIsSettledAndStepsByHand) {
   QTest::mouseClick(child<QPushButton>("membraneStep"), Qt::LeftButton);
   EXPECT_NE(status().steps, steps);
   {
-    OtherContext other(viewport().context());
+    OtherContext other(viewport());
     EXPECT_FALSE(shape().places.empty()) << "a sheet that is held can be exported from a menu";
   }
   QTest::mouseClick(child<QPushButton>("membranePlay"), Qt::LeftButton);

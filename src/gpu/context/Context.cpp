@@ -68,14 +68,6 @@ bool compileBeside(const GlTable& table, Context::ProcAddress procAddress) {
   return setThreads != nullptr;
 }
 
-/// What VELUM_CONTEXT names: all that is drawn without a window, by whichever program, is drawn so.
-ContextKind kindOfEnvironment() {
-  const char* text = std::getenv("VELUM_CONTEXT");
-  if (!text || !*text) return ContextKind::Auto;
-  if (auto kind = enumValue<ContextKind>(text)) return *kind;
-  throw ArgumentError(fmt::format("VELUM_CONTEXT: '{}' is not one of auto, egl, osmesa", text));
-}
-
 std::size_t memoryFor(const GlTable& table, bool isSoftware) {
   if (const char* text = std::getenv("VELUM_GPU_MEMORY_MB")) return std::size_t(std::strtoull(text, nullptr, 10)) << 20;
   if (!isSoftware) {
@@ -172,6 +164,13 @@ void Context::load(ProcAddress procAddress, Current current) {
   table.CreateVertexArrays(1, &table.emptyVertexArray);
   setGl(&table);
   log::info(fmt::format("OpenGL: {} ({})", mLimits.renderer, mLimits.version));
+}
+
+ContextKind Context::kindOfEnvironment() {
+  const char* text = std::getenv("VELUM_CONTEXT");
+  if (!text || !*text) return ContextKind::Auto;
+  if (auto kind = enumValue<ContextKind>(text)) return *kind;
+  throw ArgumentError(fmt::format("VELUM_CONTEXT: '{}' is not one of auto, egl, osmesa", text));
 }
 
 std::unique_ptr<Context> Context::create(ContextKind kind) {

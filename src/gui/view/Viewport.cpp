@@ -1,7 +1,6 @@
 #include "gui/view/Viewport.h"
 
 #include <QMouseEvent>
-#include <QOpenGLContext>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -30,9 +29,10 @@ bool holdsPicture(const Toolbox& toolbox) { return toolbox.active() && toolbox.a
 }  // namespace
 
 Viewport::Viewport(session::Session& session, Toolbox& toolbox, QWidget* parent)
-    : QOpenGLWidget(parent), mSession(session), mDocument(session.document()), mToolbox(toolbox) {
+    : QWidget(parent), mSession(session), mDocument(session.document()), mToolbox(toolbox) {
   mToolbox.addView(*this);
   mVeil = new PreparingVeil(*this);  // below what tools draw
+  mSurface = ViewSurface::make(*this, listener());
   setAccessibleName(tr("3D view"));
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
@@ -58,11 +58,7 @@ Viewport::Viewport(session::Session& session, Toolbox& toolbox, QWidget* parent)
   connect(&mPickTimer, &QTimer::timeout, this, &Viewport::pickUnderPointer);
 }
 
-Viewport::~Viewport() {
-  release();
-  // The widget's own end, which comes next, ends the context, too.
-  if (context()) disconnect(context(), nullptr, this, nullptr);
-}
+Viewport::~Viewport() { release(); }
 
 void Viewport::pause(int ms) {
   mSectionTimer.stop();
@@ -74,20 +70,12 @@ glm::ivec2 Viewport::deviceSize() const {
   return glm::max(glm::ivec2(std::lround(width() * ratio), std::lround(height() * ratio)), glm::ivec2(1));
 }
 
-void Viewport::paintGL() {
-  if (!mShown || !bindContext()) return;
-  QRect all(QPoint(), mShown->size());
-  QOpenGLFramebufferObject::blitFramebuffer(nullptr, all, mShown.get(), all);
-  if (gpu::isContextLost()) noteLoss();  // while the picture stood
-  mShownCount += std::exchange(mIsFresh, false) ? 1 : 0;
-}
-
 void Viewport::sceneChanged() {
   if (std::exchange(mHasGivenUp, false)) noteLoss();
   wakeSheets();
   scene::Scene wanted = drawnScene();
   bool isSameFrame = marksOverlaps() == mFrame.marksOverlaps && mFrame.brickBytes == memoryBudget().gpuBrickBytes;
-  bool isSameSize = mShown && mShown->size() == QSize(deviceSize().x, deviceSize().y);
+  bool isSameSize = mSurface->size() == deviceSize();
   if (wanted == mWanted && isSameFrame && isSameSize) return;
   mWanted = std::move(wanted);
   startAnew();
@@ -148,14 +136,14 @@ void Viewport::section() {
     if (!moving && !drawing && !hearing) mSectionTimer.stop();
   });
   if (!goesOn) mSectionTimer.stop();
-  if (mContext && !mIsLost) tellProgress();
+  if (mSurface->context() && !mIsLost) tellProgress();
 }
 
 /// Works on the picture for a while. @return false when there is nothing to do until something happens
 bool Viewport::drawSome() {
   if (mHasPicture && holdsPicture(mToolbox)) return false;
-  if (!mShown) resizeGL(width(), height());  // there was no memory for it
-  if (!mShown) {
+  if (mSurface->size() == glm::ivec2(0)) resizePicture();  // there was no memory for it
+  if (mSurface->size() == glm::ivec2(0)) {
     mStage = Stage::Idle;
     mPending = false;
     return false;
@@ -176,14 +164,13 @@ bool Viewport::drawSome() {
 }
 
 void Viewport::show() {
-  if (!mShown) return;
+  if (mSurface->size() == glm::ivec2(0)) return;
   mHasPicture = mIsFresh = true;
   if (std::exchange(mTellsLoss, false)) emit drawnAnew();
-  mRenderer->present(mShown->handle(), {mShown->width(), mShown->height()});
+  mSurface->take(*mRenderer);
   mSinceShown.restart();
   mVeil->lift(mFrame.scene);
   if (mPending) mVeil->await(mDocument.shown());
-  update();
 }
 
 /// @return true when the next stage has begun; a coarse picture is looked at for a while first

@@ -1,14 +1,13 @@
 #pragma once
 #include <QElapsedTimer>
-#include <QOpenGLFramebufferObject>
-#include <QOpenGLWidget>
 #include <QTimer>
+#include <QWidget>
 #include <functional>
 #include <memory>
 #include <optional>
 
-#include "gpu/Context.h"
 #include "gui/tool/Toolbox.h"
+#include "gui/view/ViewSurface.h"
 #include "render/Renderer.h"
 #include "session/Session.h"
 
@@ -19,7 +18,7 @@ class PreparingVeil;
 /// The progressive 3D view. While the scene changes the view shows coarse pictures, sized so that each is ready at
 /// once; when the scene rests the picture is refined in short pieces of work between events, and when the picture is
 /// complete the view does no work at all.
-class Viewport : public QOpenGLWidget, public ToolView {
+class Viewport : public QWidget, public ToolView {
   Q_OBJECT
  public:
   Viewport(session::Session& session, Toolbox& toolbox, QWidget* parent);
@@ -43,7 +42,11 @@ class Viewport : public QOpenGLWidget, public ToolView {
   render::Stats stats() const { return mRenderer ? mRenderer->stats() : render::Stats{}; }
   /// How many pictures the view has shown; for tests and measurements.
   int shownCount() const { return mShownCount; }
-  /// Gets another GL context from Qt and draws all anew in it, as after the driver has lost the one before.
+  /// Where it draws.
+  ViewSurface& surface() { return *mSurface; }
+  /// The picture on the screen.
+  QImage picture() { return mSurface->picture(); }
+  /// Gets another GL context and draws all anew in it, as after the driver has lost the one before.
   void renewContext();
   /// To be called when jobs of the session's players have ended: their results may ask for work although no picture is
   /// being drawn.
@@ -96,9 +99,7 @@ class Viewport : public QOpenGLWidget, public ToolView {
   void placeWanted(glm::dvec3 world);
 
  protected:
-  void initializeGL() override;
-  void resizeGL(int width, int height) override;
-  void paintGL() override;
+  void resizeEvent(QResizeEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
@@ -116,6 +117,9 @@ class Viewport : public QOpenGLWidget, public ToolView {
   void wakeSheets();
   bool driveSheets();
   void tellSheets();
+  ViewSurface::Listener listener();
+  void makeRenderer();
+  void resizePicture();
   void release();
   bool bindContext();
   bool tries(const std::function<void()>& work);
@@ -144,14 +148,13 @@ class Viewport : public QOpenGLWidget, public ToolView {
   session::Document& mDocument;
   Toolbox& mToolbox;
   PreparingVeil* mVeil;
-  std::unique_ptr<gpu::Context> mContext;
+  std::unique_ptr<ViewSurface> mSurface;
   std::unique_ptr<render::Renderer> mRenderer;
   bool mIsLost = false;      ///< The driver has lost the context; recover() comes next.
   bool mTellsLoss = false;   ///< drawnAnew() is to be told with the next picture.
   int mLosses = 0;           ///< since a picture was complete, or a while without
   bool mHasGivenUp = false;  ///< After too many losses; the next change tries anew.
   QElapsedTimer mSinceLoss;
-  std::unique_ptr<QOpenGLFramebufferObject> mShown;  ///< The picture on the screen, kept while the next one is made.
   render::Frame mFrame;
   std::uint64_t mSheetsShown = 0;  ///< The session's shownCount() when mFrame was begun.
   render::SheetIndices mIndicesTold;

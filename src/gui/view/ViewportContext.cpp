@@ -1,7 +1,4 @@
-// The view's GL context: how it comes from Qt, moves to another window, and is made anew where the driver has lost it.
-#include <QCoreApplication>
-#include <QEvent>
-#include <QOpenGLContext>
+// The view's GL context: how it comes, goes with a window, and is made anew where the driver has lost it.
 #include <QTimer>
 #include <utility>
 
@@ -21,23 +18,29 @@ constexpr int kLossesCountMs = 60'000;  // losses that far apart have not the sa
 
 }  // namespace
 
-void Viewport::initializeGL() {
-  connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &Viewport::release, Qt::DirectConnection);
-  try {
-    mContext = gpu::Context::adopt(
-        [](const char* name) {
-          return reinterpret_cast<void*>(QOpenGLContext::currentContext()->getProcAddress(name));
-        },
-        [] { return static_cast<const void*>(QOpenGLContext::currentContext()); });
-    mRenderer = std::make_unique<render::Renderer>(*mContext);
-    bool isSoftware = mContext->limits().isSoftware;
-    if (mCoarseScale == 0) mCoarseScale = isSoftware ? kFirstScaleSoftware : kFirstScaleHardware;
-    startAnew();
-  } catch (const Error& error) {
-    mContext.reset();
-    QMetaObject::invokeMethod(
-        this, [this, text = inWords(error.what())] { emit failed(text); }, Qt::QueuedConnection);
-  }
+ViewSurface::Listener Viewport::listener() {
+  return {.made = [this] { makeRenderer(); },
+          .leaves = [this] { release(); },
+          .failed =
+              [this](const QString& words) {
+                QMetaObject::invokeMethod(
+                    this, [this, words] { emit failed(words); }, Qt::QueuedConnection);
+              },
+          .resized = [this] { resizePicture(); },
+          .paints = [this] { return bindContext(); },
+          .painted =
+              [this] {
+                if (gpu::isContextLost()) noteLoss();  // while the picture stood
+                mShownCount += std::exchange(mIsFresh, false) ? 1 : 0;
+              }};
+}
+
+/// In a context that has just been made.
+void Viewport::makeRenderer() {
+  gpu::Context& context = *mSurface->context();
+  mRenderer = std::make_unique<render::Renderer>(context);
+  if (mCoarseScale == 0) mCoarseScale = context.limits().isSoftware ? kFirstScaleSoftware : kFirstScaleHardware;
+  startAnew();
 }
 
 /// Gives back everything on the GPU while the context still lives, as the widget is deleted or moves to another window,
@@ -48,49 +51,44 @@ void Viewport::release() {
   mPickTimer.stop();
   mLevelTimer.stop();
   mPauseTimer.stop();
-  if (!mContext) return;
-  makeCurrent();
-  mContext->makeCurrent();
-  bool isLost = QOpenGLContext::currentContext() != context() || gpu::isContextLost();
-  if (isLost) mContext.reset();
+  if (!mSurface->context()) return;
+  bool isLost = !mSurface->bind() || gpu::isContextLost();
+  if (isLost) mSurface->forget();
   mTellsLoss = mTellsLoss || isLost;
-  mShown.reset();
   mVeil->forget();
   mFrame = {};  // it holds sheets
   mSession.releaseGpu();
   mRenderer.reset();
-  mContext.reset();
+  mSurface->drop();
   mHasPicture = false;
   mPending = true;
   mStage = Stage::Idle;
-  doneCurrent();
 }
 
 void Viewport::showEvent(QShowEvent* event) {
-  QOpenGLWidget::showEvent(event);
+  QWidget::showEvent(event);
   if (std::exchange(mHasGivenUp, false)) noteLoss();
-  if (bindContext() && !mShown) resizeGL(width(), height());
+  if (bindContext() && mSurface->size() == glm::ivec2(0)) resizePicture();
   if (mRenderer) mSectionTimer.start();  // what stood still while nobody saw it
 }
 
-/// Qt makes another context for a widget that has come into another window, and does so at its word.
+void Viewport::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  mSurface->widget().resize(size());
+}
+
 void Viewport::renewContext() {
   release();
-  QEvent moved(QEvent::WindowChangeInternal);
-  QCoreApplication::sendEvent(this, &moved);
-  if (bindContext() && !mShown) resizeGL(width(), height());
+  mSurface->renew();
+  if (bindContext() && mSurface->size() == glm::ivec2(0)) resizePicture();
 }
 
 /// @return false where there is no context, or it was lost, which is seen to
 bool Viewport::bindContext() {
-  if (!mContext || mIsLost) return false;
-  makeCurrent();
-  if (QOpenGLContext::currentContext() != context()) {
-    noteLoss();  // Qt has asked the driver
-    return false;
-  }
-  mContext->makeCurrent();
-  return true;
+  if (!mSurface->context() || mIsLost) return false;
+  if (mSurface->bind()) return true;
+  noteLoss();
+  return false;
 }
 
 /// Does some work with the driver. Where that fails, as for want of memory, it is said, the picture stands, and the
@@ -126,7 +124,7 @@ void Viewport::recover() {
   if (++mLosses <= gpu::kMostLosses) {
     renewContext();
     // A driver that is still being reset makes none.
-    mIsLost = !mContext && isVisible();
+    mIsLost = !mSurface->context() && isVisible();
     if (mIsLost) QTimer::singleShot(kDriverPauseMs * mLosses, this, &Viewport::recover);
     return;
   }
@@ -143,17 +141,10 @@ void Viewport::recover() {
   tellProgress();
 }
 
-void Viewport::resizeGL(int, int) {
-  if (!mContext) return;
-  // The old picture stands in, stretched, until the new one is there.
-  glm::ivec2 size = deviceSize();
-  auto old = std::move(mShown);
-  mShown = std::make_unique<QOpenGLFramebufferObject>(size.x, size.y);
-  if (!mShown->isValid()) return gpu::isContextLost() ? noteLoss() : failForSize();
-  QSize now(size.x, size.y);
-  if (old)
-    QOpenGLFramebufferObject::blitFramebuffer(mShown.get(), QRect(QPoint(), now), old.get(),
-                                              QRect(QPoint(), old->size()), GL_COLOR_BUFFER_BIT, GL_LINEAR);
+/// The old picture stands in, stretched, until the new one is there.
+void Viewport::resizePicture() {
+  if (!mSurface->context()) return;
+  if (!mSurface->resize(deviceSize())) return gpu::isContextLost() ? noteLoss() : failForSize();
   startAnew();
 }
 

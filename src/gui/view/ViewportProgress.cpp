@@ -12,7 +12,6 @@ constexpr int kTellMs = 250;  // how often the status line is told: the window i
 
 /// Without memory for a picture of the view's size.
 void Viewport::failForSize() {
-  mShown.reset();
   mVeil->fail();
   emit failed(
       tr("The driver has no memory for a picture of this size: make the window smaller, or close other programs "

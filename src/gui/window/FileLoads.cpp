@@ -284,7 +284,7 @@ void FileLoads::rememberPicture() {
   mWantsPicture = false;
   QFileInfo file(toText(open.path()));
   if (!open.isOpen() || open.path().empty() || !file.exists()) return;
-  saveRecentPicture(file.absoluteFilePath().toStdString(), mParts.views.viewport().grabFramebuffer());
+  saveRecentPicture(file.absoluteFilePath().toStdString(), mParts.views.viewport().picture());
 }
 
 }  // namespace velum::gui

@@ -17,13 +17,14 @@
 #include "core/Log.h"
 #include "gpu/Context.h"
 #include "gpu/GpuError.h"
+#include "gpu/SoftwareDriver.h"
 #include "gui/kit/CoreWords.h"
+#include "gui/view/ViewSurface.h"
 
 namespace velum::gui {
 
 namespace {
 
-constexpr const char* kNeeded = "4.5 is needed: install or update the graphics driver; Mesa's software driver will do";
 constexpr std::size_t kMostSaid = 1000;  // bytes of a driver's own words
 
 /// The messages that the handler, of which Qt has one for each process, has taken.
@@ -58,8 +59,8 @@ void tryOpenGl() {
   // Some platforms have contexts, but none for widgets; Qt says that in a warning only.
   { QOpenGLWidget widget; }
   if (!StartMessages::warnings().filter("QOpenGLWidget is not supported").isEmpty())
-    throw gpu::GpuError(fmt::format("this display ({}) gives windows no OpenGL; {}",
-                                    QGuiApplication::platformName().toStdString(), kNeeded));
+    throw gpu::GpuError(
+        fmt::format("this display ({}) gives windows no OpenGL", QGuiApplication::platformName().toStdString()));
   QSurfaceFormat usual = QSurfaceFormat::defaultFormat(), robust = usual;
   robust.setOption(QSurfaceFormat::ResetNotification);
   QOffscreenSurface surface;
@@ -77,6 +78,18 @@ void tryOpenGl() {
         },
         [] { return static_cast<const void*>(QOpenGLContext::currentContext()); });
     return QSurfaceFormat::setDefaultFormat(format);
+  }
+}
+
+/// Tries to draw beside the window system. @param why  not in it @throw gpu::GpuError that says both
+BesideWindows tryBeside(const std::string& why) {
+  try {
+    gpu::Limits limits = gpu::Context::create(gpu::ContextKind::Auto)->limits();
+    return {why, limits.renderer, limits.isSoftware};
+  } catch (const gpu::GpuError& error) {
+    std::string words = error.what();
+    if (!words.starts_with(why)) words = why + "; " + words;
+    throw gpu::GpuError(words);
   }
 }
 
@@ -154,16 +167,29 @@ void StartMessages::take(QtMsgType type, const QMessageLogContext& context, cons
   taken().lines << qFormatLogMessage(type, context, text);
 }
 
-void requireOpenGl() {
-  StderrAside aside;
-  try {
-    tryOpenGl();
-  } catch (const gpu::GpuError& error) {
-    QString said = aside.take();
-    std::string words = error.what() + (said.isEmpty() ? std::string() : " (" + said.toStdString() + ")");
-    if (dynamic_cast<const gpu::TooOld*>(&error)) throw gpu::TooOld(words);
-    throw gpu::GpuError(words);
+BesideWindows chooseSurface() {
+  if (gpu::Context::kindOfEnvironment() != gpu::ContextKind::Auto) {
+    tryBeside({});
+    return {};
   }
+  std::string why;
+  {
+    StderrAside aside;
+    try {
+      tryOpenGl();
+      return {};
+    } catch (const gpu::GpuError& error) {
+      QString said = aside.take();
+      why = error.what() + (said.isEmpty() ? std::string() : " (" + said.toStdString() + ")");
+    }
+  }
+  BesideWindows beside = tryBeside(why);
+  ViewSurface::drawBesideWindows();
+  if (beside.isSoftware)
+    gpu::warnOfSoftware(why);
+  else
+    log::warning(fmt::format("{}: the 3D view is drawn beside the window, by {}", why, beside.renderer));
+  return beside;
 }
 
 int refuseStart(const Error& error, bool asks) {

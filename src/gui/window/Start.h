@@ -1,9 +1,9 @@
 #pragma once
 #include <QMessageLogContext>
 #include <QStringList>
+#include <string>
 
 #include "core/Error.h"
-#include "gpu/GpuError.h"
 
 /// Checks what the program needs of the machine before there is a window, and what is said where that is missing.
 namespace velum::gui {
@@ -28,10 +28,17 @@ class StartMessages {
   QtMessageHandler mBefore;
 };
 
-/// Tries what the 3D view will need; QApplication and a StartMessages must exist. Where the driver tells of resets, the
-/// default format asks for that from then on. @throw gpu::TooOld when the driver makes no OpenGL 4.5; gpu::GpuError
-/// when a window gets no OpenGL on this machine at all
-void requireOpenGl();
+/// A context beside the window system, where its own OpenGL will not do.
+struct BesideWindows {
+  std::string why;       ///< In words; empty: the window system's own draws, or VELUM_CONTEXT says what does.
+  std::string renderer;  ///< What draws instead, as it calls itself.
+  bool isSoftware = false;
+};
+/// Tries what the 3D view will need, and has views draw beside the window system where that gives no OpenGL 4.5 (see
+/// ViewSurface); QApplication and a StartMessages must exist. Where the driver tells of resets, the default format asks
+/// for that from then on. A driver that stands in is said on stderr.
+/// @throw gpu::GpuError when nothing draws on this machine; ArgumentError when VELUM_CONTEXT names no kind of context
+BesideWindows chooseSurface();
 
 /// Says on stderr why there will be no window. @param asks  also says so in a dialog, if there is a screen, and waits
 /// until the dialog is closed

@@ -160,7 +160,7 @@ def purposes(root):
         text = path.read_text()
         for begin, literal in sums(text):
             calls = around(text, begin)[0]
-            declared = re.search(r"\b(?:UniformBuffer<[\w:]+>|Readback<[\w:]+>|ReadbackRing) \w+[({]$", text[max(0, begin - 100):begin])
+            declared = re.search(r"\b(?:UniformBuffer<[\w:]+>|Readback<[\w:]+>|ReadbackRing) \w+[({]$|\bkPurpose = $", text[max(0, begin - 100):begin])
             if declared or calls and PURPOSE.search(calls[0]):
                 found[literal] = path
     return found

@@ -47,6 +47,20 @@ class ScriptTest : public testing::Test {
     return said;
   }
   const scene::Scene& scene() { return mWindow.document().scene(); }
+  /// A program that was copied, run by Python, draws the window's bytes. @param parts  that it holds
+  void expectPythonDrawsTheSame(std::initializer_list<const char*> parts) {
+    QString program = QGuiApplication::clipboard()->text();
+    for (const char* part : parts) EXPECT_TRUE(program.contains(part)) << part << " in\n" << program.toStdString();
+    ASSERT_EQ(run("picture samples=1 96x72 " + path("window.png")), "");
+    QFile file(path("again.py"));
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write((program + QString("s.picture(\"96x72\", \"%1\", samples=1)\n").arg(path("python.png"))).toUtf8());
+    file.close();
+    runProgram({VELUM_PYTHON, path("again.py")}, "PYTHONPATH=" VELUM_PYTHON_PACKAGE);
+    QByteArray byWindow = bytesOf(path("window.png"));
+    EXPECT_FALSE(byWindow.isEmpty());
+    EXPECT_TRUE(bytesOf(path("python.png")) == byWindow) << program.toStdString();
+  }
 
   TempFolder mFolder;
   MainWindow mWindow;
@@ -175,17 +189,25 @@ TEST_F(ScriptTest, WhatWasDoneIsCopiedAsPythonAndDrawsTheSameBytes) {
                         "set lighting.shadow 0\nset lighting.occlusion 0\nview.from left\ndo edit.copyPython\n")
                     .arg(path("phantom.nrrd"))),
             "");
-  QString program = QGuiApplication::clipboard()->text();
-  EXPECT_TRUE(program.contains("\ns.cut.add(")) << program.toStdString();
-  ASSERT_EQ(run("picture samples=1 96x72 " + path("window.png")), "");
-  QFile file(path("again.py"));
-  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
-  file.write((program + QString("s.picture(\"96x72\", \"%1\", samples=1)\n").arg(path("python.png"))).toUtf8());
-  file.close();
-  runProgram({VELUM_PYTHON, path("again.py")}, "PYTHONPATH=" VELUM_PYTHON_PACKAGE);
-  QByteArray byWindow = bytesOf(path("window.png"));
-  EXPECT_FALSE(byWindow.isEmpty());
-  EXPECT_TRUE(bytesOf(path("python.png")) == byWindow) << program.toStdString();
+  expectPythonDrawsTheSame({"\ns.cut.add("});
+}
+
+/// A membrane, a region that grows, what stands out, marks, a film, and what a mouse has dragged.
+TEST_F(ScriptTest, WhatAHandHasDoneIsCopiedAsPythonToo) {
+  if (std::string_view(VELUM_PYTHON_PACKAGE).empty()) GTEST_SKIP() << "the Python module is not built";
+  ASSERT_EQ(run(QString("open %1\nset lighting.shadow 0\nset lighting.occlusion 0\ncut.add plane axis=0,-1,0\n"
+                        "growth.pullAt -29,0,14 12\nmembrane.hang 500,1100 axis=0,0,1 position=0.7\nsettle\n"
+                        "mark.add distance [[-10,0,0],[10,0,5]]\nfilm.turn 1\nview.from oblique\nsettle\n")
+                    .arg(path("phantom.nrrd"))),
+            "");
+  ASSERT_EQ(scene().cuts.size(), 2u);
+  scene::Camera before = scene().camera;
+  QTest::mousePress(&mWindow.viewport(), Qt::LeftButton, {}, {20, 20});
+  for (int i = 1; i <= 4; ++i) QTest::mouseMove(&mWindow.viewport(), QPoint(20 + 6 * i, 20 + 3 * i));
+  QTest::mouseRelease(&mWindow.viewport(), Qt::LeftButton, {}, {44, 32});
+  EXPECT_NE(scene().camera.eye, before.eye);
+  ASSERT_EQ(run("settle\ndo edit.copyPython\n"), "");
+  expectPythonDrawsTheSame({"s.membrane.hang(", "s.growth.pull_at(", "s.mark.add(", "s.film.turn(", "camera.eye"});
 }
 
 TEST_F(ScriptTest, MissingDataIsAnErrorAndAsksNothing) {

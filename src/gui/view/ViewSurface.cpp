@@ -9,7 +9,9 @@
 #include <utility>
 
 #include "core/Error.h"
+#include "gpu/Allocation.h"
 #include "gpu/Framebuffer.h"
+#include "gpu/GpuError.h"
 #include "gpu/Texture.h"
 #include "gui/kit/CoreWords.h"
 
@@ -18,6 +20,12 @@ namespace velum::gui {
 namespace {
 
 bool gDrawsBesideWindows = false;
+
+constexpr const char* kPurpose = "picture of a view";
+
+gpu::Allocation allocationOf(glm::ivec2 size) {
+  return {kPurpose, std::size_t(size.x) * std::size_t(size.y) * 4, glm::ivec3(size, 1)};
+}
 
 /// Lets what lies above have the mouse and the keyboard.
 void layBelow(QWidget& surface) {
@@ -57,11 +65,14 @@ class WindowSurface : public QOpenGLWidget, public ViewSurface {
   }
   bool resize(glm::ivec2 size) override {
     auto old = std::move(mShown);
-    mShown = std::make_unique<QOpenGLFramebufferObject>(size.x, size.y);
-    if (!mShown->isValid()) {
+    try {
+      gpu::allocate(allocationOf(size), gpu::Answer::AtOnce,
+                    [&] { mShown = std::make_unique<QOpenGLFramebufferObject>(size.x, size.y); });
+    } catch (const gpu::NoMemory&) {
       mShown.reset();
-      return false;
     }
+    if (mShown && !mShown->isValid()) mShown.reset();
+    if (!mShown) return false;
     if (old)
       QOpenGLFramebufferObject::blitFramebuffer(mShown.get(), QRect(QPoint(), mShown->size()), old.get(),
                                                 QRect(QPoint(), old->size()), GL_COLOR_BUFFER_BIT, GL_LINEAR);
@@ -140,8 +151,8 @@ class ImageSurface : public QWidget, public ViewSurface {
   void take(render::Renderer& renderer) override {
     if (mTarget.size() != size()) {
       mTarget = {};
-      mTexture = gpu::Texture::make2d("picture of a view", gpu::Format::Rgba8, size());
-      mTarget = gpu::Framebuffer("picture of a view", {&mTexture});
+      mTexture = gpu::Texture::make2d(kPurpose, gpu::Format::Rgba8, size());
+      mTarget = gpu::Framebuffer(kPurpose, {&mTexture});
     }
     renderer.present(mTarget.id(), size());
     QImage bottomUp(mShown.size(), QImage::Format_RGBX8888);

@@ -165,9 +165,9 @@ bool Viewport::drawSome() {
 
 void Viewport::show() {
   if (mSurface->size() == glm::ivec2(0)) return;
+  mSurface->take(*mRenderer);
   mHasPicture = mIsFresh = true;
   if (std::exchange(mTellsLoss, false)) emit drawnAnew();
-  mSurface->take(*mRenderer);
   mSinceShown.restart();
   mVeil->lift(mFrame.scene);
   if (mPending) mVeil->await(mDocument.shown());

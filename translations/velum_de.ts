@@ -5151,6 +5151,30 @@
         <source>this display (%1) gives windows no OpenGL</source>
         <translation>diese Anzeige (%1) gibt Fenstern kein OpenGL</translation>
     </message>
+    <message>
+        <source>parts are drawn of pictures in files: .png, .tif, .exr, and not of sections</source>
+        <translation>Teile werden von Bildern in Dateien gezeichnet: .png, .tif, .exr, und nicht von Schnittbildern</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no argument here; these are %2; a text with = stands in quotes</source>
+        <translation>„%1“ ist hier kein Argument; es gibt %2; ein Text mit = steht in Anführungszeichen</translation>
+    </message>
+    <message>
+        <source>part %1/%2: the picture has %3 rows</source>
+        <translation>Teil %1/%2: das Bild hat %3 Zeilen</translation>
+    </message>
+    <message>
+        <source>%1: it is there, of all %2 parts</source>
+        <translation>%1: ist da, aus allen %2 Teilen</translation>
+    </message>
+    <message>
+        <source>%1: %2 of %3 parts are there; it is put together when all are</source>
+        <translation>%1: %2 von %3 Teilen sind da; zusammengesetzt wird es, wenn alle da sind</translation>
+    </message>
+    <message>
+        <source>%1: put together of %2 parts</source>
+        <translation>%1: aus %2 Teilen zusammengesetzt</translation>
+    </message>
 </context>
 <context>
     <name>Memory</name>

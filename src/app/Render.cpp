@@ -29,6 +29,7 @@ struct RenderOptions {
   LetteringOptions lettering;
   DrawnOptions drawn;
   std::string output, saveScene;
+  std::string part;
   double at = -1.0;
   bool bruteForce = false;
 };
@@ -79,6 +80,7 @@ int run(const RenderOptions& options) {
   std::optional<scene::SectionKind> section = sectionOf(options.drawn);
   bool isSection = section.has_value();
   session::PictureOptions picture = pictureOf(options.drawn);
+  if (!options.part.empty()) picture.part = session::parsePart(options.part);
   glm::ivec2 size = picture.size;
   double aspect = double(size.x) / size.y;
   session::Session session;
@@ -100,7 +102,8 @@ int run(const RenderOptions& options) {
   if (options.at >= 0.0) app::run(session, session::MovePlayhead{options.at});
 
   auto start = Clock::now();
-  for (const std::string& note : session.savePicture(picture, section, options.output, progress)) log::warning(note);
+  for (const std::string& note : session.savePicture(picture, section, options.output, progress))
+    picture.part.parts > 1 ? log::say("note: " + note) : log::warning(note);
   double ms = msSince(start);
   bool isEmpty = !isSection && session::cutsTakeAll(session.settled(progress), progress);
   if (isEmpty) log::warning(session::kNothingLeft);
@@ -137,6 +140,8 @@ Run registerRender(CLI::App& verb) {
       "sections front, inlay and behind: "
       "in the EXR, or as PNGs beside");
   verb.add_flag("--transparent", options->drawn.picture.transparent, "no background, with alpha");
+  verb.add_option("--part", options->part,
+                  "K/N: draw the K-th of N bands of rows; whoever is last puts the picture together");
   addLettering(verb, options->lettering);
   verb.add_flag("--brute-force", options->bruteForce,
                 "without skipping and early ends: the reference for every acceleration");

@@ -185,6 +185,7 @@ int run(int argc, char** argv) {
     return velum::gui::refuseStart(error, !parser.isSet("script") && !parser.isSet("screenshot"));
   }
   messages.reset();
+  if (!beside.why.empty()) velum::gui::hushPlatform();
 
   velum::gui::MainWindow window;
   window.show();

@@ -31,8 +31,9 @@ Image renderPicture(Renderer& renderer, const Frame& frame, const Layers& layers
                     Progress& progress) {
   Image whole;
   std::pair<std::string, double> coarseness;
-  glm::ivec2 size = frame.pictureSize;
-  int margin = std::max(size.x, size.y) > largestWindow ? finishMargin(frame) : 0;
+  bool isPart = frame.windowSize != glm::ivec2(0);
+  glm::ivec2 origin = frame.windowOrigin, size = isPart ? frame.windowSize : frame.pictureSize;
+  int margin = isPart || std::max(size.x, size.y) > largestWindow ? finishMargin(frame) : 0;
   int inner = std::max(largestWindow - 2 * margin, (largestWindow + 1) / 2);
   int columns = (size.x + inner - 1) / inner, rows = (size.y + inner - 1) / inner;
   for (int row = 0; row < rows; ++row)
@@ -40,20 +41,20 @@ Image renderPicture(Renderer& renderer, const Frame& frame, const Layers& layers
       Frame part = frame;
       part.saysFaces = frame.saysFaces || layers.face;
       glm::ivec2 corner = glm::ivec2(column, row) * inner, wanted = glm::min(size - corner, glm::ivec2(inner));
-      part.windowOrigin = glm::max(corner - margin, glm::ivec2(0));
-      part.windowSize = glm::min(size, corner + wanted + margin) - part.windowOrigin;
+      part.windowOrigin = glm::max(origin + corner - margin, glm::ivec2(0));
+      part.windowSize = glm::min(frame.pictureSize, origin + corner + wanted + margin) - part.windowOrigin;
       renderer.render(part, progress);
       Image image = renderer.read(layers);
       // The driver has run out of memory between two parts: all are to look alike.
       if (row + column == 0) coarseness = coarsenessOf(renderer.stats());
       if (coarsenessOf(renderer.stats()) != coarseness)
         return renderPicture(renderer, frame, layers, largestWindow, progress);
-      if (columns * rows == 1) return image;
+      if (columns * rows == 1 && !isPart) return image;
       if (whole.pixels.empty()) {
         whole = {size.x, size.y, image.channels, {}};
         whole.pixels.resize(std::size_t(size.x) * std::size_t(size.y) * image.channels.size());
       }
-      copyPart(image, corner - part.windowOrigin, wanted, corner, whole);
+      copyPart(image, origin + corner - part.windowOrigin, wanted, corner, whole);
     }
   return whole;
 }

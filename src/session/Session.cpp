@@ -17,6 +17,7 @@
 #include "session/film/FilmDrawer.h"
 #include "session/film/MakeFilm.h"
 #include "session/picture/Picture.h"
+#include "session/picture/PictureParts.h"
 #include "session/plate/Plate.h"
 
 namespace velum::session {
@@ -196,6 +197,14 @@ vector::Drawing Session::plate(const PictureOptions& options, std::optional<scen
 std::vector<std::string> Session::savePicture(const PictureOptions& options, std::optional<scene::SectionKind> section,
                                               const std::filesystem::path& path, Progress& progress) {
   if (path != "-") expectPictureFile(path);
+  bool isPart = options.part.parts > 1;
+  if (isPart && (section || path == "-" || io::isDrawing(path)))
+    throw ArgumentError("parts are drawn of pictures in files: .png, .tif, .exr, and not of sections");
+  if (isPart) {
+    scene::Scene drawn = settled(progress);
+    render::Renderer& draws = renderer();
+    return savePicturePart(draws, drawn, options, mContext->limits(), path, progress);
+  }
   if (io::isDrawing(path)) {
     vector::Drawing drawing = plate(options, section, progress);
     savePlate(drawing, shown(), options, path);

@@ -221,7 +221,7 @@ TEST_F(German, MessagesAreGermanWithTheirNamesAndACommaInNumbers) {
       "the driver has no memory for light extinction (64 x 32 x 16, 12 MiB): close other programs that draw, make "
       "the picture smaller, or lower VELUM_GPU_MEMORY_MB",
       "der Treiber hat keinen Speicher für Abschwächung des Lichts (64 x 32 x 16, 12 MiB): andere Programme "
-      "schließen, die zeichnen, das Bild verkleinern oder VELUM_GPU_MEMORY_MB senken");
+      "schließen, die zeichnen, das Bild kleiner machen oder VELUM_GPU_MEMORY_MB senken");
   expectSaid("a: cannot be written (No space left on device); check the folder and the free space",
              "a: kann nicht geschrieben werden (kein Platz mehr auf dem Datenträger); Ordner und freien Platz prüfen");
   expectSaid("planes are not evenly apart; each was put on the nearest of 1.5 mm, by up to 0.25 mm",

@@ -90,9 +90,10 @@ TEST_F(ScriptTest, ErrorsNameTheLineAndTheKind) {
         Row{"open", "a path is missing", 1}, Row{"set camera", "a field and a value", 1},
         Row{"set camera.eye 4", "eye", 1}, Row{"set camera.fieldOfViewDeg 900", "outside", 1},
         Row{"do sing.loud", "sing.loud", 1}, Row{"do cut.addPlane", "cannot be done now", 2},
-        Row{"undo", "nothing to undo", 2}, Row{"page of gold", "no page", 1}, Row{"wait long", "whole number", 1},
-        Row{"wait -5", "whole number", 1}, Row{"recover", "no unsaved work", 2},
-        Row{"screenshot /nowhere/a.png", "/nowhere/a.png", 2},
+        Row{"undo", "nothing to undo", 2},
+        Row{"cut.add plane axis=0,0,1", "'axis' is no argument here; these are shape, name", 1},
+        Row{"page of gold", "no page", 1}, Row{"wait long", "whole number", 1}, Row{"wait -5", "whole number", 1},
+        Row{"recover", "no unsaved work", 2}, Row{"screenshot /nowhere/a.png", "/nowhere/a.png", 2},
         Row{open + "save /nowhere/a.json", "test:2: /nowhere/a.json", 2}}) {
     QString said = run(row.text);
     EXPECT_TRUE(said.contains(row.part)) << row.text.toStdString() << " gives " << said.toStdString();
@@ -195,11 +196,12 @@ TEST_F(ScriptTest, WhatWasDoneIsCopiedAsPythonAndDrawsTheSameBytes) {
 /// A membrane, a region that grows, what stands out, marks, a film, and what a mouse has dragged.
 TEST_F(ScriptTest, WhatAHandHasDoneIsCopiedAsPythonToo) {
   if (std::string_view(VELUM_PYTHON_PACKAGE).empty()) GTEST_SKIP() << "the Python module is not built";
-  ASSERT_EQ(run(QString("open %1\nset lighting.shadow 0\nset lighting.occlusion 0\ncut.add plane axis=0,-1,0\n"
-                        "growth.pullAt -29,0,14 12\nmembrane.hang 500,1100 axis=0,0,1 position=0.7\nsettle\n"
-                        "mark.add distance [[-10,0,0],[10,0,5]]\nfilm.turn 1\nview.from oblique\nsettle\n")
-                    .arg(path("phantom.nrrd"))),
-            "");
+  ASSERT_EQ(
+      run(QString("open %1\nset lighting.shadow 0\nset lighting.occlusion 0\ncut.add plane\nset cuts.0.axis [0,-1,0]\n"
+                  "growth.pullAt -29,0,14 12\nmembrane.hang 500,1100 axis=0,0,1 position=0.7\nsettle\n"
+                  "mark.add distance [[-10,0,0],[10,0,5]]\nfilm.turn 1\nview.from oblique\nsettle\n")
+              .arg(path("phantom.nrrd"))),
+      "");
   ASSERT_EQ(scene().cuts.size(), 2u);
   scene::Camera before = scene().camera;
   QTest::mousePress(&mWindow.viewport(), Qt::LeftButton, {}, {20, 20});
@@ -207,7 +209,7 @@ TEST_F(ScriptTest, WhatAHandHasDoneIsCopiedAsPythonToo) {
   QTest::mouseRelease(&mWindow.viewport(), Qt::LeftButton, {}, {44, 32});
   EXPECT_NE(scene().camera.eye, before.eye);
   ASSERT_EQ(run("settle\ndo edit.copyPython\n"), "");
-  expectPythonDrawsTheSame({"s.membrane.hang(", "s.growth.pull_at(", "s.mark.add(", "s.film.turn(", "camera.eye"});
+  expectPythonDrawsTheSame({"s.membrane.hang(", "s.growth.pullAt(", "s.mark.add(", "s.film.turn(", "camera.eye"});
 }
 
 TEST_F(ScriptTest, MissingDataIsAnErrorAndAsksNothing) {

@@ -192,6 +192,18 @@ BesideWindows chooseSurface() {
   return beside;
 }
 
+namespace {
+
+QtMessageHandler gUsual = nullptr;
+
+void passOn(QtMsgType type, const QMessageLogContext& context, const QString& text) {
+  if (!text.startsWith("This plugin does not support ")) gUsual(type, context, text);
+}
+
+}  // namespace
+
+void hushPlatform() { gUsual = qInstallMessageHandler(passOn); }
+
 int refuseStart(const Error& error, bool asks) {
   log::say(fmt::format("velum: {}", error.what()));
   if (asks && hasScreen())

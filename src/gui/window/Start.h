@@ -40,6 +40,9 @@ struct BesideWindows {
 /// @throw gpu::GpuError when nothing draws on this machine; ArgumentError when VELUM_CONTEXT names no kind of context
 BesideWindows chooseSurface();
 
+/// Lets Qt say nothing more of what its platforms without a screen do not do.
+void hushPlatform();
+
 /// Says on stderr why there will be no window. @param asks  also says so in a dialog, if there is a screen, and waits
 /// until the dialog is closed
 /// @return exit code

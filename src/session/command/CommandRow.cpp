@@ -41,6 +41,16 @@ std::size_t nameLength(std::string_view text, const std::vector<std::string>& na
   return std::find(names.begin(), names.end(), name) != names.end() ? equals : 0;
 }
 
+/// Refuses what looks like an argument with its name where none is called so: it would be taken for another one's text.
+void expectNoName(std::string_view text, const std::vector<std::string>& names) {
+  std::string_view name = text.substr(0, text.find('='));
+  bool isName = name.size() < text.size() && !name.empty() && std::isalpha(static_cast<unsigned char>(name[0])) &&
+                std::ranges::all_of(name, [](unsigned char c) { return std::isalnum(c); });
+  if (isName)
+    throw ArgumentError(fmt::format("'{}' is no argument here; these are {}; a text with = stands in quotes", name,
+                                    fmt::join(names, ", ")));
+}
+
 /// What is in quotes without them.
 std::string unquoted(std::string_view text) {
   if (!text.starts_with('"')) return std::string(text);
@@ -67,6 +77,7 @@ std::vector<Word> wordsOfLine(std::string_view text, const std::vector<std::stri
       return words;
     }
     std::size_t end = endOfWord(text);
+    if (length == 0) expectNoName(text.substr(0, end), names);
     word.value = unquoted(text.substr(0, end));
     text.remove_prefix(end);
     words.push_back(std::move(word));

@@ -10,8 +10,13 @@
 namespace velum::session {
 
 PictureOptions optionsOf(const MakePicture& arguments) {
-  return {parsePictureSize(arguments.size, arguments.dpi), arguments.samples, arguments.transparent, arguments.layers,
-          arguments.dpi};
+  return {parsePictureSize(arguments.size, arguments.dpi),
+          arguments.samples,
+          arguments.transparent,
+          arguments.layers,
+          arguments.dpi,
+          PictureOptions().bits,
+          arguments.part.empty() ? Part() : parsePart(arguments.part)};
 }
 
 namespace {

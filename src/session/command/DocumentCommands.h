@@ -101,6 +101,7 @@ struct MakePicture {
   int samples = 0;
   bool transparent = false, layers = false;
   double dpi = 0.0;
+  std::string part;
   static void fields(auto& o, auto& visit) {
     visit("size", o.size, FieldInfo{"", {}, "WIDTHxHEIGHT in pixels, or with a unit: 12x8cm."});
     visit("path", o.path, FieldInfo{"", {}, "The file: .png, .tif, .exr, .svg, .pdf."});
@@ -108,6 +109,7 @@ struct MakePicture {
     visit("transparent", o.transparent, FieldInfo{"", {}, "No background, with alpha."});
     visit("layers", o.layers, FieldInfo{"", {}, "Also depth, normal, structure id and others."});
     visit("dpi", o.dpi, FieldInfo{"", {0, 10000}, "Pixels an inch in print; 0: nothing is said."});
+    visit("part", o.part, FieldInfo{"", {}, "K/N: the K-th of N bands of rows, for several machines."});
   }
 };
 

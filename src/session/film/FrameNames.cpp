@@ -40,16 +40,6 @@ std::string stemOfList(const std::string& name) {
 
 }  // namespace
 
-FilmPart parseFilmPart(std::string_view text) {
-  std::size_t bar = text.find('/');
-  auto number = numberIn(text.substr(0, bar));
-  auto parts = bar == text.npos ? std::nullopt : numberIn(text.substr(bar + 1));
-  auto isCount = [](auto value) { return value && *value >= 1.0 && *value <= 1e6 && *value == double(int(*value)); };
-  if (!isCount(number) || !isCount(parts) || *number > *parts)
-    throw ArgumentError(fmt::format("part {}: expected K/N, as 3/16, with K from 1 to N", text));
-  return {int(*number), int(*parts)};
-}
-
 FrameNames::FrameNames(const fs::path& output)
     : mIsFolder(!output.has_filename() || output.extension().empty() || fs::is_directory(output)) {
   mFolder = mIsFolder ? output : output.parent_path();

@@ -5,19 +5,12 @@
 #include <string_view>
 #include <vector>
 
+#include "session/Part.h"
+
 namespace velum::session {
 
-/// The part of a film that a process draws, so that several machines draw one film: frames one after the other, and no
-/// part has two more than another.
-struct FilmPart {
-  int number = 1, parts = 1;  ///< 1 <= number <= parts
-  bool operator==(const FilmPart&) const = default;
-  int firstOf(int frames) const { return int((number - 1ll) * frames / parts); }
-  int endOf(int frames) const { return int(1ll * number * frames / parts); }
-};
-
-/// Reads "3/16". @throw ArgumentError
-FilmPart parseFilmPart(std::string_view text);
+using FilmPart = Part;
+inline FilmPart parseFilmPart(std::string_view text) { return parsePart(text); }
 
 /// The names of a film's files, by what a user calls the film: a folder FOLDER has FOLDER/frame-00000.png ... and
 /// FOLDER/film.jsonl; a picture turn.exr stands for turn-0000.exr ... and turn.jsonl beside it.

@@ -111,25 +111,37 @@ scene::Scene sceneForPicture(const scene::Scene& scene, const PictureOptions& op
   return out;
 }
 
-Image drawPicture(render::Renderer& renderer, const scene::Scene& scene, const PictureOptions& options,
-                  const gpu::Limits& limits, Progress& progress, const Seen* known) {
-  render::Frame frame;
-  frame.scene = sceneForPicture(scene, options);
-  TrueLevels().give(frame.scene.model, progress);
-  frame.pictureSize = options.size;
-  frame.brickBytes = memoryBudget().gpuBrickBytes;
+namespace {
+
+render::Layers layersOf(const PictureOptions& options, const scene::Scene& scene) {
   render::Layers layers;
   if (options.layers) layers = {true, true, true, true, true, bool(scene.model.data)};
   layers.isFine = options.bits > 8;
-  render::Layers asked = withLetteringLayers(layers, scene);
+  return layers;
+}
+
+scene::Scene drawnScene(const scene::Scene& scene, const PictureOptions& options, Progress& progress) {
+  scene::Scene drawn = sceneForPicture(scene, options);
+  TrueLevels().give(drawn.model, progress);
+  return drawn;
+}
+
+}  // namespace
+
+Image drawPixels(render::Renderer& renderer, const scene::Scene& scene, const PictureOptions& options,
+                 const gpu::Limits& limits, Progress& progress) {
+  render::Frame frame;
+  frame.scene = drawnScene(scene, options, progress);
+  frame.pictureSize = options.size;
+  frame.brickBytes = memoryBudget().gpuBrickBytes;
+  int first = options.part.firstOf(options.size.y), end = options.part.endOf(options.size.y);
+  if (options.part.parts > 1) {
+    frame.windowOrigin = {0, first};
+    frame.windowSize = {options.size.x, end - first};
+  }
+  render::Layers layers = layersOf(options, scene);
   int window = std::min(4096, limits.texture2d);
-  Image image = render::renderPicture(renderer, frame, asked, window, progress);
-  layOver(letteringBlocks(frame.scene, options.size, seenIn(image, frame.scene, progress, known)), image);
-  std::vector<std::string> channels = image.channels;
-  for (auto [isAsked, name] :
-       {std::pair(layers.type, "type"), {layers.structure, "id"}, {layers.instance, "instance"}, {layers.depth, "Z"}})
-    if (!isAsked) std::erase(channels, name);
-  if (channels != image.channels) image = channelsOf(image, channels);
+  Image image = render::renderPicture(renderer, frame, withLetteringLayers(layers, scene), window, progress);
   if (!options.layers || !hasInlayLayers(frame.scene)) return image;
   // As they were drawn: what is put together elsewhere is finished there.
   frame.scene.background.transparent = true;
@@ -140,6 +152,23 @@ Image drawPicture(render::Renderer& renderer, const scene::Scene& scene, const P
                          colorChannels(kInlayLayers[i]));
   }
   return image;
+}
+
+Image withLettering(Image image, const scene::Scene& scene, const PictureOptions& options, Progress& progress,
+                    const Seen* known) {
+  scene::Scene drawn = drawnScene(scene, options, progress);
+  layOver(letteringBlocks(drawn, options.size, seenIn(image, drawn, progress, known)), image);
+  render::Layers layers = layersOf(options, scene);
+  std::vector<std::string> channels = image.channels;
+  for (auto [isAsked, name] :
+       {std::pair(layers.type, "type"), {layers.structure, "id"}, {layers.instance, "instance"}, {layers.depth, "Z"}})
+    if (!isAsked) std::erase(channels, name);
+  return channels == image.channels ? image : channelsOf(image, channels);
+}
+
+Image drawPicture(render::Renderer& renderer, const scene::Scene& scene, const PictureOptions& options,
+                  const gpu::Limits& limits, Progress& progress, const Seen* known) {
+  return withLettering(drawPixels(renderer, scene, options, limits, progress), scene, options, progress, known);
 }
 
 Image imageOf(const render::SectionImage& section) {

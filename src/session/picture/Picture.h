@@ -11,6 +11,7 @@
 #include "render/section/SectionImage.h"
 #include "scene/SceneFwd.h"
 #include "scene/Sections.h"
+#include "session/Part.h"
 
 namespace velum::session {
 
@@ -28,6 +29,8 @@ struct PictureOptions {
   double dpi = 0;  ///< pixels an inch in print, which the file says; 0: the file says nothing
   /// Of a sample of colour: 8, or 16, with which an .exr is as fine as the mean of the samples, too.
   int bits = 8;
+  /// Of a picture that several machines draw: which of its bands of rows, see PictureParts.h.
+  Part part;
 };
 
 /// A size as people write it: "1280x720" (pixels), "12x8cm", "120x80mm", "5x3in" (at `dpi`; 0 counts as 300).
@@ -49,6 +52,13 @@ scene::Scene sceneForPicture(const scene::Scene& scene, const PictureOptions& op
 /// @throw Cancelled, gpu::GpuError
 Image drawPicture(render::Renderer& renderer, const scene::Scene& scene, const PictureOptions& options,
                   const gpu::Limits& limits, Progress& progress, const Seen* known = nullptr);
+
+/// The two halves of drawPicture(): the pixels of a part's rows, as an image of all rows has them, and the lettering
+/// that is laid over all rows.
+Image drawPixels(render::Renderer& renderer, const scene::Scene& scene, const PictureOptions& options,
+                 const gpu::Limits& limits, Progress& progress);
+Image withLettering(Image pixels, const scene::Scene& scene, const PictureOptions& options, Progress& progress,
+                    const Seen* known = nullptr);
 
 /// A section view as a picture: R, G, B, A. Without a graphics context. @throw Cancelled. Any thread.
 /// @param known  as of drawPicture()

@@ -22,7 +22,7 @@ float depthOf(ivec2 pixel) {
 
 /// How much of what is around, up to a radius, stands before the surface.
 float occlusionAt(ivec2 pixel, float depth, vec3 hit, vec3 normal, float radius, float noise) {
-  float pixels = min(radius * pixelsPerLength(depth), 0.12 * view.pictureSize.y);
+  float pixels = min(radius * pixelsPerLength(depth), kOpenReach * view.pictureSize.y);
   if (pixels < 1.0) return 0.0;
   float sum = 0.0;
   for (int i = 0; i < shade.occlusionTaps; ++i) {

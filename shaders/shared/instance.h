@@ -143,6 +143,8 @@ struct InstanceShade {
 };
 /// How open it is around what is seen is worked out for one pixel of so many along x and y.
 SHARED_CONST int kOpenStep = 2;
+/// As far as it is looked around, parts of the picture's height.
+SHARED_CONST float kOpenReach = 0.12;
 SHARED_CONST int kPaletteElement = 3;
 SHARED_CONST int kPaletteChain = 4;
 

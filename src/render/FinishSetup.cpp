@@ -5,6 +5,7 @@
 
 #include "render/FrameData.h"
 #include "render/RenderPicture.h"
+#include "shared/instance.h"
 
 namespace velum::render {
 
@@ -28,6 +29,14 @@ double strongReach(const Frame& frame) {
 
 double strokePixels(const Frame& frame) {
   return std::max(kFinestStrokes, pixelsOf(frame.scene.finish.hatchWidth, frame));
+}
+
+/// As far as is looked around a pixel of a model, to see how open it lies (openness.comp).
+int openMargin(const Frame& frame) {
+  const scene::Lighting& light = frame.scene.lighting;
+  if (!isModelDrawn(frame.scene) || !light.shaded) return 0;
+  constexpr int kNeighbours = 2 * shared::kOpenStep + 2;  // whose openness and normals count
+  return kNeighbours + (light.occlusion > 0 ? int(std::ceil(shared::kOpenReach * float(frame.pictureSize.y))) : 0);
 }
 
 }  // namespace
@@ -73,9 +82,9 @@ int lineMargin(const Frame& frame) {
                        pixelsOf(double(shared::kCalmReach), frame) + 1.0));
 }
 
-int finishMargin(const Frame& frame) {
+int windowMargin(const Frame& frame) {
   const scene::Finish& finish = frame.scene.finish;
-  int margin = lineMargin(frame);
+  int margin = std::max(lineMargin(frame), openMargin(frame));
   if (finish.hatching > 0)
     margin = std::max(
         margin, int(std::ceil((kStrokeSteps + kStrokeReach) * strokePixels(frame) * double(shared::kCellPeriods))));

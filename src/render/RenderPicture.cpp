@@ -4,6 +4,8 @@
 #include <string>
 #include <utility>
 
+#include "shared/instance.h"
+
 namespace velum::render {
 
 namespace {
@@ -33,7 +35,7 @@ Image renderPicture(Renderer& renderer, const Frame& frame, const Layers& layers
   std::pair<std::string, double> coarseness;
   bool isPart = frame.windowSize != glm::ivec2(0);
   glm::ivec2 origin = frame.windowOrigin, size = isPart ? frame.windowSize : frame.pictureSize;
-  int margin = isPart || std::max(size.x, size.y) > largestWindow ? finishMargin(frame) : 0;
+  int margin = isPart || std::max(size.x, size.y) > largestWindow ? windowMargin(frame) : 0;
   int inner = std::max(largestWindow - 2 * margin, (largestWindow + 1) / 2);
   int columns = (size.x + inner - 1) / inner, rows = (size.y + inner - 1) / inner;
   for (int row = 0; row < rows; ++row)
@@ -41,7 +43,8 @@ Image renderPicture(Renderer& renderer, const Frame& frame, const Layers& layers
       Frame part = frame;
       part.saysFaces = frame.saysFaces || layers.face;
       glm::ivec2 corner = glm::ivec2(column, row) * inner, wanted = glm::min(size - corner, glm::ivec2(inner));
-      part.windowOrigin = glm::max(origin + corner - margin, glm::ivec2(0));
+      // How open a model lies is worked out for one pixel of a few, of the whole picture.
+      part.windowOrigin = glm::max(origin + corner - margin, glm::ivec2(0)) / shared::kOpenStep * shared::kOpenStep;
       part.windowSize = glm::min(frame.pictureSize, origin + corner + wanted + margin) - part.windowOrigin;
       renderer.render(part, progress);
       Image image = renderer.read(layers);

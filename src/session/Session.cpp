@@ -203,7 +203,7 @@ std::vector<std::string> Session::savePicture(const PictureOptions& options, std
   if (isPart) {
     scene::Scene drawn = settled(progress);
     render::Renderer& draws = renderer();
-    return savePicturePart(draws, drawn, options, mContext->limits(), path, progress);
+    return savePicturePart(draws, drawn, shown(), options, mContext->limits(), path, progress);
   }
   if (io::isDrawing(path)) {
     vector::Drawing drawing = plate(options, section, progress);

@@ -72,7 +72,7 @@ class Parts(CliTest):
 
     def test_scripts_draw_parts_too(self):
         path = self.sample()
-        (self.folder / "script").write_text("picture 90x67 x.png part=2/2\npicture 90x67 x.png part=1/2\npicture 90x67 whole.png\n")
+        (self.folder / "script").write_text("picture part=2/2 90x67 x.png\npicture part=1/2 90x67 x.png\npicture 90x67 whole.png\n")
         self.run_batch("run", "script", path)
         self.assertEqual((self.folder / "x.png").read_bytes(), (self.folder / "whole.png").read_bytes())
 

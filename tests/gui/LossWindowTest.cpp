@@ -9,6 +9,11 @@ namespace velum::gui {
 
 class LossWindow : public Timelines {
  protected:
+  void SetUp() override {
+    Timelines::SetUp();
+    if (!viewport().surface().widget().inherits("QOpenGLWidget"))
+      GTEST_SKIP() << "no context of the window's; see BesideTheWindow";
+  }
   void TearDown() override {
     gpu::simulateLoss(0);
     Timelines::TearDown();

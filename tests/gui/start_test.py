@@ -115,7 +115,8 @@ class BesideTheWindowSystem(WindowTest):
         window = self.start("-style", "fusion", "--script", script, "a b.nrrd")
         _, said = window.communicate(timeout=120)
         self.assertEqual(window.returncode, 0, said)
-        self.assertEqual(said.count("\n"), 1, said)
+        ours = [line for line in said.splitlines() if line and not line.startswith("libEGL warning: ")]
+        self.assertEqual(len(ours), 1, said)
         for word in (*words, "4.5 is needed", "software driver draws instead", "slower", "update"):
             self.assertIn(word, said)
         self.assertEqual(json.loads((self.folder / "made.json").read_text())["volume"]["source"]["path"], "a b.nrrd")

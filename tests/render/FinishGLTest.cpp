@@ -88,7 +88,7 @@ TEST_F(FinishGL, WindowsOfAPictureFitTogether) {
   scene.rayCast.samplesPerPixel = 2;
   Progress progress;
   render::Frame frame = frameOf(scene, {200, 180});
-  ASSERT_LT(render::finishMargin(frame), 90) << "windows that begin within it are drawn from the first pixel on";
+  ASSERT_LT(render::windowMargin(frame), 90) << "windows that begin within it are drawn from the first pixel on";
   Image whole = render::renderPicture(renderer(), frame, {}, 4096, progress);
   for (int window : {101, 160})
     expectIdentical(whole, render::renderPicture(renderer(), frame, {}, window, progress), "in windows");

@@ -5,6 +5,7 @@
 
 #include "RenderFixture.h"
 #include "gpu/GpuError.h"
+#include "makeModel.h"
 #include "render/RenderPicture.h"
 
 namespace velum {
@@ -140,6 +141,21 @@ TEST_F(RepeatGL, WindowsTogetherAreTheWholeInEveryLayer) {
   Image whole = render::renderPicture(renderer(), frame, kAllLayers, 4096, progress);
   Image parts = render::renderPicture(renderer(), frame, kAllLayers, 23, progress);
   expectIdentical(parts, whole, "in windows");
+}
+
+/// How open a molecule lies is looked for around it, across the windows' edges.
+TEST_F(RepeatGL, WindowsOfAModelTogetherAreTheWhole) {
+  scene::Scene scene;
+  scene.unit = LengthUnit::Angstrom;
+  scene.model.data = Shared<Model>(ModelMaker().make());
+  scene.rayCast.samplesPerPixel = 2;
+  scene.lighting.occlusion = scene.lighting.shadow = 0.8;
+  scene.camera = scene::frameCamera(scene, scene::StandardView::Oblique, 1.25);
+  render::Frame frame = frameOf(scene, {181, 140});
+  Progress progress;
+  Image whole = render::renderPicture(renderer(), frame, {}, 4096, progress);
+  for (int window : {61, 90})
+    expectIdentical(render::renderPicture(renderer(), frame, {}, window, progress), whole, "in windows");
 }
 
 TEST_F(RepeatGL, EglAndOsMesaDrawTheSame) {

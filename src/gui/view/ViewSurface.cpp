@@ -12,6 +12,7 @@
 #include "gpu/Allocation.h"
 #include "gpu/Framebuffer.h"
 #include "gpu/GpuError.h"
+#include "gpu/Loss.h"
 #include "gpu/Texture.h"
 #include "gui/kit/CoreWords.h"
 
@@ -149,7 +150,9 @@ class ImageSurface : public QWidget, public ViewSurface {
   }
   glm::ivec2 size() const override { return {mShown.width(), mShown.height()}; }
   void take(render::Renderer& renderer) override {
-    if (mTarget.size() != size()) {
+    // Who is asked about a frame makes a context that was lost anew.
+    if (mTarget.size() != size() || mTargetContext != gpu::contextNumber()) {
+      mTargetContext = gpu::contextNumber();
       mTarget = {};
       mTexture = gpu::Texture::make2d(kPurpose, gpu::Format::Rgba8, size());
       mTarget = gpu::Framebuffer(kPurpose, {&mTexture});
@@ -198,6 +201,7 @@ class ImageSurface : public QWidget, public ViewSurface {
 
   gpu::Texture mTexture;
   gpu::Framebuffer mTarget;
+  unsigned mTargetContext = 0;
   QImage mShown;
   bool mHasPicture = false;
 };

@@ -81,18 +81,6 @@ void tryOpenGl() {
   }
 }
 
-/// Tries to draw beside the window system. @param why  not in it @throw gpu::GpuError that says both
-BesideWindows tryBeside(const std::string& why) {
-  try {
-    gpu::Limits limits = gpu::Context::create(gpu::ContextKind::Auto)->limits();
-    return {why, limits.renderer, limits.isSoftware};
-  } catch (const gpu::GpuError& error) {
-    std::string words = error.what();
-    if (!words.starts_with(why)) words = why + "; " + words;
-    throw gpu::GpuError(words);
-  }
-}
-
 /// Takes what libraries write to stderr while it lives, so that it can be part of a line of ours; tells it at its end
 /// where nobody took it. Does nothing where there is no room for a file.
 class StderrAside {
@@ -132,6 +120,26 @@ class StderrAside {
   std::FILE* mKept;
   int mStderr = -1;
 };
+
+/// An error's words, with what libraries have said meanwhile.
+std::string wordsOf(const gpu::GpuError& error, StderrAside& aside) {
+  QString said = aside.take();
+  return error.what() + (said.isEmpty() ? std::string() : " (" + said.toStdString() + ")");
+}
+
+/// Tries to draw beside the window system. @param why  not in it @throw gpu::GpuError that says both
+BesideWindows tryBeside(const std::string& why) {
+  StderrAside aside;
+  try {
+    gpu::Limits limits = gpu::Context::create(gpu::ContextKind::Auto)->limits();
+    if (!why.empty()) aside.take();  // the caller says it
+    return {why, limits.renderer, limits.isSoftware};
+  } catch (const gpu::GpuError& error) {
+    std::string words = wordsOf(error, aside);
+    if (!words.starts_with(why)) words = why + "; " + words;
+    throw gpu::GpuError(words);
+  }
+}
 
 }  // namespace
 
@@ -179,16 +187,14 @@ BesideWindows chooseSurface() {
       tryOpenGl();
       return {};
     } catch (const gpu::GpuError& error) {
-      QString said = aside.take();
-      why = error.what() + (said.isEmpty() ? std::string() : " (" + said.toStdString() + ")");
+      why = wordsOf(error, aside);
     }
   }
   BesideWindows beside = tryBeside(why);
   ViewSurface::drawBesideWindows();
-  if (beside.isSoftware)
-    gpu::warnOfSoftware(why);
-  else
-    log::warning(fmt::format("{}: the 3D view is drawn beside the window, by {}", why, beside.renderer));
+  log::warning(beside.isSoftware
+                   ? gpu::softwareInstead(why)
+                   : fmt::format("{}: the 3D view is drawn beside the window, by {}", why, beside.renderer));
   return beside;
 }
 

@@ -44,11 +44,18 @@ class Parts {
       rows.channels[i] = fmt::format("{:03}{}", i, rows.channels[i]);
     io::writeImage(rows, fileOf(mOptions.part.number), mOf);
   }
-  Image whole(Progress& progress) const {
+  /// @return nothing where one is damaged, which is removed
+  std::optional<Image> whole(Progress& progress) const {
     Image whole;
     for (int number = 1; number <= mOptions.part.parts; ++number) {
       progress.throwIfCancelled();
-      Image rows = io::readImage(fileOf(number));
+      Image rows;
+      try {
+        rows = io::readImage(fileOf(number));
+      } catch (const InputError&) {
+        fs::remove(fileOf(number));
+        return std::nullopt;
+      }
       if (number == 1) {
         whole = {mOptions.size.x, mOptions.size.y, rows.channels, {}};
         for (std::string& channel : whole.channels) channel = channel.substr(3);
@@ -82,8 +89,9 @@ class Parts {
 }  // namespace
 
 std::vector<std::string> savePicturePart(render::Renderer& renderer, const scene::Scene& scene,
-                                         const PictureOptions& options, const gpu::Limits& limits,
-                                         const std::filesystem::path& path, Progress& progress) {
+                                         const scene::Scene& kept, const PictureOptions& options,
+                                         const gpu::Limits& limits, const std::filesystem::path& path,
+                                         Progress& progress) {
   auto [number, count] = options.part;
   if (count > options.size.y)
     throw ArgumentError(fmt::format("part {}/{}: the picture has {} rows", number, count, options.size.y));
@@ -95,9 +103,12 @@ std::vector<std::string> savePicturePart(render::Renderer& renderer, const scene
   std::error_code error;
   fs::create_directories(parts.folder(), error);
   if (!parts.isThere(number)) parts.write(drawPixels(renderer, scene, options, limits, progress));
-  if (int there = parts.countThere(); there < count)
-    return {fmt::format("{}: {} of {} parts are there; it is put together when all are", path.string(), there, count)};
-  savePicture(withLettering(parts.whole(progress), scene, options, progress), scene, options, path);
+  int there = parts.countThere();
+  std::optional<Image> whole = there == count ? parts.whole(progress) : std::nullopt;
+  if (!whole)
+    return {fmt::format("{}: {} of {} parts are there; it is put together when all are", path.string(),
+                        parts.countThere(), count)};
+  savePicture(withLettering(std::move(*whole), scene, options, progress), kept, options, path);
   parts.close();
   return {fmt::format("{}: put together of {} parts", path.string(), count)};
 }

@@ -348,7 +348,7 @@ class Session:
         """Adds labels, a surface or a model beside what is open."""
     def save(self, path: Union[str, os.PathLike[str]] = '') -> None:
         """Writes the scene: what is open, and how it is shown."""
-    def picture(self, size: str = '1280x720', path: Union[str, os.PathLike[str]] = '', samples: int = 0, transparent: bool = False, layers: bool = False, dpi: float = 0.0) -> None:
+    def picture(self, size: str = '1280x720', path: Union[str, os.PathLike[str]] = '', samples: int = 0, transparent: bool = False, layers: bool = False, dpi: float = 0.0, part: str = '') -> None:
         """Makes a picture of the scene, with the scene inside."""
     def set(self, path: Union[str, os.PathLike[str]] = '', value: str = '') -> None:
         """Sets a field of the scene, with all that follows from it."""

@@ -1,4 +1,4 @@
-"""Sessions: commands, fields, pictures, tables, errors."""
+"""Sessions: commands, fields, tables, errors."""
 import inspect
 import json
 import os
@@ -9,7 +9,7 @@ import sys
 import unittest
 import warnings
 
-from support import PROGRAM, ROOT, Case, ball, numpy, read_png
+from support import PROGRAM, ROOT, Case, ball, numpy
 
 import velum
 from velum import _velum
@@ -160,64 +160,6 @@ class Errors(Case):
         with self.assertRaisesRegex(velum.ArgumentError, "closed"):
             session.undo()
         self.assertEqual(repr(session), "<velum.Session closed>")
-
-
-class Environments(Case):
-    def test_a_virtual_environment_with_system_packages(self):
-        self.run_program(sys.executable, "-m", "venv", "--system-site-packages", "--without-pip", "there")
-        said = self.run_program(self.folder / "there/bin/python", "-c", "import sys, velum; s = velum.Session(); s.cut.__doc__; print(sys.prefix)")
-        self.assertEqual(said.strip(), str(self.folder / "there"))
-
-
-class Pictures(Case):
-    def test_bytes_are_those_of_the_file(self):
-        with velum.open(self.sample()) as session:
-            session["rayCast.samplesPerPixel"] = 1
-            session.cut("plane", face="section")
-            session.picture("96x72", self.folder / "a.png")
-            image = session.render(*SMALL)
-            self.assertEqual((image.shape, image.dtype, type(image)), ((72, 96, 3), numpy.uint8, velum.Image))
-            numpy.testing.assert_array_equal(read_png((self.folder / "a.png").read_bytes()), image)
-            numpy.testing.assert_array_equal(read_png(image._repr_png_()), image)
-            self.assertGreater(image.std(), 5)
-            fine = session.render(*SMALL, dtype="float32")
-            self.assertEqual(fine.dtype, numpy.float32)
-            numpy.testing.assert_allclose(fine * 255, image, atol=1.01)  # bytes are dithered
-            numpy.testing.assert_allclose(read_png(fine._repr_png_()), fine * 255, atol=0.51)
-            clear = session.render(*SMALL, transparent=True)
-            self.assertEqual(clear.shape, (72, 96, 4))
-            self.assertEqual(clear[0, 0, 3], 0)
-            numpy.testing.assert_array_equal(read_png(clear._repr_png_()), clear)
-            self.assertEqual(session.render(*SMALL, section="axial").shape, (72, 96, 3))
-            for wrong in ({"section": "diagonal"}, {"samples": 300}):
-                with self.assertRaises(velum.ArgumentError):
-                    session.render(*SMALL, **wrong)
-            with self.assertRaises(velum.ArgumentError):
-                session.render(0, 72)
-
-    def test_layers_know_where_the_ball_is(self):
-        with velum.open(ball(side=48, inside=1000), spacing=(1, 1, 1), origin=(-23.5, -23.5, -23.5)) as session:
-            session["rayCast.mode"] = "iso"
-            session["rayCast.isoValue"] = 500
-            session.view.from_("anterior", aspect=SMALL[0] / SMALL[1])
-            layers = session.layers(*SMALL, samples=1)
-        self.assertLessEqual({"color", "Z", "normal", "position"}, set(layers))
-        self.assertEqual(layers["color"].shape, (72, 96, 4))
-        hit = numpy.isfinite(layers["Z"])
-        self.assertGreater(hit.mean(), 0.05)
-        self.assertLess(hit.mean(), 0.95)
-        numpy.testing.assert_allclose(numpy.linalg.norm(layers["position"][hit], axis=1), 12, atol=0.8)
-        numpy.testing.assert_allclose(numpy.linalg.norm(layers["normal"][hit], axis=1), 1, atol=0.02)
-
-    def test_nothing_of_a_window_or_a_driver_is_loaded_before_something_is_drawn(self):
-        said = self.run_python("""
-import numpy, velum
-s = velum.open(numpy.arange(8 ** 3, dtype="uint16").reshape(8, 8, 8))
-s.cut("plane"); s["rayCast.mode"] = "mip"; s.measure()
-names = {line.split("/")[-1].strip() for line in open("/proc/self/maps") if ".so" in line}
-print(*[name for name in names if any(part in name for part in ("Qt", "EGL", "libGL", "OSMesa", "_dri", "gallium"))])
-""", env={**os.environ, "DISPLAY": "", "WAYLAND_DISPLAY": ""})
-        self.assertEqual(said.strip(), "")
 
 
 class Tables(Case):

@@ -445,7 +445,8 @@ class Labels:
         """Of the structures, by number; sRGB, 0 to 1."""
 
 class Image(numpy.ndarray):
-    """A picture: an array [row, column, channel] of red, green, blue (and alpha), uint8, or float32 from 0 to 1."""
+    """A picture: an array [row, column, channel] of red, green, blue (and alpha): whole numbers from 0 to 255, or floating ones from 0 to 1."""
+    def __getitem__(self, key: Any) -> Any: ...
 
 class Note(UserWarning):
     """What somebody should know about a command that was done, in one line."""

@@ -179,14 +179,30 @@ class Labels(_Data):
 
 
 class Image(numpy.ndarray):
-    """A picture: an array [row, column, channel] of red, green, blue (and alpha), uint8, or float32 from 0 to 1. Notebooks show it."""
+    """A picture: an array [row, column, channel] of red, green, blue (and alpha): whole numbers from 0 to 255, or floating ones from 0
+    to 1. Notebooks show it. What is computed of it and is no picture is a number, or a plain array."""
+
+    def _is_picture(self) -> bool:
+        return self.ndim == 3 and self.shape[2] in (3, 4) and self.dtype.kind in "iuf"
+
+    def _plain(self) -> Any:
+        """What this is where it is no picture."""
+        return self if self._is_picture() else self.view(numpy.ndarray)[()]
+
+    def __array_wrap__(self, array: numpy.ndarray, context: Any = None, return_scalar: bool = False) -> Any:
+        return (array if isinstance(array, Image) else array.view(Image))._plain()
+
+    def __getitem__(self, key: Any) -> Any:
+        part = super().__getitem__(key)
+        return part._plain() if isinstance(part, Image) else part
 
     def _repr_png_(self) -> Optional[bytes]:
-        if self.ndim != 3 or self.shape[2] not in (3, 4):
+        if not self._is_picture():
             return None
         pixels = numpy.asarray(self)
-        if pixels.dtype != numpy.uint8:
-            pixels = (numpy.clip(pixels, 0, 1) * 255 + 0.5).astype(numpy.uint8)
+        if pixels.dtype.kind == "f":
+            pixels = numpy.clip(numpy.nan_to_num(pixels), 0, 1) * 255 + 0.5
+        pixels = numpy.clip(pixels, 0, 255).astype(numpy.uint8)
         height, width, channels = pixels.shape
         rows = numpy.zeros((height, 1 + width * channels), numpy.uint8)  # each row says first that it is not filtered
         rows[:, 1:] = pixels.reshape(height, -1)

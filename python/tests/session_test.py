@@ -153,6 +153,56 @@ class Errors(Case):
                 session.scene.carry(self.sample("vessels"))
             self.assertTrue(all(issubclass(note.category, velum.Note) for note in caught))
 
+    def test_each_is_one_line_that_says_what_is_expected(self):
+        with velum.open(ball()) as session:
+            rows = [(lambda: session.render(96.0, 72), "width 96.0: expected a whole number"), (lambda: session.render(96, 2 ** 40), "height"),
+                    (lambda: session.render(96, 72, samples="many"), "samples 'many'"), (lambda: session.render(96, 72, section=5), "section 5: expected a text"),
+                    (lambda: session.layers(96, numpy.zeros((3, 3))), "height array"), (lambda: session.count("wide"), "width 'wide'"),
+                    (lambda: next(session.frames(1.5, 2)), "width 1.5"), (lambda: session[5], "field 5: expected a text"),
+                    (lambda: session.__setitem__(5, 1), "5"), (lambda: velum.Session(5), "context 5"), (lambda: velum.Session("glx"), "egl"),
+                    (lambda: velum.Session(progress=5), "progress 5: expected a function"), (lambda: session.voxels.save(5), "path 5"),
+                    (lambda: session.__setitem__("volume.source.path", "\ud800"), "command"), (lambda: session.open("a\nb.nrrd"), "a"),
+                    (lambda: setattr(session, "labels", numpy.zeros((2, 2, 2), "uint8")), "shape"), (lambda: session.run("\xe9"), "no command")]
+            for call, words in rows:
+                with self.subTest(words=words), self.assertRaises(velum.Error) as caught:
+                    call()
+                self.assertIn(words, str(caught.exception))
+                self.assertNotIn("\n", str(caught.exception))
+
+    def test_paths_are_those_of_the_system(self):
+        folder = os.fsencode(self.folder)
+        for name in (b"caf\xe9.nrrd", b"caf\xe9 = \"two\" words,.nrrd", "Sch\u00e4del.nrrd".encode()):
+            whole = os.path.join(folder, name)
+            velum.Volume(ball(side=8)).save(whole)
+            self.assertIn(name, os.listdir(folder))
+            for path in (whole, os.fsdecode(whole), pathlib.Path(os.fsdecode(whole))):
+                with self.subTest(path=path), velum.open(path) as session:
+                    self.assertEqual(session.voxels.array.shape, (8, 8, 8))
+                    session.commands(), session.asPython(), session[""]
+                    session.add(path)
+            with velum.open(ball(side=8)) as session:
+                picture = whole.replace(b".nrrd", b".png")
+                session.picture("32x24", picture, samples=1)
+                self.assertTrue(os.path.exists(picture))
+            os.remove(whole)
+            with self.assertRaisesRegex(velum.InputError, "no such file"):
+                velum.open(whole)
+
+    def test_names_that_are_no_utf8_are_shown_all_the_same(self):
+        velum.Labels(ball(inside=1), names={1: "Schadel"}).save(self.folder / "a.seg.nrrd")
+        data = (self.folder / "a.seg.nrrd").read_bytes()
+        self.assertIn(b"Schadel", data)
+        (self.folder / "a.seg.nrrd").write_bytes(data.replace(b"Schadel", b"Sch\xe4del"))
+        with velum.open(ball()) as session:
+            session.add(self.folder / "a.seg.nrrd")
+            self.assertEqual(session.labels.names, {1: "Sch\ufffddel"})
+            self.assertEqual(session["labels.structures.0.name"], "Sch\ufffddel")
+            self.assertEqual(session[""]["labels"]["structures"][0]["name"], "Sch\ufffddel")
+            self.assertIn("\ufffd", session.measure(structures=True)["structures"][0]["name"])
+            with self.assertRaises(velum.ArgumentError):
+                session.structure.show("Sch\xe4")
+            session.asPython(), session.commands()
+
     def test_a_closed_session_says_so(self):
         session = velum.open(ball())
         session.close()

@@ -82,6 +82,13 @@ class Nothing(Case):
         self.session.undo()
         self.assertEqual(self.session["cuts"], [])
 
+    def test_of_a_cut_and_its_fields(self):
+        self.session["rayCast.mode"] = "mip"
+        self.session.undo()
+        self.expect_nothing(lambda s: s.cut("box", face="section", axle=(0, 0, 1)), "never", velum.ArgumentError)
+        self.session.redo()
+        self.assertEqual(self.session["rayCast.mode"], "mip")
+
     def test_an_interrupt_that_comes_at_the_end(self):
         velum.Volume(ball(side=24)).save(self.folder / "small.nrrd")
         before = told(self.session)

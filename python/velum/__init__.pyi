@@ -146,7 +146,7 @@ class LookCommands:
         """Chooses how rays are cast."""
     def surface(self) -> None:
         """Makes a look that lets one see through one of surfaces."""
-    def import_(self, path: Union[str, os.PathLike[str]] = '') -> None:
+    def import_(self, path: Union[str, bytes, os.PathLike[Any]] = '') -> None:
         """Takes the transfer function of a file."""
     def background(self, top: Sequence[float] = (0.0, 0.0, 0.0), bottom: Sequence[float] = (0.0, 0.0, 0.0)) -> None:
         """Sets what is behind everything."""
@@ -248,7 +248,7 @@ class FilmCommands:
         """Shows the scene at a time of its film; changes nothing."""
     def record(self, on: bool = True) -> None:
         """Makes keys of whatever is changed at the playhead from now on."""
-    def save(self, path: Union[str, os.PathLike[str]] = '', size: str = '1280x720', animate: Union[str, Sequence[str]] = [], seconds: float = 0.0, section: str = '', samples: int = 0, transparent: bool = False, layers: bool = False, dpi: float = 0.0, bits: int = 8, quality: int = 75, blur: int = 1, shutter: float = 0.5, part: str = '1/1', resume: bool = False, overwrite: bool = False) -> None:
+    def save(self, path: Union[str, bytes, os.PathLike[Any]] = '', size: str = '1280x720', animate: Union[str, Sequence[str]] = [], seconds: float = 0.0, section: str = '', samples: int = 0, transparent: bool = False, layers: bool = False, dpi: float = 0.0, bits: int = 8, quality: int = 75, blur: int = 1, shutter: float = 0.5, part: str = '1/1', resume: bool = False, overwrite: bool = False) -> None:
         """Draws the film of the scene, and writes it as a video or as frames."""
     def turn(self, seconds: float = 8.0, turns: float = 1.0, gently: bool = False, start: float = 0.0) -> None:
         """Ready-made film: the eye goes round."""
@@ -268,7 +268,7 @@ class FilmCommands:
         """Ready-made film: whole, then cut open."""
     def title(self, text: str = '', start: float = 0.0, seconds: float = 4.0, fade: float = 0.5, place: Literal['topLeft', 'top', 'topRight', 'left', 'centre', 'right', 'bottomLeft', 'bottom', 'bottomRight'] = 'bottom') -> None:
         """Ready-made film: words come and go."""
-    def __call__(self, path: Union[str, os.PathLike[str]] = '', size: str = '1280x720', animate: Union[str, Sequence[str]] = [], seconds: float = 0.0, section: str = '', samples: int = 0, transparent: bool = False, layers: bool = False, dpi: float = 0.0, bits: int = 8, quality: int = 75, blur: int = 1, shutter: float = 0.5, part: str = '1/1', resume: bool = False, overwrite: bool = False) -> None:
+    def __call__(self, path: Union[str, bytes, os.PathLike[Any]] = '', size: str = '1280x720', animate: Union[str, Sequence[str]] = [], seconds: float = 0.0, section: str = '', samples: int = 0, transparent: bool = False, layers: bool = False, dpi: float = 0.0, bits: int = 8, quality: int = 75, blur: int = 1, shutter: float = 0.5, part: str = '1/1', resume: bool = False, overwrite: bool = False) -> None:
         """Draws the film of the scene, and writes it as a video or as frames."""
 
 def open(what: Any, *, context: Literal['auto', 'egl', 'osmesa'] = 'auto', progress: Optional[Callable[[float, str], Any]] = None, **how: Any) -> Session:
@@ -342,17 +342,17 @@ class Session:
     def lettering(self) -> LetteringCommands: ...
     @property
     def film(self) -> FilmCommands: ...
-    def open(self, path: Union[str, os.PathLike[str]] = '', series: str = '', level: int = -1, raw: Optional[Mapping[str, Any]] = None, spacing: Sequence[float] = (0.0, 0.0, 0.0)) -> None:
+    def open(self, path: Union[str, bytes, os.PathLike[Any]] = '', series: str = '', level: int = -1, raw: Optional[Mapping[str, Any]] = None, spacing: Sequence[float] = (0.0, 0.0, 0.0)) -> None:
         """Opens a file or folder in the place of what is open."""
-    def add(self, path: Union[str, os.PathLike[str]] = '', series: str = '', asLabels: bool = False) -> None:
+    def add(self, path: Union[str, bytes, os.PathLike[Any]] = '', series: str = '', asLabels: bool = False) -> None:
         """Adds labels, a surface or a model beside what is open."""
-    def save(self, path: Union[str, os.PathLike[str]] = '') -> None:
+    def save(self, path: Union[str, bytes, os.PathLike[Any]] = '') -> None:
         """Writes the scene: what is open, and how it is shown."""
-    def picture(self, size: str = '1280x720', path: Union[str, os.PathLike[str]] = '', samples: int = 0, transparent: bool = False, layers: bool = False, dpi: float = 0.0) -> None:
+    def picture(self, size: str = '1280x720', path: Union[str, bytes, os.PathLike[Any]] = '', samples: int = 0, transparent: bool = False, layers: bool = False, dpi: float = 0.0) -> None:
         """Makes a picture of the scene, with the scene inside."""
-    def set(self, path: Union[str, os.PathLike[str]] = '', value: str = '') -> None:
+    def set(self, path: Union[str, bytes, os.PathLike[Any]] = '', value: str = '') -> None:
         """Sets a field of the scene, with all that follows from it."""
-    def get(self, path: Union[str, os.PathLike[str]] = '') -> list[str]:
+    def get(self, path: Union[str, bytes, os.PathLike[Any]] = '') -> list[str]:
         """Tells what a field of the scene is, as set takes it."""
     def undo(self) -> None:
         """Takes the last change back."""
@@ -369,7 +369,7 @@ class Session:
 
 class Volume:
     """Voxels, and where they are in the world."""
-    def __array__(self, dtype: Any = None, copy: Optional[bool] = None) -> numpy.ndarray: ...
+    def __array__(self, dtype: Any = None) -> numpy.ndarray: ...
     @property
     def array(self) -> numpy.ndarray:
         """The samples as they are, [z, y, x] and more where there are channels or time steps: no copy, not to be written to."""
@@ -388,7 +388,7 @@ class Volume:
     @property
     def name(self) -> str:
         """For people."""
-    def save(self, path: str | os.PathLike[str]) -> list[str]:
+    def save(self, path: str | bytes | os.PathLike[Any]) -> list[str]:
         """Writes the voxels and where they are, in the format that the path's extension says."""
     def __init__(self, array: Any, *, spacing: Optional[Sequence[float]] = None, origin: Optional[Sequence[float]] = None, affine: Any = None, lengthUnit: str = 'mm', unit: str = '', modality: str = 'unknown', color: bool = False, name: str = 'array', timeStepSeconds: float = 0.0) -> None: ...
     @property
@@ -415,7 +415,7 @@ class Volume:
 
 class Labels:
     """Whole numbers that say to which structure each voxel belongs; 0: to none."""
-    def __array__(self, dtype: Any = None, copy: Optional[bool] = None) -> numpy.ndarray: ...
+    def __array__(self, dtype: Any = None) -> numpy.ndarray: ...
     @property
     def array(self) -> numpy.ndarray:
         """A copy of the numbers, uint16, [z, y, x]."""
@@ -434,7 +434,7 @@ class Labels:
     @property
     def name(self) -> str:
         """For people."""
-    def save(self, path: str | os.PathLike[str]) -> list[str]:
+    def save(self, path: str | bytes | os.PathLike[Any]) -> list[str]:
         """Writes the voxels and where they are, in the format that the path's extension says."""
     def __init__(self, array: Any, *, names: Optional[Mapping[int, str]] = None, colors: Optional[Mapping[int, Sequence[float]]] = None, spacing: Optional[Sequence[float]] = None, origin: Optional[Sequence[float]] = None, affine: Any = None, lengthUnit: str = 'mm', name: str = 'labels') -> None: ...
     @property

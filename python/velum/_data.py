@@ -8,7 +8,7 @@ from typing import Any, Mapping, Optional, Sequence
 
 import numpy
 
-from . import _velum
+from . import _checks, _velum
 
 
 def _affine(affine: Any, spacing: Any, origin: Any) -> numpy.ndarray:
@@ -16,16 +16,16 @@ def _affine(affine: Any, spacing: Any, origin: Any) -> numpy.ndarray:
     if affine is not None:
         if spacing is not None or origin is not None:
             raise _velum.ArgumentError("an affine says spacing and origin, too: give one or the other")
-        return numpy.asarray(affine, dtype=float)
+        return _checks.numbers("affine", affine, (4, 4), "a matrix of 4 x 4")
     matrix = numpy.eye(4)
-    spacing = numpy.ones(3) if spacing is None else numpy.asarray(spacing, dtype=float)
-    origin = numpy.zeros(3) if origin is None else numpy.asarray(origin, dtype=float)
-    if spacing.shape != (3,) or not (spacing > 0).all():
-        raise _velum.ArgumentError("spacing is three numbers above 0, along x, y and z")
-    if origin.shape != (3,):
-        raise _velum.ArgumentError("origin is three numbers: where the first voxel is, x, y and z")
-    matrix[:3, :3] = numpy.diag(spacing)
-    matrix[:3, 3] = origin
+    if spacing is not None:
+        wanted = "three numbers above 0, along x, y and z"
+        spacing = _checks.numbers("spacing", spacing, (3,), wanted)
+        if not (spacing > 0).all():
+            raise _checks.refusal("spacing", spacing.tolist(), wanted)
+        matrix[:3, :3] = numpy.diag(spacing)
+    if origin is not None:
+        matrix[:3, 3] = _checks.numbers("origin", origin, (3,), "three numbers, where the first voxel is")
     return matrix
 
 
@@ -77,10 +77,10 @@ class _Data:
         """For people."""
         return self._held.facts()["name"]
 
-    def save(self, path: str | os.PathLike[str]) -> list[str]:
+    def save(self, path: str | bytes | os.PathLike[Any]) -> list[str]:
         """Writes the voxels and where they are, in the format that the path's extension says. Gives what the format cannot hold, a line
         each."""
-        return self._held.save(os.path.abspath(path))
+        return self._held.save(_checks.path(path))
 
 
 class Volume(_Data):
@@ -96,8 +96,10 @@ class Volume(_Data):
     def __init__(self, array: Any, *, spacing: Optional[Sequence[float]] = None, origin: Optional[Sequence[float]] = None,
                  affine: Any = None, lengthUnit: str = "mm", unit: str = "", modality: str = "unknown", color: bool = False,
                  name: str = "array", timeStepSeconds: float = 0.0) -> None:
-        self._held = _velum.Volume(numpy.asarray(array), _affine(affine, spacing, origin), lengthUnit, unit, modality, color, name,
-                                   timeStepSeconds)
+        text = _checks.text
+        self._held = _velum.Volume(numpy.asarray(array), _affine(affine, spacing, origin),
+                                   text("lengthUnit", lengthUnit), text("unit", unit), text("modality", modality), bool(color),
+                                   text("name", name), _checks.number("timeStepSeconds", timeStepSeconds))
 
     @property
     def array(self) -> numpy.ndarray:
@@ -156,8 +158,12 @@ class Labels(_Data):
     def __init__(self, array: Any, *, names: Optional[Mapping[int, str]] = None, colors: Optional[Mapping[int, Sequence[float]]] = None,
                  spacing: Optional[Sequence[float]] = None, origin: Optional[Sequence[float]] = None, affine: Any = None,
                  lengthUnit: str = "mm", name: str = "labels") -> None:
-        colors = {id: tuple(map(float, color)) for id, color in (colors or {}).items()}
-        self._held = _velum.Labels(numpy.asarray(array), _affine(affine, spacing, origin), lengthUnit, dict(names or {}), colors, name)
+        text = _checks.text
+        named = {_checks.whole("names", id): text(f"names[{id}]", name) for id, name in dict(names or {}).items()}
+        colored = {_checks.whole("colors", id): tuple(_checks.numbers(f"colors[{id}]", color, (3,), "red, green and blue, 0 to 1"))
+                   for id, color in dict(colors or {}).items()}
+        self._held = _velum.Labels(numpy.asarray(array), _affine(affine, spacing, origin), text("lengthUnit", lengthUnit), named, colored,
+                                   text("name", name))
 
     @property
     def array(self) -> numpy.ndarray:

@@ -77,12 +77,6 @@ py::list commandRows() {
   return rows;
 }
 
-LengthUnit lengthUnitOf(const std::string& name) {
-  if (auto unit = enumValue<LengthUnit>(name)) return *unit;
-  throw ArgumentError(
-      fmt::format("lengthUnit '{}' is not one of {}", name, fmt::join(EnumNames<LengthUnit>::kNames, ", ")));
-}
-
 Modality modalityOf(const std::string& name) {
   if (auto modality = enumValue<Modality>(name)) return *modality;
   throw ArgumentError(
@@ -90,11 +84,11 @@ Modality modalityOf(const std::string& name) {
 }
 
 void bindVolume(py::module_& module) {
-  auto make = [](const py::array& array, const py::array_t<double>& affine, const std::string& lengthUnit,
-                 const std::string& unit, const std::string& modality, bool isColor, const std::string& name,
-                 double seconds) {
-    VolumeFacts facts{affineOf(affine), lengthUnitOf(lengthUnit), unit, name, modalityOf(modality), isColor, seconds};
-    return Shared<Volume>(volumeOf(array, facts));
+  auto make = [](const py::array& array, std::optional<bool> copy, const py::array_t<double>& affine,
+                 const std::string& lengthUnit, const std::string& unit, const std::string& modality, bool isColor,
+                 const std::string& name, double seconds) {
+    VolumeFacts facts{placeOf(affine, lengthUnit), unit, name, modalityOf(modality), isColor, seconds};
+    return Shared<Volume>(volumeOf(array, copy, facts));
   };
   using Held = Shared<Volume>;
   py::class_<Held>(module, "Volume")
@@ -125,7 +119,7 @@ void bindLabels(py::module_& module) {
   auto make = [](const py::array& array, const py::array_t<double>& affine, const std::string& lengthUnit,
                  const std::map<int, std::string>& names, const std::map<int, std::array<float, 3>>& colors,
                  const std::string& name) {
-    return Shared<LabelVolume>(labelsOf(array, {affineOf(affine), lengthUnitOf(lengthUnit), names, colors, name}));
+    return Shared<LabelVolume>(labelsOf(array, {placeOf(affine, lengthUnit), names, colors, name}));
   };
   using Held = Shared<LabelVolume>;
   py::class_<Held>(module, "Labels")

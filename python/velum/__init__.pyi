@@ -369,7 +369,7 @@ class Session:
 
 class Volume:
     """Voxels, and where they are in the world."""
-    def __array__(self, dtype: Any = None) -> numpy.ndarray: ...
+    def __array__(self, dtype: Any = None, copy: Optional[bool] = None) -> numpy.ndarray: ...
     @property
     def array(self) -> numpy.ndarray:
         """The samples as they are, [z, y, x] and more where there are channels or time steps: no copy, not to be written to."""
@@ -384,13 +384,13 @@ class Volume:
         """Where the first voxel's middle is: x, y, z."""
     @property
     def lengthUnit(self) -> str:
-        """mm or angstrom."""
+        """Of the world: angstrom where that was said, else mm."""
     @property
     def name(self) -> str:
         """For people."""
     def save(self, path: str | bytes | os.PathLike[Any]) -> list[str]:
         """Writes the voxels and where they are, in the format that the path's extension says."""
-    def __init__(self, array: Any, *, spacing: Optional[Sequence[float]] = None, origin: Optional[Sequence[float]] = None, affine: Any = None, lengthUnit: str = 'mm', unit: str = '', modality: str = 'unknown', color: bool = False, name: str = 'array', timeStepSeconds: float = 0.0) -> None: ...
+    def __init__(self, array: Any, *, spacing: Optional[Sequence[float]] = None, origin: Optional[Sequence[float]] = None, affine: Any = None, lengthUnit: str = 'mm', unit: str = '', modality: str = 'unknown', color: bool = False, name: str = 'array', timeStepSeconds: float = 0.0, copy: Optional[bool] = None) -> None: ...
     @property
     def unit(self) -> str:
         """Of the values, as HU."""
@@ -415,7 +415,7 @@ class Volume:
 
 class Labels:
     """Whole numbers that say to which structure each voxel belongs; 0: to none."""
-    def __array__(self, dtype: Any = None) -> numpy.ndarray: ...
+    def __array__(self, dtype: Any = None, copy: Optional[bool] = None) -> numpy.ndarray: ...
     @property
     def array(self) -> numpy.ndarray:
         """A copy of the numbers, uint16, [z, y, x]."""
@@ -430,7 +430,7 @@ class Labels:
         """Where the first voxel's middle is: x, y, z."""
     @property
     def lengthUnit(self) -> str:
-        """mm or angstrom."""
+        """Of the world: angstrom where that was said, else mm."""
     @property
     def name(self) -> str:
         """For people."""

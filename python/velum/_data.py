@@ -69,7 +69,7 @@ class _Data:
 
     @property
     def lengthUnit(self) -> str:
-        """mm or angstrom."""
+        """Of the world: angstrom where that was said, else mm."""
         return self._held.facts()["lengthUnit"]
 
     @property
@@ -87,17 +87,20 @@ class Volume(_Data):
     """Voxels, and where they are in the world. It never changes.
 
     array: [z, y, x], or [z, y, x, channel], or [time, z, y, x, channel]; any strides and byte order; bool, float16, and whole and
-    floating numbers of up to 32 and 64 bits. It is copied once.
-    spacing, origin: along x, y, z. affine: 4 x 4 in their place.
-    lengthUnit: of the world, mm or angstrom. unit: of the values, as HU. modality: CT, MR, PET, angiography, ultrasound, microscopy,
+    floating numbers of up to 32 and 64 bits.
+    copy: None: the volume lies over the array's memory where it can, and the array cannot be written to any more; what lies otherwise
+    (other strides, byte orders and types, a part of a larger array that can be written to) is copied. True: it is copied, and stays
+    yours. False: ArgumentError where it would have to be copied.
+    spacing, origin: along x, y, z. affine: 4 x 4 in their place. lengthUnit: of these, as mm, um, nm, angstrom or m; angstrom stay
+    angstrom, all else becomes mm, as of files. unit: of the values, as HU. modality: CT, MR, PET, angiography, ultrasound, microscopy,
     seismic, or unknown: the first look is chosen by it. color: the channels are red, green, blue (and alpha), of uint8.
     """
 
     def __init__(self, array: Any, *, spacing: Optional[Sequence[float]] = None, origin: Optional[Sequence[float]] = None,
                  affine: Any = None, lengthUnit: str = "mm", unit: str = "", modality: str = "unknown", color: bool = False,
-                 name: str = "array", timeStepSeconds: float = 0.0) -> None:
+                 name: str = "array", timeStepSeconds: float = 0.0, copy: Optional[bool] = None) -> None:
         text = _checks.text
-        self._held = _velum.Volume(numpy.asarray(array), _affine(affine, spacing, origin),
+        self._held = _velum.Volume(numpy.asanyarray(array), None if copy is None else bool(copy), _affine(affine, spacing, origin),
                                    text("lengthUnit", lengthUnit), text("unit", unit), text("modality", modality), bool(color),
                                    text("name", name), _checks.number("timeStepSeconds", timeStepSeconds))
 
@@ -149,7 +152,7 @@ class Volume(_Data):
 class Labels(_Data):
     """Whole numbers that say to which structure each voxel belongs; 0: to none. It never changes.
 
-    array: [z, y, x], numbers from 0 to 65535 of any type of whole numbers. names, colors: by number; colours are sRGB, 0 to 1.
+    array: [z, y, x], numbers from 0 to 65535 of any type of whole numbers; they are held compressed, and the array stays yours. names, colors: by number; colours are sRGB, 0 to 1.
     The rest as of Volume.
     """
 

@@ -158,6 +158,7 @@ class Errors(Case):
             rows = [(lambda: session.render(96.0, 72), "width 96.0: expected a whole number"), (lambda: session.render(96, 2 ** 40), "height"),
                     (lambda: session.render(96, 72, samples="many"), "samples 'many'"), (lambda: session.render(96, 72, section=5), "section 5: expected a text"),
                     (lambda: session.layers(96, numpy.zeros((3, 3))), "height array"), (lambda: session.count("wide"), "width 'wide'"),
+                    (lambda: session.render(96, 72, dtype="int16"), "dtype 'int16': expected uint8 or float32"), (lambda: session.render(96, 72, dtype=5), "dtype 5"),
                     (lambda: next(session.frames(1.5, 2)), "width 1.5"), (lambda: session[5], "field 5: expected a text"),
                     (lambda: session.__setitem__(5, 1), "5"), (lambda: velum.Session(5), "context 5"), (lambda: velum.Session("glx"), "egl"),
                     (lambda: velum.Session(progress=5), "progress 5: expected a function"), (lambda: session.voxels.save(5), "path 5"),

@@ -189,9 +189,13 @@ class Session(_velum.Session):
 
 
 def _is_bytes(dtype: Any) -> bool:
-    if numpy.dtype(dtype) not in (numpy.uint8, numpy.float32):
-        raise _velum.ArgumentError(f"dtype {dtype}: pictures are uint8 or float32")
-    return numpy.dtype(dtype) == numpy.uint8
+    try:
+        wanted = numpy.dtype(dtype)
+    except TypeError:
+        wanted = None
+    if wanted not in (numpy.uint8, numpy.float32):
+        raise _checks.refusal("dtype", dtype, "uint8 or float32")
+    return wanted == numpy.uint8
 
 
 def _image(channels: list[str], pixels: numpy.ndarray, transparent: bool) -> Image:

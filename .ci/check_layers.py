@@ -47,7 +47,7 @@ ROOMS = {  # module: {room: rooms of the module it may include (its own is impli
 }
 ONLY_ROOMS = {  # module: {other module: rooms of it that it may include}
     # Commands, and what shows.
-    "python": {"session": ". command document film measure membrane model picture structure", "io": "labels volumes", "render": "kept"},
+    "python": {"session": ". command document film measure membrane model picture structure", "io": "labels stores volumes", "render": "kept"},
 }
 ONLY_IN = {  # library header: modules that may name it
     r"<Q[A-Z]": "gui",

@@ -9,7 +9,9 @@
 
 #include "core/Error.h"
 #include "core/ImageChannels.h"
+#include "core/Text.h"
 #include "io/labels/LabelTables.h"
+#include "io/stores/AxisUnits.h"
 
 namespace velum::python {
 
@@ -55,9 +57,62 @@ SampleType sampleTypeOf(const py::array& array) {
   throw ArgumentError(fmt::format("voxels of type {} are not known; convert them: array.astype(\"float32\")", type));
 }
 
+/// Why a volume cannot lie over the samples of an array; empty: it can. Others must not write to them unnoticed: an
+/// array and what it is a view of can be made read-only, the rest of a larger array, and memory of other libraries,
+/// cannot.
+std::string whyNotShared(const py::array& array) {
+  if (!enumValue<SampleType>(std::string(py::str(array.dtype().attr("name"))))) return "its type is converted";
+  if (!py::cast<bool>(array.dtype().attr("isnative"))) return "its byte order is another";
+  if (!py::cast<bool>(array.attr("flags").attr("c_contiguous"))) return "its samples do not lie one after the other";
+  if (!py::cast<bool>(array.attr("flags").attr("aligned"))) return "its samples are not aligned";
+  py::array at = array;
+  for (;;) {
+    py::object base = at.base();
+    if (!base || base.is_none()) return {};
+    if (!py::isinstance<py::array>(base)) {
+      bool isMapped = py::isinstance(base, py::module_::import("mmap").attr("mmap"));
+      return at.writeable() && !isMapped ? "its memory is not numpy's, and could be written to" : "";
+    }
+    at = py::reinterpret_borrow<py::array>(base);
+    if (at.writeable() && at.nbytes() != array.nbytes()) return "it is a view of a larger array that can be written to";
+  }
+}
+
+/// Makes an array, and what it is a view of, read-only.
+void lock(const py::array& array) {
+  for (py::object at = array; at && py::isinstance<py::array>(at); at = at.attr("base"))
+    at.attr("flags").attr("writeable") = false;
+}
+
+/// Lets go of an array, in whatever thread its volume has ended. An interpreter that ends itself takes it along.
+void letGo(PyObject* array) {
+  if (!Py_IsInitialized() || _Py_IsFinalizing()) return;
+  py::gil_scoped_acquire locked;
+  Py_DECREF(array);
+}
+
+Bytes bytesOf(const py::array& array) {
+  lock(array);
+  LentBytes lent;
+  lent.owner = std::shared_ptr<const void>(py::object(array).release().ptr(), [](const void* held) {
+    letGo(static_cast<PyObject*>(const_cast<void*>(held)));
+  });
+  lent.data = static_cast<std::byte*>(const_cast<void*>(array.data()));
+  lent.size = std::size_t(array.nbytes());
+  return bytesOver(std::move(lent));
+}
+
+Bytes copiedBytesOf(const py::array& array, const Volume& like, const std::vector<py::ssize_t>& shape) {
+  Bytes bytes(timeStepBytes(like) * std::size_t(like.timeSteps));
+  py::capsule owner(bytes.data(), [](void*) {});  // the array is gone before the bytes
+  copyInto(arrayOver(std::string(enumName(like.type)), shape, bytes.data(), owner),
+           array.attr("reshape")(py::cast(shape)));
+  return bytes;
+}
+
 }  // namespace
 
-Volume volumeOf(const py::array& array, const VolumeFacts& facts) {
+Volume volumeOf(const py::array& array, std::optional<bool> copy, const VolumeFacts& facts) {
   auto shape = voxelShape(array);
   Volume volume;
   volume.timeSteps = int(shape[0]);
@@ -69,16 +124,17 @@ Volume volumeOf(const py::array& array, const VolumeFacts& facts) {
   if (facts.isColor && !isColorful)
     throw ArgumentError(
         fmt::format("an array of shape {} has no colours: these are 3 or 4 channels of uint8", shapeText(array)));
-  volume.worldFromVoxel = facts.worldFromVoxel;
-  volume.lengthUnit = facts.lengthUnit;
+  volume.worldFromVoxel = facts.place.worldFromVoxel;
+  volume.lengthUnit = facts.place.lengthUnit;
   volume.unit = facts.unit;
   volume.modality = facts.modality;
   volume.name = facts.name;
   volume.timeStepSeconds = facts.timeStepSeconds;
-  volume.voxels.resize(timeStepBytes(volume) * std::size_t(volume.timeSteps));
-  py::capsule owner(volume.voxels.data(), [](void*) {});  // the array is gone before the volume
-  copyInto(arrayOver(std::string(enumName(volume.type)), shape, volume.voxels.data(), owner),
-           array.attr("reshape")(py::cast(shape)));
+  std::string reason = whyNotShared(array);
+  if (copy == false && !reason.empty())
+    throw ArgumentError(fmt::format("copy=False: the array must be copied, as {}", reason));
+  bool isShared = copy != true && reason.empty();
+  volume.voxels = isShared ? bytesOf(array) : copiedBytesOf(array, volume, shape);
   py::gil_scoped_release free;
   computeRange(volume);
   return volume;
@@ -109,7 +165,7 @@ LabelVolume labelsOf(const py::array& array, const LabelFacts& facts) {
   py::array_t<std::uint16_t> ids(std::vector<py::ssize_t>(array.shape(), array.shape() + 3));
   py::module_::import("numpy").attr("copyto")(ids, array, py::arg("casting") = "unsafe");
   glm::ivec3 dims(int(array.shape(2)), int(array.shape(1)), int(array.shape(0)));
-  LabelVolume labels(dims, facts.worldFromVoxel, facts.lengthUnit);
+  LabelVolume labels(dims, facts.place.worldFromVoxel, facts.place.lengthUnit);
   labels.write({0, 0, 0}, dims, {ids.data(), std::size_t(ids.size())});
   labels.name = facts.name;
   std::vector<LabelInfo> named;
@@ -146,17 +202,24 @@ py::array arrayOf(Image image, bool asBytes) {
   return arrayOver("float32", shape, held->data(), owner);
 }
 
-glm::dmat4 affineOf(const py::array_t<double>& array) {
+Place placeOf(const py::array_t<double>& array, const std::string& unit) {
+  auto millimetres = io::millimetresOf(unit);
+  if (!millimetres)
+    throw ArgumentError(
+        fmt::format("lengthUnit '{}' is no unit of length, as mm, um, nm and angstrom are", printable(unit)));
   if (array.ndim() != 2 || array.shape(0) != 4 || array.shape(1) != 4)
     throw ArgumentError(fmt::format("an affine is a matrix of 4 x 4, not of shape {}", shapeText(array)));
-  glm::dmat4 affine;
+  Place place;
+  if (io::isAngstrom(unit)) place.lengthUnit = LengthUnit::Angstrom;
+  double factor = io::isAngstrom(unit) ? 1.0 : *millimetres;
+  glm::dmat4& affine = place.worldFromVoxel;
   for (int row = 0; row < 4; ++row)
-    for (int column = 0; column < 4; ++column) affine[column][row] = array.at(row, column);
+    for (int column = 0; column < 4; ++column) affine[column][row] = array.at(row, column) * (row < 3 ? factor : 1.0);
   double size = std::abs(glm::determinant(glm::dmat3(affine)));
   bool isLast = glm::dvec4(affine[0][3], affine[1][3], affine[2][3], affine[3][3]) == glm::dvec4(0, 0, 0, 1);
   if (!isLast || !std::isfinite(size) || size == 0.0 || !glm::all(glm::lessThan(glm::abs(affine[3]), glm::dvec4(1e15))))
     throw ArgumentError("an affine takes voxels to places: finite numbers, not singular, its last row 0 0 0 1");
-  return affine;
+  return place;
 }
 
 py::array_t<double> arrayOf(const glm::dmat4& affine) {

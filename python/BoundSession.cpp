@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "Texts.h"
 #include "core/Counts.h"
 #include "core/Error.h"
 #include "render/kept/StructureHits.h"
@@ -38,7 +39,7 @@ gpu::ContextKind contextOf(const std::string& name) {
 
 glm::ivec2 sizeOf(int width, int height) { return session::parsePictureSize(fmt::format("{}x{}", width, height), 0); }
 
-std::string textOf(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+std::string jsonText(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
 session::PictureOptions optionsOf(const BoundSession::Wanted& wanted) {
   if (wanted.samples < 0 || wanted.samples > 256)
@@ -108,26 +109,23 @@ void BoundSession::in(const SessionThread::Work& work) {
     py::gil_scoped_acquire locked;
     if (PyErr_CheckSignals() != 0) throw py::error_already_set();
     py::object told = listener;
-    if (news && !told.is_none()) told(news->fraction, news->what);
+    if (news && !told.is_none()) told(news->fraction, textOf(news->what));
   };
   py::gil_scoped_release free;
   mThread.run(work, pulse);
 }
 
-BoundSession::Told BoundSession::run(const std::string& line) {
+BoundSession::Told BoundSession::run(const std::vector<std::string>& lines) {
   Told told;
   in([&](session::Session& session, Progress& progress) {
-    session::Call call = session::parseCall(line);
-    if (call.command().name == session::SaveScene::kName) expectFiles(session.scene());
-    std::size_t steps = session.document().undoLabels().size();
-    told = {call.command().answers, session::run(session, call, progress)};
-    try {
+    for (const std::string& line : lines) {
+      session::Call call = session::parseCall(line);
+      if (call.command().name == session::SaveScene::kName) expectFiles(session.scene());
+      auto news = session::run(session, call, progress);
+      told.isAnswer = call.command().answers;
+      told.lines.insert(told.lines.end(), news.begin(), news.end());
       session.settle(progress);
       progress.throwIfCancelled();
-    } catch (...) {
-      // What was stopped before it has come to rest has not been done.
-      if (session.document().undoLabels().size() > steps) session.document().undo();
-      throw;
     }
   });
   return told;
@@ -136,7 +134,8 @@ BoundSession::Told BoundSession::run(const std::string& line) {
 std::string BoundSession::field(const std::string& path) {
   std::string json;
   in([&](session::Session& session, Progress&) {
-    json = scene::detail::parseValue(scene::getField(session.scene(), path)).dump();
+    json = scene::detail::parseValue(scene::getField(session.scene(), path))
+               .dump(-1, ' ', false, Json::error_handler_t::replace);
   });
   return json;
 }
@@ -216,7 +215,7 @@ BoundSession::Frames BoundSession::frames(const std::string& line) {
   try {
     in(begin);
   } catch (...) {
-    endFrames(frames);  // a pulse may stop the call when they are there already
+    endFrames(frames);  // the last pulse may stop the call when they are there already
     throw;
   }
   return frames;
@@ -254,7 +253,7 @@ std::string BoundSession::count(int width, int height) {
     session::PictureCounter counter = session.counter(size, progress);
     rows = scene.model.data ? modelCounts(scene, counter) : structureCounts(scene, counter, progress);
   });
-  return textOf(rows);
+  return jsonText(rows);
 }
 
 }  // namespace velum::python

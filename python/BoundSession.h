@@ -23,8 +23,8 @@ class BoundSession {
     bool isAnswer = false;  ///< the lines are what was asked for, rather than notes
     std::vector<std::string> lines;
   };
-  /// Does a line of a script, and lets all come to rest.
-  Told run(const std::string& line);
+  /// Does lines of a script, all of them or none, and lets all come to rest after each.
+  Told run(const std::vector<std::string>& lines);
   /// The value of a field, as JSON.
   std::string field(const std::string& path);
   /// All that was done since something was opened, as a program.

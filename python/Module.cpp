@@ -4,6 +4,7 @@
 #include <pybind11/stl.h>
 
 #include "BoundSession.h"
+#include "Texts.h"
 #include "core/Error.h"
 #include "gpu/GpuError.h"
 #include "io/labels/WriteLabels.h"
@@ -17,14 +18,43 @@ namespace py = pybind11;
 
 namespace {
 
-/// The later ones are tried first: those that derive from others stand behind them.
+/// The kinds of errors in Python. They live as long as the interpreter, as the module does.
+struct ErrorKinds {
+  py::handle base, argument, input, driver, cancelled;
+};
+ErrorKinds& errorKinds() {
+  static ErrorKinds kinds;
+  return kinds;
+}
+
+void raise(py::handle kind, const std::exception& error) { PyErr_SetObject(kind.ptr(), textOf(error.what()).ptr()); }
+
+void translate(std::exception_ptr thrown) {
+  const ErrorKinds& kinds = errorKinds();
+  try {
+    if (thrown) std::rethrow_exception(thrown);
+  } catch (const ArgumentError& error) {
+    raise(kinds.argument, error);
+  } catch (const InputError& error) {
+    raise(kinds.input, error);
+  } catch (const gpu::GpuError& error) {
+    raise(kinds.driver, error);
+  } catch (const Cancelled& error) {
+    raise(kinds.cancelled, error);
+  } catch (const Error& error) {
+    raise(kinds.base, error);
+  }
+}
+
 void bindErrors(py::module_& module) {
-  auto& base = py::register_exception<Error>(module, "Error", PyExc_RuntimeError);
-  py::tuple asValue = py::make_tuple(base, py::handle(PyExc_ValueError));
-  py::register_exception<ArgumentError>(module, "ArgumentError", asValue);
-  py::register_exception<InputError>(module, "InputError", base);
-  py::register_exception<gpu::GpuError>(module, "GpuError", base);
-  py::register_exception<Cancelled>(module, "Cancelled", base);
+  auto make = [&](const char* name, py::handle base) { return py::exception<Error>(module, name, base).release(); };
+  ErrorKinds& kinds = errorKinds();
+  kinds.base = make("Error", PyExc_RuntimeError);
+  kinds.argument = make("ArgumentError", py::make_tuple(kinds.base, py::handle(PyExc_ValueError)));
+  kinds.input = make("InputError", kinds.base);
+  kinds.driver = make("GpuError", kinds.base);
+  kinds.cancelled = make("Cancelled", kinds.base);
+  py::register_exception_translator(translate);
 }
 
 /// The table of commands: a dictionary each.
@@ -47,12 +77,6 @@ py::list commandRows() {
   return rows;
 }
 
-LengthUnit lengthUnitOf(const std::string& name) {
-  if (auto unit = enumValue<LengthUnit>(name)) return *unit;
-  throw ArgumentError(
-      fmt::format("lengthUnit '{}' is not one of {}", name, fmt::join(EnumNames<LengthUnit>::kNames, ", ")));
-}
-
 Modality modalityOf(const std::string& name) {
   if (auto modality = enumValue<Modality>(name)) return *modality;
   throw ArgumentError(
@@ -60,11 +84,11 @@ Modality modalityOf(const std::string& name) {
 }
 
 void bindVolume(py::module_& module) {
-  auto make = [](const py::array& array, const py::array_t<double>& affine, const std::string& lengthUnit,
-                 const std::string& unit, const std::string& modality, bool isColor, const std::string& name,
-                 double seconds) {
-    VolumeFacts facts{affineOf(affine), lengthUnitOf(lengthUnit), unit, name, modalityOf(modality), isColor, seconds};
-    return Shared<Volume>(volumeOf(array, facts));
+  auto make = [](const py::array& array, std::optional<bool> copy, const py::array_t<double>& affine,
+                 const std::string& lengthUnit, const std::string& unit, const std::string& modality, bool isColor,
+                 const std::string& name, double seconds) {
+    VolumeFacts facts{placeOf(affine, lengthUnit), unit, name, modalityOf(modality), isColor, seconds};
+    return Shared<Volume>(volumeOf(array, copy, facts));
   };
   using Held = Shared<Volume>;
   py::class_<Held>(module, "Volume")
@@ -74,16 +98,20 @@ void bindVolume(py::module_& module) {
       .def("facts",
            [](const Held& held) {
              const Volume& v = *held;
-             return py::dict(py::arg("lengthUnit") = enumName(v.lengthUnit), py::arg("unit") = v.unit,
+             return py::dict(py::arg("lengthUnit") = enumName(v.lengthUnit), py::arg("unit") = textOf(v.unit),
                              py::arg("modality") = enumName(v.modality), py::arg("color") = v.isColor,
-                             py::arg("name") = v.name, py::arg("scale") = v.scale, py::arg("offset") = v.offset,
+                             py::arg("name") = textOf(v.name), py::arg("scale") = v.scale, py::arg("offset") = v.offset,
                              py::arg("range") = py::make_tuple(v.range.x, v.range.y),
                              py::arg("timeStepSeconds") = v.timeStepSeconds);
            })
       .def("save", [](const Held& held, const std::string& path) {
-        py::gil_scoped_release free;
-        Progress progress;
-        return io::writeVolume(*held, path, progress);
+        std::vector<std::string> losses;
+        {
+          py::gil_scoped_release free;
+          Progress progress;
+          losses = io::writeVolume(*held, path, progress);
+        }
+        return textsOf(losses);
       });
 }
 
@@ -91,7 +119,7 @@ void bindLabels(py::module_& module) {
   auto make = [](const py::array& array, const py::array_t<double>& affine, const std::string& lengthUnit,
                  const std::map<int, std::string>& names, const std::map<int, std::array<float, 3>>& colors,
                  const std::string& name) {
-    return Shared<LabelVolume>(labelsOf(array, {affineOf(affine), lengthUnitOf(lengthUnit), names, colors, name}));
+    return Shared<LabelVolume>(labelsOf(array, {placeOf(affine, lengthUnit), names, colors, name}));
   };
   using Held = Shared<LabelVolume>;
   py::class_<Held>(module, "Labels")
@@ -102,16 +130,20 @@ void bindLabels(py::module_& module) {
            [](const Held& held) {
              py::dict names, colors;
              for (const LabelInfo& row : held->table) {
-               names[py::int_(row.id)] = row.name;
+               names[py::int_(row.id)] = textOf(row.name);
                colors[py::int_(row.id)] = py::make_tuple(row.color.r, row.color.g, row.color.b);
              }
              return py::dict(py::arg("lengthUnit") = enumName(held->lengthUnit()), py::arg("names") = names,
-                             py::arg("colors") = colors, py::arg("name") = held->name);
+                             py::arg("colors") = colors, py::arg("name") = textOf(held->name));
            })
       .def("save", [](const Held& held, const std::string& path) {
-        py::gil_scoped_release free;
-        Progress progress;
-        return io::writeLabels(*held, path, progress);
+        std::vector<std::string> losses;
+        {
+          py::gil_scoped_release free;
+          Progress progress;
+          losses = io::writeLabels(*held, path, progress);
+        }
+        return textsOf(losses);
       });
 }
 
@@ -120,24 +152,24 @@ void bindSession(py::module_& module) {
   auto picture = [](S& session, int width, int height, int samples, bool transparent, bool layers, bool isFine,
                     const std::string& section, bool asBytes) {
     Image image = session.picture({width, height, samples, transparent, layers, isFine, section});
-    std::vector<std::string> channels = image.channels;
+    py::list channels = textsOf(image.channels);
     return py::make_tuple(channels, arrayOf(std::move(image), asBytes));
   };
-  auto run = [](S& session, const std::string& line) {
-    S::Told told = session.run(line);
-    return py::make_tuple(told.isAnswer, told.lines);
+  auto run = [](S& session, const std::vector<std::string>& lines) {
+    S::Told told = session.run(lines);
+    return py::make_tuple(told.isAnswer, textsOf(told.lines));
   };
   auto frame = [](S& session, const S::Frames& frames, int place, bool asBytes) {
     Image image = session.frame(frames, place);
-    std::vector<std::string> channels = image.channels;
+    py::list channels = textsOf(image.channels);
     return py::make_tuple(channels, arrayOf(std::move(image), asBytes));
   };
   py::class_<S::Frames>(module, "Frames").def_readonly("count", &S::Frames::count);
   py::class_<S>(module, "Session")
       .def(py::init<const std::string&>())
       .def("_run", run)
-      .def("_field", &S::field)
-      .def("_program", &S::program)
+      .def("_field", [](S& session, const std::string& path) { return textOf(session.field(path)); })
+      .def("_program", [](S& session) { return textOf(session.program()); })
       .def("_openVolume", &S::openVolume)
       .def("_putLabels", &S::putLabels)
       .def("_volume", &S::volume)

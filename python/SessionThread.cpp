@@ -1,5 +1,6 @@
 #include "SessionThread.h"
 
+#include <algorithm>
 #include <chrono>
 #include <exception>
 #include <optional>
@@ -25,8 +26,11 @@ struct SessionThread::Task {
         }) {}
   const Work& work;
   Progress progress;
+  std::thread::id caller = std::this_thread::get_id();
   std::optional<News> news;  ///< that no pulse has told yet
   std::exception_ptr error;
+  bool isWorked = false;  ///< All is done but what the last pulse says of it.
+  bool isTold = false;    ///< The last pulse has had its say.
   bool isDone = false;
 };
 
@@ -53,22 +57,32 @@ void SessionThread::live(State& state, gpu::ContextKind context) {
       if (state.tasks.empty()) break;
       Task& task = *state.tasks.front();
       lock.unlock();
-      std::exception_ptr error;
-      try {
-        task.progress.throwIfCancelled();
-        task.work(session, task.progress);
-      } catch (...) {
-        error = std::current_exception();
-      }
+      doTask(state, task, session);
       lock.lock();
-      task.error = error;
       task.isDone = true;
       state.tasks.pop_front();
       state.done.notify_all();
     }
+    lock.unlock();  // what ends here may want Python's lock
     state.kept.clear();
   }
   releaseFreeMemory();
+}
+
+void SessionThread::doTask(State& state, Task& task, session::Session& session) {
+  auto before = session.file().before();
+  try {
+    task.progress.throwIfCancelled();
+    task.work(session, task.progress);
+    std::unique_lock lock(state.mutex);
+    task.isWorked = true;
+    state.done.notify_all();
+    state.called.wait(lock, [&] { return task.isTold || state.isClosed; });
+    task.progress.throwIfCancelled();
+  } catch (...) {
+    task.error = std::current_exception();
+    session.file().restore(std::move(before));
+  }
 }
 
 void SessionThread::endDropped(State& state, std::unique_lock<std::mutex>& lock) {
@@ -85,24 +99,32 @@ void SessionThread::run(const Work& work, const Pulse& pulse) {
   std::exception_ptr stop;
   std::unique_lock lock(mState->mutex);
   if (mState->isClosed) throw ArgumentError("the session is closed");
+  // It would wait for itself.
+  if (std::any_of(mState->tasks.begin(), mState->tasks.end(),
+                  [&](Task* other) { return other->caller == task.caller; }))
+    throw ArgumentError("the session is at work: what it calls meanwhile can only cancel or close it");
   mState->tasks.push_back(&task);
   mState->called.notify_all();
-  auto isDone = [&] { return task.isDone; };
-  while (!mState->done.wait_for(lock, kPulse, isDone)) {
+  auto hasMoved = [&] { return task.isDone || (task.isWorked && !task.isTold); };
+  for (;;) {
+    mState->done.wait_for(lock, kPulse, hasMoved);
+    if (task.isDone) break;
+    bool isLast = task.isWorked;
     std::optional<News> news = std::exchange(task.news, {});
     lock.unlock();
     try {
-      if (!stop) pulse(news ? &*news : nullptr);
+      if (!stop && (news || !isLast)) pulse(news ? &*news : nullptr);
     } catch (...) {
       stop = std::current_exception();
       task.progress.cancel();
     }
     lock.lock();
+    task.isTold = isLast;
+    if (isLast) mState->called.notify_all();
   }
   lock.unlock();
   if (stop) std::rethrow_exception(stop);
   if (task.error) std::rethrow_exception(task.error);
-  if (task.news) pulse(&*task.news);
 }
 
 void SessionThread::keep(std::shared_ptr<void> thing) { mState->kept.push_back(std::move(thing)); }

@@ -25,16 +25,18 @@ class SessionThread {
     std::string what;
   };
   /// Called in the thread of the caller that waits, some twenty times a second, and at the end where there is news.
+  /// Must ask the session for nothing but cancel(), close() and drop().
   /// @param news  null: there is none
   using Pulse = std::function<void(const News* news)>;
 
   explicit SessionThread(gpu::ContextKind context);
   ~SessionThread();
 
-  /// Does the work in the session's thread, and waits for its end. What a pulse throws stops the work, and is thrown
-  /// when the work has ended.
-  /// @throw what the work throws; Cancelled after cancel(); ArgumentError when the session is closed, or is another
-  /// process's
+  /// Does the work in the session's thread, and waits for its end. What a pulse throws, the last one too, stops the
+  /// work, and is thrown when the work has ended. Work that throws or is stopped has not been done: all that is open
+  /// is as it was before.
+  /// @throw what the work throws; Cancelled after cancel(); ArgumentError when the session is closed, is another
+  /// process's, or is called by a pulse
   void run(const Work& work, const Pulse& pulse);
   /// Has something end in the session's thread, and before the session. Called by work.
   void keep(std::shared_ptr<void> thing);
@@ -48,9 +50,9 @@ class SessionThread {
  private:
   struct Task;
   struct State {
-    std::mutex mutex;  ///< of all that follows
-    std::condition_variable called, done;
-    std::deque<Task*> tasks;  ///< The first one is being done.
+    std::mutex mutex;                      ///< of all that follows
+    std::condition_variable called, done;  ///< the thread waits for the one, callers for the other
+    std::deque<Task*> tasks;               ///< The first one is being done.
     std::vector<std::weak_ptr<void>> dropped;
     bool isClosed = false;
     std::thread thread;
@@ -59,6 +61,7 @@ class SessionThread {
   /// A fork has a copy of the state, and no such thread: what waits there for it would wait for ever.
   bool isForked() const { return ::getpid() != mProcess; }
   static void live(State& state, gpu::ContextKind context);
+  static void doTask(State& state, Task& task, session::Session& session);
   static void endDropped(State& state, std::unique_lock<std::mutex>& lock);
 
   pid_t mProcess;

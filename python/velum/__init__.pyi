@@ -146,7 +146,7 @@ class LookCommands:
         """Chooses how rays are cast."""
     def surface(self) -> None:
         """Makes a look that lets one see through one of surfaces."""
-    def import_(self, path: Union[str, os.PathLike[str]] = '') -> None:
+    def import_(self, path: Union[str, bytes, os.PathLike[Any]] = '') -> None:
         """Takes the transfer function of a file."""
     def background(self, top: Sequence[float] = (0.0, 0.0, 0.0), bottom: Sequence[float] = (0.0, 0.0, 0.0)) -> None:
         """Sets what is behind everything."""
@@ -248,7 +248,7 @@ class FilmCommands:
         """Shows the scene at a time of its film; changes nothing."""
     def record(self, on: bool = True) -> None:
         """Makes keys of whatever is changed at the playhead from now on."""
-    def save(self, path: Union[str, os.PathLike[str]] = '', size: str = '1280x720', animate: Union[str, Sequence[str]] = [], seconds: float = 0.0, section: str = '', samples: int = 0, transparent: bool = False, layers: bool = False, dpi: float = 0.0, bits: int = 8, quality: int = 75, blur: int = 1, shutter: float = 0.5, part: str = '1/1', resume: bool = False, overwrite: bool = False) -> None:
+    def save(self, path: Union[str, bytes, os.PathLike[Any]] = '', size: str = '1280x720', animate: Union[str, Sequence[str]] = [], seconds: float = 0.0, section: str = '', samples: int = 0, transparent: bool = False, layers: bool = False, dpi: float = 0.0, bits: int = 8, quality: int = 75, blur: int = 1, shutter: float = 0.5, part: str = '1/1', resume: bool = False, overwrite: bool = False) -> None:
         """Draws the film of the scene, and writes it as a video or as frames."""
     def turn(self, seconds: float = 8.0, turns: float = 1.0, gently: bool = False, start: float = 0.0) -> None:
         """Ready-made film: the eye goes round."""
@@ -268,7 +268,7 @@ class FilmCommands:
         """Ready-made film: whole, then cut open."""
     def title(self, text: str = '', start: float = 0.0, seconds: float = 4.0, fade: float = 0.5, place: Literal['topLeft', 'top', 'topRight', 'left', 'centre', 'right', 'bottomLeft', 'bottom', 'bottomRight'] = 'bottom') -> None:
         """Ready-made film: words come and go."""
-    def __call__(self, path: Union[str, os.PathLike[str]] = '', size: str = '1280x720', animate: Union[str, Sequence[str]] = [], seconds: float = 0.0, section: str = '', samples: int = 0, transparent: bool = False, layers: bool = False, dpi: float = 0.0, bits: int = 8, quality: int = 75, blur: int = 1, shutter: float = 0.5, part: str = '1/1', resume: bool = False, overwrite: bool = False) -> None:
+    def __call__(self, path: Union[str, bytes, os.PathLike[Any]] = '', size: str = '1280x720', animate: Union[str, Sequence[str]] = [], seconds: float = 0.0, section: str = '', samples: int = 0, transparent: bool = False, layers: bool = False, dpi: float = 0.0, bits: int = 8, quality: int = 75, blur: int = 1, shutter: float = 0.5, part: str = '1/1', resume: bool = False, overwrite: bool = False) -> None:
         """Draws the film of the scene, and writes it as a video or as frames."""
 
 def open(what: Any, *, context: Literal['auto', 'egl', 'osmesa'] = 'auto', progress: Optional[Callable[[float, str], Any]] = None, **how: Any) -> Session:
@@ -342,17 +342,17 @@ class Session:
     def lettering(self) -> LetteringCommands: ...
     @property
     def film(self) -> FilmCommands: ...
-    def open(self, path: Union[str, os.PathLike[str]] = '', series: str = '', level: int = -1, raw: Optional[Mapping[str, Any]] = None, spacing: Sequence[float] = (0.0, 0.0, 0.0)) -> None:
+    def open(self, path: Union[str, bytes, os.PathLike[Any]] = '', series: str = '', level: int = -1, raw: Optional[Mapping[str, Any]] = None, spacing: Sequence[float] = (0.0, 0.0, 0.0)) -> None:
         """Opens a file or folder in the place of what is open."""
-    def add(self, path: Union[str, os.PathLike[str]] = '', series: str = '', asLabels: bool = False) -> None:
+    def add(self, path: Union[str, bytes, os.PathLike[Any]] = '', series: str = '', asLabels: bool = False) -> None:
         """Adds labels, a surface or a model beside what is open."""
-    def save(self, path: Union[str, os.PathLike[str]] = '') -> None:
+    def save(self, path: Union[str, bytes, os.PathLike[Any]] = '') -> None:
         """Writes the scene: what is open, and how it is shown."""
-    def picture(self, size: str = '1280x720', path: Union[str, os.PathLike[str]] = '', samples: int = 0, transparent: bool = False, layers: bool = False, dpi: float = 0.0, part: str = '') -> None:
+    def picture(self, size: str = '1280x720', path: Union[str, bytes, os.PathLike[Any]] = '', samples: int = 0, transparent: bool = False, layers: bool = False, dpi: float = 0.0, part: str = '') -> None:
         """Makes a picture of the scene, with the scene inside."""
-    def set(self, path: Union[str, os.PathLike[str]] = '', value: str = '') -> None:
+    def set(self, path: Union[str, bytes, os.PathLike[Any]] = '', value: str = '') -> None:
         """Sets a field of the scene, with all that follows from it."""
-    def get(self, path: Union[str, os.PathLike[str]] = '') -> list[str]:
+    def get(self, path: Union[str, bytes, os.PathLike[Any]] = '') -> list[str]:
         """Tells what a field of the scene is, as set takes it."""
     def undo(self) -> None:
         """Takes the last change back."""
@@ -384,13 +384,13 @@ class Volume:
         """Where the first voxel's middle is: x, y, z."""
     @property
     def lengthUnit(self) -> str:
-        """mm or angstrom."""
+        """Of the world: angstrom where that was said, else mm."""
     @property
     def name(self) -> str:
         """For people."""
-    def save(self, path: str | os.PathLike[str]) -> list[str]:
+    def save(self, path: str | bytes | os.PathLike[Any]) -> list[str]:
         """Writes the voxels and where they are, in the format that the path's extension says."""
-    def __init__(self, array: Any, *, spacing: Optional[Sequence[float]] = None, origin: Optional[Sequence[float]] = None, affine: Any = None, lengthUnit: str = 'mm', unit: str = '', modality: str = 'unknown', color: bool = False, name: str = 'array', timeStepSeconds: float = 0.0) -> None: ...
+    def __init__(self, array: Any, *, spacing: Optional[Sequence[float]] = None, origin: Optional[Sequence[float]] = None, affine: Any = None, lengthUnit: str = 'mm', unit: str = '', modality: str = 'unknown', color: bool = False, name: str = 'array', timeStepSeconds: float = 0.0, copy: Optional[bool] = None) -> None: ...
     @property
     def unit(self) -> str:
         """Of the values, as HU."""
@@ -430,11 +430,11 @@ class Labels:
         """Where the first voxel's middle is: x, y, z."""
     @property
     def lengthUnit(self) -> str:
-        """mm or angstrom."""
+        """Of the world: angstrom where that was said, else mm."""
     @property
     def name(self) -> str:
         """For people."""
-    def save(self, path: str | os.PathLike[str]) -> list[str]:
+    def save(self, path: str | bytes | os.PathLike[Any]) -> list[str]:
         """Writes the voxels and where they are, in the format that the path's extension says."""
     def __init__(self, array: Any, *, names: Optional[Mapping[int, str]] = None, colors: Optional[Mapping[int, Sequence[float]]] = None, spacing: Optional[Sequence[float]] = None, origin: Optional[Sequence[float]] = None, affine: Any = None, lengthUnit: str = 'mm', name: str = 'labels') -> None: ...
     @property
@@ -445,7 +445,8 @@ class Labels:
         """Of the structures, by number; sRGB, 0 to 1."""
 
 class Image(numpy.ndarray):
-    """A picture: an array [row, column, channel] of red, green, blue (and alpha), uint8, or float32 from 0 to 1."""
+    """A picture: an array [row, column, channel] of red, green, blue (and alpha): whole numbers from 0 to 255, or floating ones from 0 to 1."""
+    def __getitem__(self, key: Any) -> Any: ...
 
 class Note(UserWarning):
     """What somebody should know about a command that was done, in one line."""

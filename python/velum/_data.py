@@ -8,7 +8,7 @@ from typing import Any, Mapping, Optional, Sequence
 
 import numpy
 
-from . import _velum
+from . import _checks, _velum
 
 
 def _affine(affine: Any, spacing: Any, origin: Any) -> numpy.ndarray:
@@ -16,16 +16,16 @@ def _affine(affine: Any, spacing: Any, origin: Any) -> numpy.ndarray:
     if affine is not None:
         if spacing is not None or origin is not None:
             raise _velum.ArgumentError("an affine says spacing and origin, too: give one or the other")
-        return numpy.asarray(affine, dtype=float)
+        return _checks.numbers("affine", affine, (4, 4), "a matrix of 4 x 4")
     matrix = numpy.eye(4)
-    spacing = numpy.ones(3) if spacing is None else numpy.asarray(spacing, dtype=float)
-    origin = numpy.zeros(3) if origin is None else numpy.asarray(origin, dtype=float)
-    if spacing.shape != (3,) or not (spacing > 0).all():
-        raise _velum.ArgumentError("spacing is three numbers above 0, along x, y and z")
-    if origin.shape != (3,):
-        raise _velum.ArgumentError("origin is three numbers: where the first voxel is, x, y and z")
-    matrix[:3, :3] = numpy.diag(spacing)
-    matrix[:3, 3] = origin
+    if spacing is not None:
+        wanted = "three numbers above 0, along x, y and z"
+        spacing = _checks.numbers("spacing", spacing, (3,), wanted)
+        if not (spacing > 0).all():
+            raise _checks.refusal("spacing", spacing.tolist(), wanted)
+        matrix[:3, :3] = numpy.diag(spacing)
+    if origin is not None:
+        matrix[:3, 3] = _checks.numbers("origin", origin, (3,), "three numbers, where the first voxel is")
     return matrix
 
 
@@ -69,7 +69,7 @@ class _Data:
 
     @property
     def lengthUnit(self) -> str:
-        """mm or angstrom."""
+        """Of the world: angstrom where that was said, else mm."""
         return self._held.facts()["lengthUnit"]
 
     @property
@@ -77,27 +77,32 @@ class _Data:
         """For people."""
         return self._held.facts()["name"]
 
-    def save(self, path: str | os.PathLike[str]) -> list[str]:
+    def save(self, path: str | bytes | os.PathLike[Any]) -> list[str]:
         """Writes the voxels and where they are, in the format that the path's extension says. Gives what the format cannot hold, a line
         each."""
-        return self._held.save(os.path.abspath(path))
+        return self._held.save(_checks.path(path))
 
 
 class Volume(_Data):
     """Voxels, and where they are in the world. It never changes.
 
     array: [z, y, x], or [z, y, x, channel], or [time, z, y, x, channel]; any strides and byte order; bool, float16, and whole and
-    floating numbers of up to 32 and 64 bits. It is copied once.
-    spacing, origin: along x, y, z. affine: 4 x 4 in their place.
-    lengthUnit: of the world, mm or angstrom. unit: of the values, as HU. modality: CT, MR, PET, angiography, ultrasound, microscopy,
+    floating numbers of up to 32 and 64 bits.
+    copy: None: the volume lies over the array's memory where it can, and the array cannot be written to any more; what lies otherwise
+    (other strides, byte orders and types, a part of a larger array that can be written to) is copied. True: it is copied, and stays
+    yours. False: ArgumentError where it would have to be copied.
+    spacing, origin: along x, y, z. affine: 4 x 4 in their place. lengthUnit: of these, as mm, um, nm, angstrom or m; angstrom stay
+    angstrom, all else becomes mm, as of files. unit: of the values, as HU. modality: CT, MR, PET, angiography, ultrasound, microscopy,
     seismic, or unknown: the first look is chosen by it. color: the channels are red, green, blue (and alpha), of uint8.
     """
 
     def __init__(self, array: Any, *, spacing: Optional[Sequence[float]] = None, origin: Optional[Sequence[float]] = None,
                  affine: Any = None, lengthUnit: str = "mm", unit: str = "", modality: str = "unknown", color: bool = False,
-                 name: str = "array", timeStepSeconds: float = 0.0) -> None:
-        self._held = _velum.Volume(numpy.asarray(array), _affine(affine, spacing, origin), lengthUnit, unit, modality, color, name,
-                                   timeStepSeconds)
+                 name: str = "array", timeStepSeconds: float = 0.0, copy: Optional[bool] = None) -> None:
+        text = _checks.text
+        self._held = _velum.Volume(numpy.asanyarray(array), None if copy is None else bool(copy), _affine(affine, spacing, origin),
+                                   text("lengthUnit", lengthUnit), text("unit", unit), text("modality", modality), bool(color),
+                                   text("name", name), _checks.number("timeStepSeconds", timeStepSeconds))
 
     @property
     def array(self) -> numpy.ndarray:
@@ -147,7 +152,7 @@ class Volume(_Data):
 class Labels(_Data):
     """Whole numbers that say to which structure each voxel belongs; 0: to none. It never changes.
 
-    array: [z, y, x], numbers from 0 to 65535 of any type of whole numbers. names, colors: by number; colours are sRGB, 0 to 1.
+    array: [z, y, x], numbers from 0 to 65535 of any type of whole numbers; they are held compressed, and the array stays yours. names, colors: by number; colours are sRGB, 0 to 1.
     The rest as of Volume.
     """
 
@@ -156,8 +161,12 @@ class Labels(_Data):
     def __init__(self, array: Any, *, names: Optional[Mapping[int, str]] = None, colors: Optional[Mapping[int, Sequence[float]]] = None,
                  spacing: Optional[Sequence[float]] = None, origin: Optional[Sequence[float]] = None, affine: Any = None,
                  lengthUnit: str = "mm", name: str = "labels") -> None:
-        colors = {id: tuple(map(float, color)) for id, color in (colors or {}).items()}
-        self._held = _velum.Labels(numpy.asarray(array), _affine(affine, spacing, origin), lengthUnit, dict(names or {}), colors, name)
+        text = _checks.text
+        named = {_checks.whole("names", id): text(f"names[{id}]", name) for id, name in dict(names or {}).items()}
+        colored = {_checks.whole("colors", id): tuple(_checks.numbers(f"colors[{id}]", color, (3,), "red, green and blue, 0 to 1"))
+                   for id, color in dict(colors or {}).items()}
+        self._held = _velum.Labels(numpy.asarray(array), _affine(affine, spacing, origin), text("lengthUnit", lengthUnit), named, colored,
+                                   text("name", name))
 
     @property
     def array(self) -> numpy.ndarray:
@@ -179,14 +188,30 @@ class Labels(_Data):
 
 
 class Image(numpy.ndarray):
-    """A picture: an array [row, column, channel] of red, green, blue (and alpha), uint8, or float32 from 0 to 1. Notebooks show it."""
+    """A picture: an array [row, column, channel] of red, green, blue (and alpha): whole numbers from 0 to 255, or floating ones from 0
+    to 1. Notebooks show it. What is computed of it and is no picture is a number, or a plain array."""
+
+    def _is_picture(self) -> bool:
+        return self.ndim == 3 and self.shape[2] in (3, 4) and self.dtype.kind in "iuf"
+
+    def _plain(self) -> Any:
+        """What this is where it is no picture."""
+        return self if self._is_picture() else self.view(numpy.ndarray)[()]
+
+    def __array_wrap__(self, array: numpy.ndarray, context: Any = None, return_scalar: bool = False) -> Any:
+        return (array if isinstance(array, Image) else array.view(Image))._plain()
+
+    def __getitem__(self, key: Any) -> Any:
+        part = super().__getitem__(key)
+        return part._plain() if isinstance(part, Image) else part
 
     def _repr_png_(self) -> Optional[bytes]:
-        if self.ndim != 3 or self.shape[2] not in (3, 4):
+        if not self._is_picture():
             return None
         pixels = numpy.asarray(self)
-        if pixels.dtype != numpy.uint8:
-            pixels = (numpy.clip(pixels, 0, 1) * 255 + 0.5).astype(numpy.uint8)
+        if pixels.dtype.kind == "f":
+            pixels = numpy.clip(numpy.nan_to_num(pixels), 0, 1) * 255 + 0.5
+        pixels = numpy.clip(pixels, 0, 255).astype(numpy.uint8)
         height, width, channels = pixels.shape
         rows = numpy.zeros((height, 1 + width * channels), numpy.uint8)  # each row says first that it is not filtered
         rows[:, 1:] = pixels.reshape(height, -1)

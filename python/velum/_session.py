@@ -10,13 +10,13 @@ from typing import Any, Callable, Iterator, Literal, Optional, Sequence
 
 import numpy
 
-from . import _table, _velum
+from . import _checks, _table, _velum
 from ._data import Image, Labels, Volume
 
 _SHORT = {"protect": "membrane.hang", "grow": "growth.grow"}  # methods of a session by a name of their own
 _LISTS = {"cut": "cuts", "mark": "lettering.marks"}  # s.cut(...) adds an item to the list, and sets its fields
 _CALLED = {"film": "save"}  # s.film(...) is s.film.save(...)
-_FILM = next(command for command in _velum.commands() if command["name"] == "film.save")
+_FILM, _SET = (next(command for command in _velum.commands() if command["name"] == name) for name in ("film.save", "set"))
 _open_sessions: weakref.WeakSet[Session] = weakref.WeakSet()
 
 
@@ -36,8 +36,8 @@ class Session(_velum.Session):
     """
 
     def __init__(self, context: Literal["auto", "egl", "osmesa"] = "auto", *, progress: Optional[Callable[[float, str], Any]] = None) -> None:
-        super().__init__(context)
-        self._listener = progress
+        super().__init__(_checks.text("context", context))
+        self.progress = progress
         _open_sessions.add(self)
 
     @property
@@ -47,10 +47,12 @@ class Session(_velum.Session):
 
     @progress.setter
     def progress(self, progress: Optional[Callable[[float, str], Any]]) -> None:
+        if progress is not None and not callable(progress):
+            raise _checks.refusal("progress", progress, "a function of two arguments")
         self._listener = progress
 
-    def _do(self, line: str) -> Optional[list[str]]:
-        answers, lines = self._run(line)
+    def _do(self, *lines: str) -> Optional[list[str]]:
+        answers, lines = self._run([_checks.text("command", line) for line in lines])
         if answers:
             return lines
         for note in lines:
@@ -65,11 +67,11 @@ class Session(_velum.Session):
 
     def __getitem__(self, path: str) -> Any:
         """The value of a field, or of a part with all of its fields: s["camera.eye"], s["cuts[0]"]."""
-        return json.loads(self._field(path))
+        return json.loads(self._field(_checks.text("field", path)))
 
     def __setitem__(self, path: str, value: Any) -> None:
         """Sets a field, with all that follows from it: s["rayCast.mode"] = "mip". A text that is no JSON may be what scripts have: "1,2,3"."""
-        self.set(path, _table.field_text(value))  # type: ignore[attr-defined]
+        self._do(_set_line(path, value))
 
     @property
     def voxels(self) -> Optional[Volume]:
@@ -97,6 +99,12 @@ class Session(_velum.Session):
             labels = Labels(array, **on_volume)
         self._putLabels(labels._held)
 
+    def _drawn(self, width: Any, height: Any, samples: Any, transparent: bool, layers: bool, fine: bool, section: Any,
+               as_bytes: bool) -> tuple[list[str], numpy.ndarray]:
+        whole = _checks.whole
+        return self._picture(whole("width", width), whole("height", height), whole("samples", samples), transparent, layers, fine,
+                             _checks.text("section", section), as_bytes)
+
     def render(self, width: int = 1280, height: int = 720, *, samples: int = 0, transparent: bool = False, section: str = "",
                dtype: Literal["uint8", "float32"] = "uint8") -> Image:
         """A picture with everything at rest, [row, column, channel]: as uint8 what files of 8 bits hold, to the byte.
@@ -105,7 +113,7 @@ class Session(_velum.Session):
         sagittal, in the place of the 3D picture.
         """
         as_bytes = _is_bytes(dtype)
-        return _image(*self._picture(width, height, samples, transparent, False, not as_bytes, section, as_bytes), transparent)
+        return _image(*self._drawn(width, height, samples, bool(transparent), False, not as_bytes, section, as_bytes), transparent)
 
     def frames(self, width: int = 1280, height: int = 720, *, animate: str | Sequence[str] = (), seconds: float = 0.0, samples: int = 0,
                transparent: bool = False, section: str = "", dtype: Literal["uint8", "float32"] = "uint8", blur: int = 1,
@@ -116,8 +124,9 @@ class Session(_velum.Session):
         animate, seconds, blur, shutter: as of film.save. The rest as of render.
         """
         as_bytes = _is_bytes(dtype)
+        size = f"{_checks.whole('width', width)}x{_checks.whole('height', height)}"
         frames = self._frames(_table.line(_FILM, {
-            "path": "frames/", "size": f"{width}x{height}", "animate": animate, "seconds": seconds, "section": section, "samples": samples,
+            "path": "frames/", "size": size, "animate": animate, "seconds": seconds, "section": section, "samples": samples,
             "transparent": transparent, "bits": 8 if as_bytes else 16, "blur": blur, "shutter": shutter}))
         try:
             for frame in range(frames.count):
@@ -132,7 +141,7 @@ class Session(_velum.Session):
         where nothing is. position: x, y, z in the world, in that unit. normal: x, y, z in the world, of length 1. id: the number of the
         structure, 0: none. instance, type: of a model, from 1. More as the layers of an .exr hold it (docs/USER-GUIDE.md).
         """
-        channels, pixels = self._picture(width, height, samples, False, True, True, "", False)
+        channels, pixels = self._drawn(width, height, samples, False, True, True, "", False)
         groups: dict[str, list[int]] = {}
         for place, channel in enumerate(channels):
             name = "color" if channel in "RGBA" else channel.rpartition(".")[0] or channel
@@ -142,12 +151,12 @@ class Session(_velum.Session):
     def measure(self, *, marks: bool = True, structures: bool = False, faces: bool = False) -> dict[str, Any]:
         """What marks measure, what cuts leave of structures, and the faces of cuts: the lists marks, structures and faces, as
         `velum-batch measure --json` writes them."""
-        return json.loads(self._measure(marks, structures, faces))
+        return json.loads(self._measure(bool(marks), bool(structures), bool(faces)))
 
     def count(self, width: int = 1280, height: int = 720) -> list[dict[str, Any]]:
         """What became of the instances of each type of a model, or, without a model, of the pixels of each structure, in a picture of that
         size: how many are visible, hidden, clipped, and how many there are in total."""
-        return json.loads(self._count(width, height))
+        return json.loads(self._count(_checks.whole("width", width), _checks.whole("height", height)))
 
     def asPython(self) -> str:
         """All that was done since something was opened, as a program: run again it leads to the same scene, and the same bytes of a
@@ -180,9 +189,13 @@ class Session(_velum.Session):
 
 
 def _is_bytes(dtype: Any) -> bool:
-    if numpy.dtype(dtype) not in (numpy.uint8, numpy.float32):
-        raise _velum.ArgumentError(f"dtype {dtype}: pictures are uint8 or float32")
-    return numpy.dtype(dtype) == numpy.uint8
+    try:
+        wanted = numpy.dtype(dtype)
+    except TypeError:
+        wanted = None
+    if wanted not in (numpy.uint8, numpy.float32):
+        raise _checks.refusal("dtype", dtype, "uint8 or float32")
+    return wanted == numpy.uint8
 
 
 def _image(channels: list[str], pixels: numpy.ndarray, transparent: bool) -> Image:
@@ -206,19 +219,17 @@ def _add_commands() -> None:
             setattr(Session, name, call)
 
 
+def _set_line(path: Any, value: Any) -> str:
+    return _table.line(_SET, {"path": path, "value": _table.field_text(value)})
+
+
 def _adder(add: Callable[..., Any], items: str) -> Callable[..., None]:
     def call(self: Any, *arguments: Any, **fields: Any) -> None:
         session = self._session
         own = {name: fields.pop(name) for name in list(fields) if name in add.__signature__.parameters}  # type: ignore[attr-defined]
-        before = len(session.commands())
-        add(self, *arguments, **own)
-        try:
-            for field, value in fields.items():
-                session[f"{items}.{len(session[items]) - 1}.{field}"] = value
-        except BaseException:
-            while len(session.commands()) > before:
-                session.undo()
-            raise
+        place = len(session[items])
+        session._do(add.line(self, *arguments, **own),  # type: ignore[attr-defined]
+                    *(_set_line(f"{items}.{place}.{field}", value) for field, value in fields.items()))
 
     call.__doc__ = f"{add.__doc__}\n\nMore arguments are fields of what is added: axis=(0, -1, 0) sets {items}.N.axis."
     return call
@@ -232,7 +243,7 @@ def open(what: Any, *, context: Literal["auto", "egl", "osmesa"] = "auto", progr
     a Volume; or an array, with the arguments of Volume.
     """
     session = Session(context, progress=progress)
-    if isinstance(what, (str, os.PathLike)):
+    if isinstance(what, (str, bytes, os.PathLike)):
         session.open(what, **how)  # type: ignore[attr-defined]
     else:
         volume = Volume(what, **how) if not isinstance(what, Volume) else what

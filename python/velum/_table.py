@@ -28,8 +28,8 @@ def _annotation(kind: str) -> Any:
 
 def plain(value: Any) -> Any:
     """A value as JSON has it: numbers and arrays of numpy as numbers and lists, paths as texts, infinity as null."""
-    if isinstance(value, os.PathLike):
-        return os.fspath(value)
+    if isinstance(value, (bytes, os.PathLike)):
+        return os.fsdecode(value)
     if hasattr(value, "tolist"):
         value = value.tolist()
     if isinstance(value, Mapping):
@@ -76,7 +76,8 @@ def field_paths(value: Any, path: str = "") -> Iterator[str]:
 def _argument(name: str, kind: str, value: Any) -> str:
     """ NAME=VALUE of a line. The line takes the quotes off, and what is in them is JSON, or a word of scripts ("a,b" is a list)."""
     value = plain(value)
-    is_word = isinstance(value, str) and kind not in ("text", "any value")
+    # Paths that are no UTF-8 are no JSON either.
+    is_word = isinstance(value, str) and (kind not in ("text", "any value") or any("\udc80" <= letter <= "\udcff" for letter in value))
     return f" {name}={_text(value if is_word else _text(value))}"
 
 
@@ -98,7 +99,7 @@ def _parameters(rows: Sequence[Mapping[str, str]]) -> list[inspect.Parameter]:
         elif default is None:
             kind = Optional[kind]
         elif name == "path" and kind is str:
-            kind = Union[str, os.PathLike[str]]
+            kind = Union[str, bytes, os.PathLike[Any]]
         parameters.setdefault(name, inspect.Parameter(name, inspect.Parameter.POSITIONAL_OR_KEYWORD, default=default, annotation=kind))
     return list(parameters.values())
 
@@ -120,15 +121,20 @@ def method(command: Mapping[str, Any], session_of: Callable[[Any], Any]) -> Call
     before, now = command["renamed"]
     signature = inspect.Signature([self, *parameters], return_annotation=list[str] if command["answers"] else None)
 
-    def call(*arguments: Any, **named: Any) -> Any:
+    def bound_line(*arguments: Any, **named: Any) -> tuple[Any, str]:
         if before in named and now not in named:
             named[now] = named.pop(before)
         try:
             bound = signature.bind(*arguments, **named).arguments
         except TypeError as error:
             raise TypeError(f"{command['pythonName']}: {error}; it takes ({', '.join(names)})") from None
-        return session_of(bound.pop("self"))._do(line(command, bound))
+        return bound.pop("self"), line(command, bound)
 
+    def call(*arguments: Any, **named: Any) -> Any:
+        owner, text = bound_line(*arguments, **named)
+        return session_of(owner)._do(text)
+
+    call.line = lambda *arguments, **named: bound_line(*arguments, **named)[1]  # type: ignore[attr-defined]
     call.__name__ = command["pythonName"].rpartition(".")[2]
     call.__doc__ = _doc(command)
     call.__signature__ = signature  # type: ignore[attr-defined]

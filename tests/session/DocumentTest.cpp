@@ -275,17 +275,26 @@ TEST(Document, EveryChangeHasAnotherNumber) {
 TEST(Document, HistoryIsBounded) {
   Document document;
   for (std::size_t i = 1; i <= Document::kMaxSteps + 50; ++i) document.edit("Move cut", moveCut(double(i)));
-  std::size_t steps = 0;
-  for (; document.canUndo(); ++steps) document.undo();
-  EXPECT_EQ(steps, Document::kMaxSteps);
+  EXPECT_EQ(document.undoLabels().size(), Document::kMaxSteps);
 }
 
 TEST(Document, ReplaceForgetsTheHistory) {
   Document document;
   document.edit("A", moveCut(1));
   document.replace({});
-  EXPECT_FALSE(document.canUndo());
-  EXPECT_FALSE(document.isModified());
+  EXPECT_FALSE(document.canUndo() || document.isModified());
+}
+
+TEST(Document, RestoreBringsBackAFullHistory) {
+  Document document;
+  for (std::size_t i = 0; i <= Document::kMaxSteps; ++i) document.edit("Move cut", moveCut(double(i)));
+  document.undo();
+  Document before = document;
+  document.replace({});
+  document.restore(before);
+  EXPECT_EQ(document.commandLines(), before.commandLines());
+  EXPECT_EQ(document.redoLabels(), before.redoLabels());
+  EXPECT_NE(document.changeCount(), before.changeCount());
 }
 
 }  // namespace velum::session

@@ -51,11 +51,33 @@ void expectNoName(std::string_view text, const std::vector<std::string>& names) 
                                     fmt::join(names, ", ")));
 }
 
+/// Each byte as the letter that it is in Latin-1, and back: so that what is no UTF-8, as a path may be, can be read.
+std::string asLatin1(std::string_view bytes) {
+  std::string letters;
+  for (char c : bytes) {
+    auto byte = static_cast<unsigned char>(c);
+    if (byte >= 0x80) letters += char(0xc0 | (byte >> 6));
+    letters += byte >= 0x80 ? char(0x80 | (byte & 0x3f)) : c;
+  }
+  return letters;
+}
+std::string fromLatin1(std::string_view letters) {
+  std::string bytes;
+  for (std::size_t i = 0; i < letters.size(); ++i) {
+    auto first = static_cast<unsigned char>(letters[i]);
+    bool isLatin1 = (first == 0xc2 || first == 0xc3) && i + 1 < letters.size();
+    bytes += isLatin1 ? char((first << 6) | (letters[++i] & 0x3f)) : letters[i];
+  }
+  return bytes;
+}
+
 /// What is in quotes without them.
 std::string unquoted(std::string_view text) {
   if (!text.starts_with('"')) return std::string(text);
   auto json = scene::detail::Json::parse(text, nullptr, false);
-  return json.is_string() ? json.get<std::string>() : std::string(text);
+  if (json.is_string()) return json.get<std::string>();
+  json = scene::detail::Json::parse(asLatin1(text), nullptr, false);
+  return json.is_string() ? fromLatin1(json.get<std::string>()) : std::string(text);
 }
 
 }  // namespace
@@ -93,7 +115,7 @@ std::string quoted(const std::string& value) {
       isOne = false;
     }
   }
-  return isOne ? value : scene::detail::Json(value).dump();
+  return isOne ? value : scene::detail::Json(value).dump(-1, ' ', false, scene::detail::Json::error_handler_t::replace);
 }
 
 std::string asTexts(std::string_view value) {
@@ -104,7 +126,7 @@ std::string asTexts(std::string_view value) {
     list.push_back(std::string(trimmed(value.substr(begin, end - begin))));
     begin = end + 1;
   }
-  return list.dump();
+  return list.dump(-1, ' ', false, scene::detail::Json::error_handler_t::replace);
 }
 
 }  // namespace velum::session::detail

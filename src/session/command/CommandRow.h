@@ -106,10 +106,13 @@ std::string wordOf(const Value& value) {
     bool isPlain = std::none_of(value.begin(), value.end(), [](const std::string& item) {
       return item.empty() || trimmed(item) != item || item.find_first_of(",[\"\n\r") != std::string::npos;
     });
-    return isPlain ? fmt::format("{}", fmt::join(value, ",")) : scene::detail::write(value).dump();
+    return isPlain ? fmt::format("{}", fmt::join(value, ","))
+                   : scene::detail::write(value).dump(-1, ' ', false, scene::detail::Json::error_handler_t::replace);
   } else if constexpr (std::is_same_v<Value, std::string>) {
     bool isOneLine = !value.empty() && value.find_first_of("\n\r") == std::string::npos && trimmed(value) == value;
-    return isOneLine && value.front() != '"' ? value : scene::detail::Json(value).dump();
+    return isOneLine && value.front() != '"'
+               ? value
+               : scene::detail::Json(value).dump(-1, ' ', false, scene::detail::Json::error_handler_t::replace);
   } else {
     return scene::detail::valueText(scene::detail::write(value));
   }

@@ -76,14 +76,16 @@ void Document::edit(const std::string& label, const Change& change, bool merge, 
     mShown = std::move(seen);
     return notify();
   }
-  bool joins = merge && mMerging && canUndo() && mUndo.back().label == label;
-  bool isBack = joins && mUndo.back().scene == next;
-  if (!joins) push({label, mScene, mEdit, false, {}});
-  mUndo.back().command = isRecording() ? std::string() : command;
+  bool joins = merge && mMerging && canUndo() && mUndo.back()->label == label;
+  bool isBack = joins && mUndo.back()->scene == next;
+  Step step = joins ? *mUndo.back() : Step{label, mScene, mEdit, false, {}};
+  step.command = isRecording() ? std::string() : command;
+  if (joins) mUndo.pop_back();
+  push(std::move(step));
   take(std::move(next), std::move(seen));
   mRedo.clear();
   mMerging = merge && !isBack;
-  mEdit = isBack ? mUndo.back().edit : ++mLastEdit;
+  mEdit = isBack ? mUndo.back()->edit : ++mLastEdit;
   if (isBack) mUndo.pop_back();  // a drag that comes back to where it began leaves no step
   changed();
 }
@@ -97,8 +99,8 @@ void Document::view(const Change& change) {
     mShown = std::move(seen);
     return notify();
   }
-  if (canUndo() && mUndo.back().isView) {
-    if (mUndo.back().scene == next) mUndo.pop_back();  // back where it was
+  if (canUndo() && mUndo.back()->isView) {
+    if (mUndo.back()->scene == next) mUndo.pop_back();  // back where it was
   } else {
     push({kMoveView, mScene, mEdit, true, {}});
   }
@@ -123,18 +125,19 @@ void Document::complete(const Change& change) {
 
 /// Takes the view along to what can be redone, up to the next step that is a view itself.
 void Document::moveRedoView(const Change& change) {
-  while (canRedo() && mRedo.back().isView) mRedo.pop_back();  // this one is in its place
-  for (auto step = mRedo.rbegin(); step != mRedo.rend() && !step->isView; ++step) {
-    scene::Scene before = step->scene;
-    change(step->scene);
-    if (mShown) scene::keepTracked(step->scene, before);
+  while (canRedo() && mRedo.back()->isView) mRedo.pop_back();  // this one is in its place
+  for (auto step = mRedo.rbegin(); step != mRedo.rend() && !(*step)->isView; ++step) {
+    Step moved = **step;
+    change(moved.scene);
+    if (mShown) scene::keepTracked(moved.scene, (*step)->scene);
+    *step = std::move(moved);
   }
 }
 
 void Document::push(Step step) {
   mUndo.push_back(std::move(step));
   if (mUndo.size() <= kMaxSteps) return;
-  auto lines = linesOf(mUndo[0], mUndo[1].scene);
+  auto lines = linesOf(*mUndo[0], mUndo[1]->scene);
   mForgotten.insert(mForgotten.end(), lines.begin(), lines.end());
   mUndo.erase(mUndo.begin());
 }
@@ -148,28 +151,29 @@ std::vector<std::string> Document::linesOf(const Step& step, const scene::Scene&
 }
 
 const scene::Scene& Document::sceneAfter(std::size_t place) const {
-  return place + 1 < mUndo.size() ? mUndo[place + 1].scene : mScene;
+  return place + 1 < mUndo.size() ? mUndo[place + 1]->scene : mScene;
 }
 
 std::vector<std::string> Document::commandLines() const {
   std::vector<std::string> all = mForgotten;
   for (std::size_t i = 0; i < mUndo.size(); ++i) {
-    auto lines = linesOf(mUndo[i], sceneAfter(i));
+    auto lines = linesOf(*mUndo[i], sceneAfter(i));
     all.insert(all.end(), lines.begin(), lines.end());
   }
   return all;
 }
 
 std::vector<std::string> Document::lastCommandLines() const {
-  return canUndo() ? linesOf(mUndo.back(), mScene) : std::vector<std::string>();
+  return canUndo() ? linesOf(*mUndo.back(), mScene) : std::vector<std::string>();
 }
 
-void Document::step(std::vector<Step>& from, std::vector<Step>& to) {
+void Document::step(Steps& from, Steps& to) {
   if (from.empty()) return;
-  Step step = std::move(from.back());
+  Step step = *from.back();
   from.pop_back();
-  to.push_back({step.label, std::exchange(mScene, std::move(step.scene)), std::exchange(mEdit, step.edit), step.isView,
-                step.command});
+  std::swap(mScene, step.scene);
+  std::swap(mEdit, step.edit);
+  to.emplace_back(std::move(step));
   if (mShown) mShown = scene::sceneAt(mScene, *mPlayhead);
   mMerging = false;
   changed();
@@ -178,9 +182,9 @@ void Document::step(std::vector<Step>& from, std::vector<Step>& to) {
 void Document::undo() { step(mUndo, mRedo); }
 void Document::redo() { step(mRedo, mUndo); }
 
-std::vector<std::string> Document::labelsOf(const std::vector<Step>& steps) {
+std::vector<std::string> Document::labelsOf(const Steps& steps) {
   std::vector<std::string> labels;
-  for (auto step = steps.rbegin(); step != steps.rend(); ++step) labels.push_back(step->label);
+  for (auto step = steps.rbegin(); step != steps.rend(); ++step) labels.push_back((*step)->label);
   return labels;
 }
 
@@ -194,6 +198,13 @@ void Document::replace(scene::Scene scene, std::vector<std::string> opening) {
   mRedo.clear();
   mMerging = false;
   mSavedEdit = mEdit = ++mLastEdit;
+  changed();
+}
+
+void Document::restore(Document before) {
+  before.mListener = std::move(mListener);
+  before.mChangeCount = mChangeCount;
+  *this = std::move(before);
   changed();
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/Shared.h"
 #include "scene/Scene.h"
 
 namespace velum::session {
@@ -61,8 +62,8 @@ class Document {
   bool canUndo() const { return !mUndo.empty(); }
   bool canRedo() const { return !mRedo.empty(); }
   /// The label of the step that undo() would take back, or redo() would do again; empty when there is none.
-  std::string undoLabel() const { return canUndo() ? mUndo.back().label : std::string(); }
-  std::string redoLabel() const { return canRedo() ? mRedo.back().label : std::string(); }
+  std::string undoLabel() const { return canUndo() ? mUndo.back()->label : std::string(); }
+  std::string redoLabel() const { return canRedo() ? mRedo.back()->label : std::string(); }
   /// The labels of all steps that can be undone or redone, the nearest first.
   std::vector<std::string> undoLabels() const { return labelsOf(mUndo); }
   std::vector<std::string> redoLabels() const { return labelsOf(mRedo); }
@@ -70,6 +71,10 @@ class Document {
   /// Takes another scene and forgets the history: a file was opened. @param opening  lines of a script that open the
   /// same
   void replace(scene::Scene scene, std::vector<std::string> opening = {});
+
+  /// Puts everything but the listener back as it was when a copy of this document was made: work that was stopped has
+  /// not been done. A copy shares its history's steps, and costs little.
+  void restore(Document before);
 
   /// All that was done since replace(), with the opening, as lines of a script: run again they lead to the same scene,
   /// sheets and growth at rest. For a step without a command there is a line `set FIELD VALUE` for each field, after a
@@ -99,15 +104,16 @@ class Document {
     bool isView = false;
     std::string command;  ///< as of edit()
   };
+  using Steps = std::vector<Shared<Step>>;
   scene::Scene changedBy(const Change& change) const;
   scene::Scene kept(const scene::Scene& next, bool records) const;
   void take(scene::Scene next, scene::Scene seen);
-  static std::vector<std::string> labelsOf(const std::vector<Step>& steps);
+  static std::vector<std::string> labelsOf(const Steps& steps);
   void push(Step step);
   /// The lines of a script that do a step. @param after  the scene to which the step led
   static std::vector<std::string> linesOf(const Step& step, const scene::Scene& after);
   const scene::Scene& sceneAfter(std::size_t place) const;
-  void step(std::vector<Step>& from, std::vector<Step>& to);
+  void step(Steps& from, Steps& to);
   void moveRedoView(const Change& change);
   void changed();
   void notify() const {
@@ -118,7 +124,7 @@ class Document {
   std::optional<double> mPlayhead;
   bool mRecording = false;
   std::optional<scene::Scene> mShown;  ///< where there is a playhead
-  std::vector<Step> mUndo, mRedo;
+  Steps mUndo, mRedo;
   std::vector<std::string> mForgotten;  ///< lines of the opening, and of steps that cannot be undone any more
   std::uint64_t mEdit = 0, mSavedEdit = 0, mLastEdit = 0, mChangeCount = 0;
   bool mMerging = false;

@@ -154,24 +154,26 @@ void readMissing(Loaded& loaded, Progress& progress, const DataPolicy& policy) {
 
 // What is open.
 
-bool WorkFile::isCarried() const { return mOwnVolume && mDocument.scene().volume.source.path != *mOwnVolume; }
+bool WorkFile::isCarried() const { return mName.ownVolume && mDocument.scene().volume.source.path != *mName.ownVolume; }
 
-std::string WorkFile::path() const { return isCarried() ? mDocument.scene().volume.source.path : mPath; }
+std::string WorkFile::path() const { return isCarried() ? mDocument.scene().volume.source.path : mName.path; }
 
 std::string WorkFile::name() const { return std::filesystem::path(path()).filename().string(); }
 
 void WorkFile::open(Loaded loaded, const std::string& path) {
-  mOwnVolume.reset();
-  mPath = path;
+  mName.ownVolume.reset();
+  mName.path = path;
   // Recovered work that was never saved goes by the name of its data.
   const std::string& source = loaded.scene.volume.source.path;
-  if (loaded.lost && !std::filesystem::path(path).is_absolute() && !source.empty()) mPath = source;
-  mScenePath = io::kindOf(mPath) == io::FileKind::Scene ? std::filesystem::absolute(mPath).string() : std::string();
-  mIsOpen = true;
-  bool isSceneFile = io::holdsScene(io::kindOf(mPath)) && !loaded.lost;
+  if (loaded.lost && !std::filesystem::path(path).is_absolute() && !source.empty()) mName.path = source;
+  mName.scenePath =
+      io::kindOf(mName.path) == io::FileKind::Scene ? std::filesystem::absolute(mName.path).string() : std::string();
+  mName.isOpen = true;
+  bool isSceneFile = io::holdsScene(io::kindOf(mName.path)) && !loaded.lost;
   std::vector<std::string> opening =
-      isSceneFile ? std::vector<std::string>{"open " + std::filesystem::absolute(mPath).lexically_normal().string()}
-                  : openingOf(loaded.scene, bool(loaded.lost));
+      isSceneFile
+          ? std::vector<std::string>{"open " + std::filesystem::absolute(mName.path).lexically_normal().string()}
+          : openingOf(loaded.scene, bool(loaded.lost));
   replace(std::move(loaded.scene), std::move(opening));
   if (!loaded.lost) return;
   // Only when it is safe in the new journal may the old one go; until then it is offered again should this one be lost.
@@ -205,7 +207,7 @@ void WorkFile::add(const Loaded& loaded) {
 }
 
 void WorkFile::carry(scene::Scene scene, const std::string& command) {
-  if (!mOwnVolume) mOwnVolume = mDocument.scene().volume.source.path;
+  if (!mName.ownVolume) mName.ownVolume = mDocument.scene().volume.source.path;
   std::optional<double> playhead = mDocument.playhead();
   // Nothing of it is a key, and no track keeps what it was.
   mDocument.setPlayhead({});
@@ -216,17 +218,21 @@ void WorkFile::carry(scene::Scene scene, const std::string& command) {
 }
 
 void WorkFile::close() {
-  mOwnVolume.reset();
-  mPath.clear();
-  mScenePath.clear();
-  mIsOpen = false;
+  mName = {};
   replace({});
+}
+
+void WorkFile::restore(Before before) {
+  mLost.reset();  // recovered work is offered again
+  mName = std::move(before.name);
+  mDocument.restore(std::move(before.document));
+  describe();
 }
 
 void WorkFile::save(const std::string& path) {
   saveScene(mDocument.scene(), path);
-  mScenePath = mPath = std::filesystem::absolute(path).string();
-  if (mOwnVolume) mOwnVolume = mDocument.scene().volume.source.path;
+  mName.scenePath = mName.path = std::filesystem::absolute(path).string();
+  if (mName.ownVolume) mName.ownVolume = mDocument.scene().volume.source.path;
   mDocument.markSaved();
   discardJournal();
   describe();
@@ -253,7 +259,7 @@ void WorkFile::protect(const std::filesystem::path& root, std::function<void(con
 void WorkFile::journalChange() {
   if (!mJournal || mIsReplacing || mDocument.changeCount() == mJournaledChange) return;
   mJournaledChange = mDocument.changeCount();
-  if (mIsOpen) mJournal->record(mDocument.scene(), mDocument.undoLabel());
+  if (mName.isOpen) mJournal->record(mDocument.scene(), mDocument.undoLabel());
 }
 
 void WorkFile::describe() {

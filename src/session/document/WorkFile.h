@@ -53,15 +53,15 @@ class WorkFile {
  public:
   explicit WorkFile(Document& document) : mDocument(document) {}
 
-  bool isOpen() const { return mIsOpen; }
+  bool isOpen() const { return mName.isOpen; }
   /// What is open: file, folder or scene; for a phantom its name; of a scene that was carried over to other data the
   /// path of these. Empty: what is open has no name.
   std::string path() const;
   /// Where the scene is saved; empty: nowhere yet.
-  std::string scenePath() const { return isCarried() ? std::string() : mScenePath; }
+  std::string scenePath() const { return isCarried() ? std::string() : mName.scenePath; }
   /// The last part of path(), for people.
   std::string name() const;
-  bool isModified() const { return mIsOpen && mDocument.isModified(); }
+  bool isModified() const { return isOpen() && mDocument.isModified(); }
 
   /// Shows what was read, in the place of what is open. @param path  what the work is called from now on
   void open(Loaded loaded, const std::string& path);
@@ -77,6 +77,22 @@ class WorkFile {
   void close();
   /// Writes the scene to a file, which is the document's file from now on. @throw InputError when the disk refuses
   void save(const std::string& path);
+
+  /// By what what is open is called.
+  struct Name {
+    bool isOpen = false;
+    std::string path, scenePath;
+    std::optional<std::string> ownVolume;  ///< of a scene that was carried over: path of the volume that its file names
+  };
+  /// What is open, with its history.
+  struct Before {
+    Document document;
+    Name name;
+  };
+  /// What there is before work that may be stopped.
+  Before before() const { return {mDocument, mName}; }
+  /// Puts back what there was: the work has not been done. Files that it has written stay.
+  void restore(Before before);
 
   /// Journals every change from now on, in a folder under `root`. @param onError  told in words when the disk begins to
   /// refuse, and "" when the disk takes everything again, from a thread of the journal
@@ -98,11 +114,9 @@ class WorkFile {
   void dropLost();
 
   Document& mDocument;
-  bool mIsOpen = false;
-  std::string mPath, mScenePath;
-  std::optional<std::string> mOwnVolume;  ///< of a scene that was carried over: path of the volume that its file names
-  bool mIsReplacing = false;              ///< Another scene is coming in: that is no change to journal.
-  std::uint64_t mJournaledChange = 0;     ///< the number of the document's change that the journal has heard of last
+  Name mName;
+  bool mIsReplacing = false;           ///< Another scene is coming in: that is no change to journal.
+  std::uint64_t mJournaledChange = 0;  ///< the number of the document's change that the journal has heard of last
   std::filesystem::path mRecoveryRoot;
   std::unique_ptr<Journal> mJournal;
   std::unique_ptr<WorkClaim> mLost;  ///< the claim on recovered work, while no journal of ours holds that work

@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -287,8 +285,7 @@ class ResultsReader {
       float radius = isSugar ? 8.0f : isNucleic ? 10.0f : 3.0f;
       unit = {radius, 0.0f};
       beads.push_back({glm::vec4(0, 0, 0, radius)});
-      if (isNucleic) type.kind = MoleculeKind::NucleicAcid;
-      if (isSugar) type.kind = MoleculeKind::Other;
+      if (isNucleic || isSugar) type.kind = isSugar ? MoleculeKind::Other : MoleculeKind::NucleicAcid;
     }
     type.origin = Origin::Curves;
     std::uint32_t index = mBuilder.addType(std::move(type));

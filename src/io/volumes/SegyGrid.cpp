@@ -142,10 +142,8 @@ SegyGrid arrangeTraces(const std::vector<SegyTrace>& traces, int sorting, const 
     auto x = std::size_t((traces[i].lines[pair].inlineNumber - inlines.first) / inlines.step);
     auto y = std::size_t((traces[i].lines[pair].crosslineNumber - crosslines.first) / crosslines.step);
     auto& cell = grid.traceAt[y * std::size_t(inlines.count) + x];
-    if (cell < 0)
-      cell = std::int64_t(i);
-    else
-      ++extra;
+    extra += cell >= 0;
+    if (cell < 0) cell = std::int64_t(i);
   }
   // What the user ought to know.
   auto missing = std::count(grid.traceAt.begin(), grid.traceAt.end(), std::int64_t(-1));

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Fails when a document names what is not there: a path in backquotes that leads nowhere, or an identifier that occurs in no source. X and x
-stand for a name of one's own, and what is joined of words in a sentence (`--options`, `text with blanks`) is nobody's name."""
+stand for a name of one's own, and what is joined of words in a sentence (`--options`, `text with blanks`) is nobody's name. And when a picture's
+scans are not told: docs/CREDITS.md has a row for each picture, debian/copyright a licence for each that shows somebody else's scan."""
 import pathlib
 import re
 import sys
@@ -58,7 +59,20 @@ def strangers(root):
                     yield f"{document}:{line}: no source has `{name}`"
 
 
+def unlicensed(root):
+    shown = {name: row[1] for row in re.finditer(r"^\|[^|\n]*`[^|\n]*\|([^|\n]*)\|$", (root / "docs/CREDITS.md").read_text(), re.M)
+             for name in re.findall(r"`([\w-]+\.(?:jpg|png|mp4))`", row[0])}
+    shown["first.jpg"] = "a table of its own"
+    copyright = (root / "debian/copyright").read_text()
+    for path in sorted((root / "docs/images").iterdir()):
+        if path.name not in shown:
+            yield f"docs/CREDITS.md has no row for {path.name}"
+        elif shown[path.name].strip() not in ("phantoms", "a phantom") and f"docs/images/{path.name}\n" not in copyright:
+            yield f"debian/copyright has no licence for docs/images/{path.name}"
+
+
 if __name__ == "__main__":
-    found = list(strangers(pathlib.Path(sys.argv[1]).resolve()))
+    root = pathlib.Path(sys.argv[1]).resolve()
+    found = [*strangers(root), *unlicensed(root)]
     print("\n".join(found) or "docs ok")
     sys.exit(bool(found))

@@ -64,6 +64,11 @@ def around(text, begin):
     return [call for call in calls if call], text[at + 1:begin]
 
 
+def without_texts(text):
+    """As long as it was, with blanks in the place of what literals and remarks say."""
+    return TOKEN.sub(lambda token: token[0][0] + " " * (len(token[0]) - 2) + token[0][-1], text)
+
+
 def is_step(calls, literal):
     """Whether it is the name of an undo step in the row of a command, behind what the command does and an example of it."""
     return calls and calls[0].endswith("Row") and literal[0].isupper() and not literal.endswith(".")
@@ -132,8 +137,9 @@ def collected(root):
             if path.suffix not in (".cpp", ".h"):
                 continue
             text = path.read_text()
+            plain = without_texts(text)
             for begin, literal in sums(text):
-                calls, before = around(text, begin)
+                calls, before = around(plain, begin)
                 is_thrown = any(call.endswith("Error") for call in calls)
                 if is_message(literal) and (is_thrown if folder == "gui" else is_said(calls, before) or is_step(calls, literal)) and f'"{literal}"' not in of_tables:
                     found[pattern_of(literal)] = path.relative_to(root)

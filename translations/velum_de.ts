@@ -2724,10 +2724,6 @@
         <translation>%1: %2 Spuren sind zu wenige für ein Gitter von %3 Inlines mal %4 Crosslines; die Liniennummern stehen nicht in den Bytes 189/193 oder 9/21</translation>
     </message>
     <message>
-        <source>%1%2 of %3 traces share a place with an earlier one; %4</source>
-        <translation>%1%2 von %3 Spuren teilen den Ort einer früheren; %4</translation>
-    </message>
-    <message>
         <source>the file is prestack: </source>
         <translation>die Datei ist ungestapelt: </translation>
     </message>
@@ -3326,10 +3322,6 @@
     <message>
         <source> and %1 more</source>
         <translation> und %1 weitere</translation>
-    </message>
-    <message>
-        <source>the file</source>
-        <translation>die Datei</translation>
     </message>
     <message>
         <source>expected a number</source>
@@ -5170,6 +5162,102 @@
     <message>
         <source>%1: %2 of %3 parts are there; it is put together when all are</source>
         <translation>%1: %2 von %3 Teilen sind da; zusammengesetzt wird es, wenn alle da sind</translation>
+    </message>
+    <message>
+        <source>1 frame repeats a segment at its place; it is joined</source>
+        <translation>1 Einzelbild wiederholt ein Segment an seinem Ort; es ist vereint</translation>
+    </message>
+    <message>
+        <source>1 voxel belongs to several segments; the last one has it</source>
+        <translation>1 Voxel gehört zu mehreren Segmenten; das letzte bekommt es</translation>
+    </message>
+    <message>
+        <source>%1 name of a structure is changed: DICOM has %2 characters for it, and no backslash</source>
+        <translation>%1 Name einer Struktur ist geändert: DICOM hat dafür %2 Zeichen und keinen umgekehrten Schrägstrich</translation>
+    </message>
+    <message>
+        <source>1 voxel of the layers is of no segment; it is left out</source>
+        <translation>1 Voxel der Ebenen gehört zu keinem Segment; es ist weggelassen</translation>
+    </message>
+    <message>
+        <source>1 point or open line of the structure set is left out</source>
+        <translation>1 Punkt oder offene Linie des Structure-Sets ist weggelassen</translation>
+    </message>
+    <message>
+        <source>1 contour lies across the others and is left out</source>
+        <translation>1 Kontur liegt quer zu den anderen und ist weggelassen</translation>
+    </message>
+    <message>
+        <source>1 voxel belongs to several structures; the smaller one has it</source>
+        <translation>1 Voxel gehört zu mehreren Strukturen; die kleinere bekommt es</translation>
+    </message>
+    <message>
+        <source>1 structure has another id than in the file that it comes from; a store keeps that</source>
+        <translation>1 Struktur hat eine andere Zahl als in der Datei, aus der sie kommt; ein Datenspeicher behält sie</translation>
+    </message>
+    <message>
+        <source>1 name of a structure is changed: line ends, or what ends a name in XML, cannot stand in it</source>
+        <translation>1 Name einer Struktur ist geändert: Zeilenenden, oder was in XML einen Namen beendet, können nicht darin stehen</translation>
+    </message>
+    <message>
+        <source>balls stand for 1 type whose structure is not to be found</source>
+        <translation>Kugeln stehen für 1 Typ, dessen Struktur nicht zu finden ist</translation>
+    </message>
+    <message>
+        <source>balls stand for %1 type whose structure is not to be found, %2</source>
+        <translation>Kugeln stehen für %1 Typ, dessen Struktur nicht zu finden ist: %2</translation>
+    </message>
+    <message>
+        <source>the balls of 1 molecule become atoms without an element and a radius</source>
+        <translation>die Kugeln von 1 Molekül werden zu Atomen ohne Element und Radius</translation>
+    </message>
+    <message>
+        <source>1 strand is written as its instances, without its curve</source>
+        <translation>1 Strang ist als seine Instanzen geschrieben, ohne seine Kurve</translation>
+    </message>
+    <message>
+        <source>%1 of %2 integers of 64 bits has more digits than a double and is rounded</source>
+        <translation>%1 von %2 ganzen Zahlen zu 64 Bit hat mehr Stellen als ein double und ist gerundet</translation>
+    </message>
+    <message>
+        <source>(several fields)</source>
+        <translation>(mehrere Felder)</translation>
+    </message>
+    <message>
+        <source>1 image of another orientation was left out</source>
+        <translation>1 Bild anderer Ausrichtung wurde weggelassen</translation>
+    </message>
+    <message>
+        <source>1 image repeats the place of another and was left out</source>
+        <translation>1 Bild wiederholt den Ort eines anderen und wurde weggelassen</translation>
+    </message>
+    <message>
+        <source>%2%1 of %3 traces share a place with an earlier one; %4</source>
+        <translation>%2%1 von %3 Spuren teilen den Ort einer früheren; %4</translation>
+    </message>
+    <message>
+        <source>%1 of %2 traces is missing and shown as 0</source>
+        <translation>%1 von %2 Spuren fehlt und wird als 0 gezeigt</translation>
+    </message>
+    <message>
+        <source>%1 of %2 traces claims another length than the file&apos;s %3 samples, which was taken</source>
+        <translation>%1 von %2 Spuren nennt eine andere Länge als die %3 Werte der Datei, die genommen wurde</translation>
+    </message>
+    <message>
+        <source>Pull out</source>
+        <translation>Herausziehen</translation>
+    </message>
+    <message>
+        <source>the only frame could not be drawn (%1)</source>
+        <translation>Das einzige Bild konnte nicht gezeichnet werden (%1)</translation>
+    </message>
+    <message>
+        <source>1 segment has a number of its own here: in the file its value is another layer&apos;s, too</source>
+        <translation>1 Segment hat hier eine eigene Zahl: in der Datei ist sein Wert auch der einer anderen Ebene</translation>
+    </message>
+    <message>
+        <source>%2%1 of %3 traces has the place of an earlier one; %4</source>
+        <translation>%2%1 von %3 Spuren hat den Ort einer früheren; %4</translation>
     </message>
     <message>
         <source>%1: put together of %2 parts</source>

@@ -104,7 +104,10 @@ void printZsh(const std::vector<VerbWords>& verbs) {
     }
     fmt::print(" \\\n      '*:file:_files' ;;\n");
   }
-  fmt::print("  esac\n}}\ncompdef _velum_batch velum-batch\n");
+  // A file that zsh loads is the function's first call; of `eval` it only hears that there is such a function.
+  fmt::print(
+      "  esac\n}}\nif [ \"$funcstack[1]\" = _velum-batch ]; then\n  _velum_batch \"$@\"\nelse\n"
+      "  compdef _velum_batch velum-batch\nfi\n");
 }
 
 void printFish(const std::vector<VerbWords>& verbs) {

@@ -1,22 +1,24 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
+#include <chrono>
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <memory>
-#include <optional>
+#include <thread>
 
 #include "app/EachPiece.h"
+#include "app/TaskPart.h"
 #include "app/Verbs.h"
 #include "core/Clock.h"
 #include "core/Error.h"
 #include "core/Log.h"
+#include "core/SayCount.h"
 #include "core/Text.h"
 #include "io/stores/Crc32c.h"
+#include "session/each/OutputLocks.h"
 #include "session/each/PieceRecord.h"
 #include "session/film/FrameNames.h"
 
@@ -26,37 +28,8 @@ namespace {
 
 /// So often a piece may end the process that makes it before it counts as failed.
 constexpr int kMostDeaths = 3;
-
-std::optional<int> numberFrom(const char* variable) {
-  const char* text = std::getenv(variable);
-  if (!text) return std::nullopt;
-  std::string_view view = text;
-  int number = 0;
-  auto [end, error] = std::from_chars(view.data(), view.data() + view.size(), number);
-  if (error != std::errc() || end != view.data() + view.size()) return std::nullopt;
-  return number;
-}
-
-/// The part that a task of a Slurm array has: the array's indices in order are the parts.
-std::optional<session::FilmPart> partOfTask() {
-  auto id = numberFrom("SLURM_ARRAY_TASK_ID"), first = numberFrom("SLURM_ARRAY_TASK_MIN"),
-       count = numberFrom("SLURM_ARRAY_TASK_COUNT");
-  if (!id || !first || !count) return std::nullopt;
-  int step = std::max(1, numberFrom("SLURM_ARRAY_TASK_STEP").value_or(1));
-  int number = (*id - *first) / step + 1, last = numberFrom("SLURM_ARRAY_TASK_MAX").value_or(*id);
-  bool isWhole = (last - *first) / step + 1 <= *count;
-  if (number < 1 || number > *count || (*id - *first) % step != 0 || !isWhole)
-    throw ArgumentError(
-        fmt::format("task {} of an array of {} tasks from {} is no part of its own where indices are left out; give "
-                    "--part, as --part $SLURM_ARRAY_TASK_ID/60 for tasks 1 to 60",
-                    *id, *count, *first));
-  return session::FilmPart{number, *count};
-}
-
-session::FilmPart partOf(const EachVerb& options) {
-  if (!options.part.empty()) return session::parseFilmPart(options.part);
-  return partOfTask().value_or(session::FilmPart());
-}
+/// So often is asked for pieces that other processes make.
+constexpr auto kAskAgainAfter = std::chrono::milliseconds(200);
 
 std::string textOfFile(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
@@ -85,7 +58,7 @@ session::FilmIdentity identityOf(session::FilmIdentity common, const session::Pi
 
 /// Counts, for the end and the exit code.
 struct Tally {
-  int done = 0, kept = 0, failed = 0, busy = 0, missing = 0;
+  int done = 0, kept = 0, failed = 0;
   std::string firstError;
 };
 
@@ -119,8 +92,9 @@ void fail(const EachVerb& options, const session::Piece& piece, Tally& tally, do
 }
 
 void makeAndRecord(const EachVerb& options, PieceMaker& maker, const session::Piece& piece,
-                   const session::FilmIdentity& wanted, session::PieceRecord& record, Tally& tally) {
+                   const session::FilmIdentity& wanted, Tally& tally) {
   auto start = Clock::now();
+  session::PieceRecord record(piece.record);
   record.begin(wanted);
   try {
     maker.make(piece);
@@ -144,27 +118,61 @@ std::string whyDied(const session::PieceState& state) {
   return fmt::format("{} processes have ended while they made this; --retry tries once more", state.begun);
 }
 
-void workAt(const EachVerb& options, PieceMaker& maker, const session::FilmIdentity& common,
-            const session::Piece& piece, Tally& tally) {
-  session::FilmIdentity wanted;
-  try {
-    wanted = identityOf(common, piece);
-  } catch (const InputError& error) {
-    return fail(options, piece, tally, 0.0, error.what());
+/// @return whether it is done already
+bool isKept(const EachVerb& options, const session::Piece& piece, const session::PieceState& state, Tally& tally) {
+  if (state.is != session::PieceState::Is::Done) return false;
+  ++tally.kept;
+  tell(options, piece, "kept", state.ms, {});
+  return true;
+}
+
+/// @param isAnew  makes it whether it is done or not  @return false while another process makes one of its files
+bool workAt(const EachVerb& options, PieceMaker& maker, const session::FilmIdentity& common,
+            const session::Piece& piece, bool isAnew, Tally& tally) try {
+  session::FilmIdentity wanted = identityOf(common, piece);
+  auto now = [&] { return session::stateOf(piece.record, wanted, piece.outputs); };
+  if (!isAnew && isKept(options, piece, now(), tally)) return true;
+  auto locks = session::OutputLocks::take(piece.outputs);
+  if (!locks) return false;
+  session::PieceState state = now();  // what another process has made of it meanwhile
+  if (!isAnew && isKept(options, piece, state, tally)) return true;
+  if (!isAnew && !options.retry && hasDied(state)) return fail(options, piece, tally, 0.0, whyDied(state)), true;
+  makeAndRecord(options, maker, piece, wanted, tally);
+  return true;
+} catch (const InputError& error) {
+  return fail(options, piece, tally, 0.0, error.what()), true;
+}
+
+/// What other processes were making when it was asked for is there in the end, too: what they leave undone is made
+/// here.
+void waitFor(const EachVerb& options, PieceMaker& maker, const session::FilmIdentity& common,
+             std::vector<session::Piece> others, Tally& tally) {
+  if (others.empty()) return;
+  log::say(sayCount(others.size(), "note: waiting for 1 piece that another process makes",
+                    "note: waiting for {} pieces that other processes make"));
+  for (;;) {
+    std::erase_if(others,
+                  [&](const session::Piece& piece) { return workAt(options, maker, common, piece, false, tally); });
+    if (others.empty()) return;
+    consoleProgress().throwIfCancelled();
+    std::this_thread::sleep_for(kAskAgainAfter);
   }
-  auto record = session::PieceRecord::take(piece.record);
-  if (!record) {
-    ++tally.busy;
-    return tell(options, piece, "busy", 0.0, {});
-  }
-  session::PieceState state = session::stateOf(piece.record, wanted, piece.outputs);
-  using enum session::PieceState::Is;
-  if (!options.again && state.is == Done) {
-    ++tally.kept;
-    return tell(options, piece, "kept", state.ms, {});
-  }
-  if (!options.again && !options.retry && hasDied(state)) return fail(options, piece, tally, 0.0, whyDied(state));
-  makeAndRecord(options, maker, piece, wanted, *record, tally);
+}
+
+/// Every so many-th piece is of a part. Says so where that is none.
+std::vector<session::Piece> piecesOf(const TaskPart& task, const std::vector<session::Piece>& all) {
+  std::vector<session::Piece> mine;
+  for (std::size_t i = std::size_t(task.part.number) - 1; i < all.size(); i += std::size_t(task.part.parts))
+    mine.push_back(all[i]);
+  if (!mine.empty()) return mine;
+  std::string none =
+      sayCount(all.size(), "part {1} of {2} has nothing to do, as there is 1 piece",
+               "part {1} of {2} has nothing to do, as there are {0} pieces", task.part.number, task.part.parts);
+  if (task.task.empty())
+    log::say(fmt::format("note: {}", none));
+  else
+    log::warning(fmt::format("{}: {}; where each task has data of its own, say --part 1/1", task.task, none));
+  return mine;
 }
 
 void list(const EachVerb& options, const session::FilmIdentity& common, const std::vector<session::Piece>& pieces) {
@@ -199,23 +207,22 @@ int run(EachVerb options) {
   options.names.labels = options.input.labels;
   std::vector<session::Piece> pieces = session::findPieces(options.names);
   session::FilmIdentity common = commonIdentity(options);
-  session::FilmPart part = partOf(options);
-  std::vector<session::Piece> mine;
-  for (std::size_t i = std::size_t(part.number) - 1; i < pieces.size(); i += std::size_t(part.parts))
-    mine.push_back(pieces[i]);
+  const std::vector<session::Piece> mine = piecesOf(taskPart(options.part), pieces);
   if (options.list) return list(options, common, mine), 0;
+  if (mine.empty()) return 0;
   PieceMaker maker(options);
   Tally tally;
+  std::vector<session::Piece> others;
   for (std::size_t i = 0; i < mine.size(); ++i) {
     consoleProgress().throwIfCancelled();
     consoleProgress().report(double(i) / double(mine.size()),
                              fmt::format("{} ({} of {})", mine[i].name, i + 1, mine.size()));
-    workAt(options, maker, common, mine[i], tally);
+    if (!workAt(options, maker, common, mine[i], options.again, tally)) others.push_back(mine[i]);
   }
   consoleProgress().report(1.0, "");
-  if (tally.busy > 0) log::say(fmt::format("note: {} are being made by another process", tally.busy));
+  waitFor(options, maker, common, std::move(others), tally);
   if (tally.failed == 0) return 0;
-  throw InputError(fmt::format("{} of {} pieces failed, {} are done; the first: {}", tally.failed, mine.size(),
+  throw InputError(fmt::format("{} of {} pieces failed, {} could be made; the first: {}", tally.failed, mine.size(),
                                tally.done + tally.kept, tally.firstError));
 }
 
@@ -265,6 +272,8 @@ Run registerEach(CLI::App& verb) {
   addDrawn(verb, options->drawn);
   verb.add_flag("--transparent", options->drawn.picture.transparent, "no background, with alpha");
   addLettering(verb, options->lettering);
+  verb.footer(
+      "Exit codes: 0 all pieces of the part are there, whoever made them, also where it has none; 2 some failed.");
   return withTimeout(verb, [options, &verb] {
     options->words = wordsOf(verb);
     return run(*options);

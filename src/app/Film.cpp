@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "app/Inputs.h"
+#include "app/TaskPart.h"
 #include "app/Verbs.h"
 #include "core/Clock.h"
 #include "core/Error.h"
@@ -33,7 +34,7 @@ struct FilmVerb {
   std::vector<std::string> animate, retarget, retargetLabels;
   std::string retargetBy;
   DrawnOptions drawn;
-  std::string output, part = "1/1", saveScene;
+  std::string output, part, saveScene;
   int frames = 0;
   double seconds = 0.0, framesPerSecond = 0.0;
   session::FilmOutput made;  ///< filled from the options; where texts are read by filmOutput()
@@ -42,7 +43,12 @@ struct FilmVerb {
 session::FilmOutput filmOutput(const FilmVerb& options) {
   session::FilmOutput output = options.made;
   output.path = options.output;
-  output.part = session::parseFilmPart(options.part);
+  // A video is whole: an array may make one a task.
+  TaskPart task = options.part.empty() && io::isVideo(output.path) ? TaskPart() : taskPart(options.part);
+  output.part = task.part;
+  if (!task.task.empty())
+    log::say(fmt::format("note: {}, so this is part {} of {} of the frames; --part 1/1 draws all", task.task,
+                         task.part.number, task.part.parts));
   output.picture = pictureOf(options.drawn);
   output.section = sectionOf(options.drawn);
   if (options.framesPerSecond > 0.0) output.framesPerSecond = options.framesPerSecond;
@@ -205,7 +211,10 @@ Run registerFilm(CLI::App& verb) {
   addLettering(verb, options->lettering);
   addRetarget(verb, *options);
   verb.add_option("--save-scene", options->saveScene, "write the scene with its film as JSON, too");
-  verb.add_option("--part", options->part, "K/N: the K-th of N parts of the frames, for several machines");
+  verb.add_option(
+      "--part", options->part,
+      "K/N: the K-th of N parts of the frames, for several machines; default: all, in a task of a Slurm array the "
+      "task's");
   verb.add_flag("--resume", made.old.resume, "draw only frames that are missing, broken or failed");
   verb.add_flag("--overwrite", made.old.overwrite, "write over the frames of another film");
   verb.add_option("--blur", made.blur, "blur what moves: each frame is the mean of so many pictures, 1 to 256")

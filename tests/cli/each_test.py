@@ -9,6 +9,7 @@ import unittest
 from velum_cli import PROGRAM, CliTest
 
 FAST = ["--samples", "1", "--set", "lighting.shaded=false", "--size", "48x32"]
+SLOW = ["--samples", "64", *FAST[2:]]
 PATTERN = "studies/*/ct.nrrd"
 
 
@@ -111,6 +112,74 @@ class Each(CliTest):
         tables = [(self.folder / f"out/p{i}.csv").read_text() for i in range(6)]
         self.assertTrue(all("distance" in table and "structure" in table for table in tables))
         self.assertEqual(len(set(tables)), 6)
+
+    def test_a_file_has_one_record_however_it_is_called(self):
+        self.each("-o", "out/{dir}/{name}.png")
+        (self.folder / "way").symlink_to("out")
+        for output in ("out/{dir}/{name}.png", "./out/../out/p1/../{name}/{name}.png", f"{self.folder}/out/{{dir}}/{{name}}.png",
+                       "way/{dir}/{name}.png"):
+            with self.subTest(output=output):
+                self.assertEqual(set(self.each("-o", output).values()), {"kept"})
+        said = self.run_batch("each", "studies/p1/ct.nrrd", *FAST, "-o", "out/p1/p1.png", "--list").stdout.decode()
+        self.assertEqual(said, "done     studies/p1/ct.nrrd\n")
+        self.each("-o", "elsewhere/{name}.png", "--records", "records")
+        states = self.each("-o", f"{self.folder}/elsewhere/{{name}}.png", "--records", f"{self.folder}/records")
+        self.assertEqual(set(states.values()), {"kept"})
+        self.assertEqual(sorted(path.name for path in (self.folder / "elsewhere").iterdir()), [f"p{i}.png" for i in range(6)])
+        self.refuse("each", PATTERN, "-o", "out/{name}.png", "-o", "way/{name}.png", code=1, words=["would both become"])
+        # What lies beside outputs is no data.
+        self.each("-o", "beside/{name}.png")
+        said = self.run_batch("each", "beside/*", *FAST, "-o", "beside/{name}.png", "--list").stdout.decode()
+        self.assertEqual(said, "".join(f"missing  beside/p{i}.png\n" for i in range(6)))
+
+    def test_a_folder_that_cannot_be_written_fails_alone(self):
+        (self.folder / "out").mkdir()
+        (self.folder / "out/p3").write_text("no folder")
+        states = self.each("-o", "out/{dir}/{name}.png", code=2)
+        self.assertEqual(states, {f"p{i}": "failed" if i == 3 else "done" for i in range(6)})
+
+    def stopped_in_a_piece(self, *more):
+        """A process that was stopped while it makes a piece, and the piece's name."""
+        running = subprocess.Popen([PROGRAM, "each", PATTERN, *SLOW, *more], cwd=self.folder)
+        self.addCleanup(running.wait)
+        self.addCleanup(running.kill)
+        end = time.monotonic() + 60
+        while time.monotonic() < end:
+            if any(self.folder.glob("*/.velum-lock-*")):
+                running.send_signal(signal.SIGSTOP)
+                os.waitid(os.P_PID, running.pid, os.WSTOPPED)
+                held = {path.name.split("-")[-1].split(".")[0] for path in self.folder.glob("*/.velum-lock-*")}
+                if held:
+                    return running, held.pop()
+                running.send_signal(signal.SIGCONT)
+            time.sleep(0.001)
+        self.fail("it was never at work")
+
+    def test_a_second_output_has_one_writer_and_what_another_makes_is_waited_for(self):
+        other, held = self.stopped_in_a_piece("-o", "a/{name}.png", "-o", "both/{name}.csv")
+        waiting = subprocess.Popen([PROGRAM, "each", PATTERN, *FAST, "-o", "b/{name}.png", "-o", "both/{name}.csv", "--json"],
+                                   cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        self.addCleanup(waiting.kill)
+        self.assertEqual(waiting.stderr.readline(), b"note: waiting for 1 piece that another process makes\n")
+        self.assertEqual(sorted(self.outputs("b")), [f"p{i}.png" for i in range(6) if f"p{i}" != held], "the other has its table")
+        # make, and whoever else goes by exit codes, is told that a file is there when it is.
+        other.kill()
+        lines = waiting.communicate(timeout=60)[0].decode().splitlines()
+        self.assertEqual(waiting.returncode, 0)
+        states = [(line["name"], line["state"]) for line in map(json.loads, lines)]
+        self.assertEqual(states, [*((f"p{i}", "done") for i in range(6) if f"p{i}" != held), (held, "done")])
+        self.assertIn(f"{held}.png", self.outputs("b"))
+
+    def test_a_part_without_pieces_says_so_and_tasks_with_data_of_their_own_are_told(self):
+        done = self.run_batch("each", PATTERN, *FAST, "-o", "out/{name}.png", "--part", "8/9")
+        self.assertEqual(done.stderr.decode(), "note: part 8 of 9 has nothing to do, as there are 6 pieces\n")
+        array = {"SLURM_ARRAY_TASK_ID": "2", "SLURM_ARRAY_TASK_MIN": "1", "SLURM_ARRAY_TASK_MAX": "6", "SLURM_ARRAY_TASK_COUNT": "6"}
+        own = ["each", "studies/p2/ct.nrrd", *FAST, "-o", "out/p2.png"]
+        said = self.run_batch(*own, env=array).stderr.decode()
+        self.assertEqual(said, "warning: SLURM_ARRAY_TASK_ID is 2: part 2 of 6 has nothing to do, as there is 1 piece; "
+                         "where each task has data of its own, say --part 1/1\n")
+        self.assertEqual(self.run_batch(*own, "--part", "1/1", env=array).stderr, b"")
+        self.assertTrue((self.folder / "out/p2.png").exists())
 
     def test_refusals(self):
         self.refuse("each", "nowhere/*.nrrd", "-o", "out/{name}.png", code=2, words=["there are no such files"])

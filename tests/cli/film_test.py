@@ -52,6 +52,10 @@ class Film(CliTest):
         """The bytes of all frames, by file."""
         return {path.name: path.read_bytes() for path in (self.folder / name).glob("frame-*.png")}
 
+    def refuse_task(self, env):
+        said = self.run_batch("film", "two-spheres.nrrd", "-o", "left/", "--frames", "9", *FAST, code=1, env=env).stderr.decode()
+        self.assertIn("indices are left out", said)
+
     def setUp(self):
         super().setUp()
         self.sample()
@@ -64,6 +68,18 @@ class Film(CliTest):
         for k in (2, 3, 1):
             self.assertEqual(self.film("parts/", "--part", f"{k}/3")["frames"], 3)
         self.assertEqual(self.frames("parts"), whole)
+        # Tasks of an array are parts; a video is whole, and --part goes before.
+        array = {"SLURM_ARRAY_TASK_MIN": "4", "SLURM_ARRAY_TASK_MAX": "8", "SLURM_ARRAY_TASK_STEP": "2", "SLURM_ARRAY_TASK_COUNT": "3"}
+        for task in (8, 4, 6):
+            own = {**array, "SLURM_ARRAY_TASK_ID": str(task)}
+            self.assertEqual(self.film("tasks/", env=own)["frames"], 3)
+        self.assertEqual(self.frames("tasks"), whole)
+        said = self.run_batch("film", "two-spheres.nrrd", "-o", "tasks/", "--frames", "9", *FAST, "--resume", env=own).stderr
+        self.assertEqual(said, b"note: SLURM_ARRAY_TASK_ID is 6, so this is part 2 of 3 of the frames; --part 1/1 draws all\n")
+        self.assertEqual(self.film("all/", "--part", "1/1", env=own)["frames"], 9)
+        if shutil.which("ffmpeg"):
+            self.assertEqual(self.film("whole.mp4", env=own)["frames"], 9)
+        self.refuse_task({**own, "SLURM_ARRAY_TASK_MAX": "20"})
         # Killed in the middle, three times: what is there is kept, and all is there in the end.
         command = [PROGRAM, "film", "two-spheres.nrrd", "-o", "killed/", "--frames", "9", *FAST, "--resume"]
         for wanted in (2, 4, 6):

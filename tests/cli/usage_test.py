@@ -1,12 +1,18 @@
 """Exit codes and errors of the command line itself."""
 import json
 import os
+import pathlib
+import pty
 import re
+import select
 import shutil
 import subprocess
+import time
 import unittest
 
-from velum_cli import CliTest
+from velum_cli import PROGRAM, CliTest
+
+WINDOW_COMPLETIONS = pathlib.Path(__file__).parents[2] / "resources/completions"
 
 VERBS = ["info", "render", "film", "bench", "compare", "sample", "convert", "view"]
 
@@ -47,6 +53,62 @@ class Usage(CliTest):
             done = subprocess.run(["bash", "-c", script + f'COMP_WORDS=(velum-batch {words}); COMP_CWORD={at}; _velum_batch; '
                                    'printf "%s\\n" "${COMPREPLY[@]}"'], capture_output=True, timeout=60)
             self.assertEqual(done.stdout.decode().split(), wanted, done.stderr)
+
+    def typed_in_zsh(self, setup, keys, wanted):
+        """What a fresh zsh shows after lines of setup and keys, as soon as it shows what is wanted."""
+        process, terminal = pty.fork()
+        if process == 0:
+            os.environ.update(PS1="> ", TERM="dumb", HOME=str(self.folder), ZDOTDIR=str(self.folder))
+            os.chdir(self.folder)
+            os.execlp("zsh", "zsh", "-f", "-i")
+        said, end = "", time.monotonic() + 30
+        try:
+            # The ready mark is put together by the shell, as what is typed is shown, too.
+            os.write(terminal, f"{setup}; print re''ady\n".encode())
+            typed = False
+            while time.monotonic() < end and not (typed and wanted in said):
+                if select.select([terminal], [], [], 0.1)[0]:
+                    said += os.read(terminal, 4096).decode(errors="replace")
+                if not typed and "ready\r\n" in said:
+                    typed, said = True, ""
+                    os.write(terminal, keys.encode())
+            return said
+        finally:
+            os.kill(process, 9)
+            os.waitpid(process, 0)
+            os.close(terminal)
+
+    @unittest.skipUnless(shutil.which("zsh"), "zsh is not installed")
+    def test_zsh_completes_at_the_first_tab_however_it_learns_it(self):
+        functions = self.folder / "functions"
+        functions.mkdir()
+        (functions / "_velum-batch").write_bytes(self.run_batch("completion", "zsh").stdout)
+        shutil.copy(WINDOW_COMPLETIONS / "_velum", functions)
+        loaded = f"fpath=({functions} $fpath); autoload -U compinit; compinit -D -u"
+        told = f"autoload -U compinit; compinit -D -u; eval \"$({PROGRAM} completion zsh)\""
+        for setup in (loaded, told):
+            for keys, wanted in (("velum-batch rend\t", "velum-batch render "), ("velum-batch render --sam\t", "--samples"),
+                                 ("velum-batch info --context e\t", "--context egl")):
+                with self.subTest(setup=setup, keys=keys):
+                    self.assertIn(wanted, self.typed_in_zsh(setup, keys, wanted))
+        self.assertIn("--screenshot", self.typed_in_zsh(loaded, "velum --scr\t--sh\t", "--screenshot"))
+
+    def test_completions_of_the_window_know_its_options(self):
+        help = subprocess.run([os.environ["VELUM"], "--help"], capture_output=True, timeout=60).stdout.decode()
+        options = set(re.findall(r"^ +(?:-\w, )?(--[\w-]+)", help, re.M))
+        self.assertGreater(len(options), 5)
+        for name, form in (("velum.bash", r"--[a-z-]+(?=[ '])"), ("_velum", r"--[a-z-]+(?=[}\[])"), ("velum.fish", r"-l [a-z-]+")):
+            text = (WINDOW_COMPLETIONS / name).read_text()
+            told = set(re.findall(form, "\n".join(line for line in text.splitlines() if not line.startswith("#") and "    --lang" not in line)))
+            self.assertEqual({word.replace("-l ", "--") for word in told}, options, name)
+        script = (WINDOW_COMPLETIONS / "velum.bash").read_text()
+        for words, at, wanted in (("--scr", 1, ["--screenshot", "--script"]), ("--language d", 2, ["de"])):
+            done = subprocess.run(["bash", "-c", script + f'COMP_WORDS=(velum {words}); COMP_CWORD={at}; _velum; '
+                                   'printf "%s\n" "${COMPREPLY[@]}"'], capture_output=True, timeout=60)
+            self.assertEqual(done.stdout.decode().split(), wanted, done.stderr)
+        for shell, name in (("fish", "velum.fish"), ("zsh", "_velum")):
+            if shutil.which(shell):
+                subprocess.run([shell, "-n", WINDOW_COMPLETIONS / name], check=True, timeout=60)
 
     def test_data_comes_from_standard_input(self):
         path = self.sample()

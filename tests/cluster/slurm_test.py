@@ -93,22 +93,23 @@ class Slurm(PiecesTest):
     def test_an_array_of_which_a_third_is_killed_gives_the_bytes_of_one_process(self):
         job = self.submit("out")
         self.assertTrue(job)
-        # A third of the tasks dies in its middle, each when it has begun.
+        # A third of the tasks dies, each in the middle of a piece.
+        killed = []
         for task in range(3, TASKS + 1, 3):
-            name = f"{job}_{task}"
-            self.wait_for(lambda: self.slurm_says("squeue", "-h", "-j", name, "-o", "%T") in ("RUNNING", ""), name)
-            time.sleep(0.3)
-            self.slurm_says("scancel", "--signal=KILL", "--full", name)
+            mine = {f"SLURM_ARRAY_TASK_ID={task}", f"SLURM_ARRAY_JOB_ID={job}"}
+            killed.append(self.kill_in_the_middle("out", task, TASKS, 2 * (task % 2), lambda _, variables: mine <= set(variables),
+                                                  lambda: not self.running(f"{job}_{task}")))
         self.wait_for(lambda: not self.running(job), "the array")
-        states = self.states("out")
-        left = states.count("missing") + states.count("begun")
-        self.assertGreater(left, 0)
-        self.assertGreaterEqual(states.count("done"), COUNT * 2 // 3)
+        before = self.records("out")
+        self.assertLeft(before, killed)
+        self.assertEqual(sum(told == ["begun", "done"] for i, told in enumerate(before.values()) if (i % TASKS + 1) % 3), COUNT * 2 // 3)
         again = self.submit("out")
         self.wait_for(lambda: not self.running(again), "the second array")
+        self.assertOnlyRestMade("out", before)
         self.assertEqual(self.states("out"), ["done"] * COUNT)
         self.assertWhole("out")
-        print(f"{left} of {COUNT} pieces were left by the first array", file=sys.stderr)
+        print(f"{sum(told[-1:] != ['done'] for told in before.values())} of {COUNT} pieces were left by the first array, "
+              f"{killed} in their middle", file=sys.stderr)
 
 
 if __name__ == "__main__":

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "core/Error.h"
+#include "core/SayCount.h"
 
 namespace velum {
 namespace {
@@ -90,6 +91,15 @@ TEST(Text, PrintableIsOneLineThatNoTerminalObeys) {
 
 TEST(Text, AnErrorIsOneLineWhateverItQuotes) {
   EXPECT_STREQ(InputError("a\nb\x1b[2J.nrrd: is damaged").what(), "a\\nb\\x1b[2J.nrrd: is damaged");
+}
+
+TEST(Text, OneThingIsToldAsOne) {
+  auto said = [](std::size_t count) {
+    return sayCount(count, "1 image was left out", "{} images of {} were left out", "a series");
+  };
+  EXPECT_EQ(said(1), "1 image was left out");
+  EXPECT_EQ(said(2), "2 images of a series were left out");
+  EXPECT_EQ(said(0), "0 images of a series were left out");
 }
 
 }  // namespace

@@ -1,10 +1,13 @@
 // What is proposed for a picture, and what is remembered of a file.
 #include "WindowFixture.h"
 
+#include <QDateTime>
+#include <QFileInfo>
 #include <QTimer>
 
 #include "gui/kit/Preferences.h"
 #include "gui/service/RecentFiles.h"
+#include "gui/service/Thumbnail.h"
 #include "gui/window/SavePictureDialog.h"
 #include "session/document/Recent.h"
 
@@ -50,6 +53,27 @@ TEST_F(SavedPicture, OfARecentFileShowsTheFileAndNoCutsThatWereNeverSaved) {
   ASSERT_TRUE(settle());
   mWindow->newScene();
   EXPECT_EQ(pictureOf(), before);
+}
+
+TEST_F(SavedPicture, OfASceneIsWhereFileManagersLookForIt) {
+  openPhantom();
+  ASSERT_TRUE(settle());
+  QString scene = path("a scene \u00e4.json");
+  for (int i = 0; i < 2; ++i) {  // also when it is saved again
+    mWindow->saveSceneTo(scene);
+    for (int size : {128, 256}) {
+      QString file = QString::fromStdString(thumbnailOf(scene.toStdString(), size).string());
+      QImage picture(file);
+      ASSERT_EQ(std::max(picture.width(), picture.height()), size) << file.toStdString();
+      EXPECT_TRUE(picture.text("Thumb::URI").startsWith("file:///")) << picture.text("Thumb::URI").toStdString();
+      EXPECT_TRUE(picture.text("Thumb::URI").endsWith("/a%20scene%20%C3%A4.json"));
+      EXPECT_EQ(picture.text("Thumb::MTime").toLongLong(), QFileInfo(scene).lastModified().toSecsSinceEpoch());
+      EXPECT_EQ(QFile::permissions(file) & (QFile::ReadGroup | QFile::ReadOther), QFile::Permissions());
+    }
+    QTest::qWait(1100);
+  }
+  QString phantom = QString::fromStdString(thumbnailOf(path("phantom.nrrd").toStdString(), 256).string());
+  EXPECT_FALSE(QFileInfo::exists(phantom));
 }
 
 }  // namespace

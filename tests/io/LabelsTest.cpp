@@ -110,8 +110,8 @@ TEST(Labels, OverlapsAndStraysOfLayersAreSaid) {
   EXPECT_EQ(labels.at({0, 0, 0}), 2);
   EXPECT_EQ(labels.at({1, 1, 0}), 1);
   ASSERT_EQ(labels.warnings.size(), 2u);
-  EXPECT_TRUE(labels.warnings[0].starts_with("1 voxels belong to several segments")) << labels.warnings[0];
-  EXPECT_TRUE(labels.warnings[1].starts_with("1 voxels of the layers are of no segment")) << labels.warnings[1];
+  EXPECT_TRUE(labels.warnings[0].starts_with("1 voxel belongs to several segments")) << labels.warnings[0];
+  EXPECT_TRUE(labels.warnings[1].starts_with("1 voxel of the layers is of no segment")) << labels.warnings[1];
 }
 
 TEST(Labels, NoTwoSegmentsOfLayersGetOneId) {
@@ -124,7 +124,7 @@ TEST(Labels, NoTwoSegmentsOfLayersGetOneId) {
   EXPECT_EQ(labels.at({1, 0, 0}), 1);
   ASSERT_EQ(labels.table.size(), 2u);
   ASSERT_EQ(labels.warnings.size(), 1u);
-  EXPECT_TRUE(labels.warnings[0].starts_with("1 segments have numbers of their own")) << labels.warnings[0];
+  EXPECT_TRUE(labels.warnings[0].starts_with("1 segment has a number of its own")) << labels.warnings[0];
 }
 
 TEST(Labels, LayersWithoutNumbersAreOneASegment) {

@@ -218,11 +218,11 @@ TEST(Losses, NamesOfLabelsThatDoNotFitAreSaid) {
   Progress progress;
   LabelVolume labels = someLabels();
   labels.table[0].name = "left]]>liver";
-  EXPECT_TRUE(says(writeLabels(labels, folder / "a.nii", progress), "1 names of structures"));
+  EXPECT_TRUE(says(writeLabels(labels, folder / "a.nii", progress), "1 name of a structure is"));
   EXPECT_TRUE(writeLabels(labels, folder / "a.seg.nrrd", progress).empty());
   EXPECT_EQ(readLabelsOf(folder / "a.seg.nrrd").table[0].name, "left]]>liver");
   labels.table[1].name = "two\nlines";
-  EXPECT_TRUE(says(writeLabels(labels, folder / "a.seg.nrrd", progress), "1 names of structures"));
+  EXPECT_TRUE(says(writeLabels(labels, folder / "a.seg.nrrd", progress), "1 name of a structure is"));
   labels.name = "of somebody";
   EXPECT_TRUE(says(writeLabels(labels, folder / "a.nii", progress), "of somebody"));
 }

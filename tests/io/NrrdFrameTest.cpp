@@ -124,7 +124,7 @@ TEST(NrrdFrame, IntegersThatADoubleRoundsAreSaid) {
   }
   Volume v = readNrrdOf("type: int64\nendian: little\n", samples);
   EXPECT_EQ(v.type, SampleType::Float64);
-  EXPECT_NE(warningWith(v, "1 of 12 integers"), "");
+  EXPECT_NE(warningWith(v, "1 of 12 integers of 64 bits has"), "");
 }
 
 }  // namespace

@@ -127,7 +127,7 @@ TEST(Segy, TracesOfSeveralLengthsAreRefused) {
   std::string bytes = makeSegy(5, false, cube(4, 4), 4);
   // Where all fit the header is wrong, and that is said.
   Volume v = readBytes(withLength(bytes, 2, 9));
-  EXPECT_NE(v.warnings[0].find("1 of 16 traces claim"), std::string::npos) << v.warnings[0];
+  EXPECT_NE(v.warnings[0].find("1 of 16 traces claims"), std::string::npos) << v.warnings[0];
   EXPECT_NE(refusalOf(withLength(bytes, 15, 9) + std::string(20, '\1')).find("several lengths"), std::string::npos);
 }
 

@@ -16,7 +16,7 @@ constexpr int kCount = 12;
 
 class FrameFolderTest : public testing::Test {
  protected:
-  FilmReport make(FilmOutput output, FrameFolder::Old old = {}, FilmPart part = {}) {
+  FilmReport make(FilmOutput output, FrameFolder::Old old = {}, Part part = {}) {
     output.old = old;
     output.part = part;
     mAsked.clear();
@@ -45,12 +45,12 @@ class FrameFolderTest : public testing::Test {
   std::vector<std::pair<int, double>> mAsked;
 };
 
-TEST(FilmPart, PartsAreTheWholeInOrderAndOfOneSize) {
+TEST(Part, PartsAreTheWholeInOrderAndOfOneSize) {
   for (int parts = 1; parts <= 16; ++parts)
     for (int frames : {1, 2, 7, 15, 16, 17, 100, 240, 9999, 1'000'000}) {
       int next = 0, least = frames, most = 0;
       for (int k = 1; k <= parts; ++k) {
-        FilmPart part{k, parts};
+        Part part{k, parts};
         ASSERT_EQ(part.firstOf(frames), next) << k << "/" << parts << " of " << frames;
         next = part.endOf(frames);
         least = std::min(least, next - part.firstOf(frames));
@@ -61,10 +61,10 @@ TEST(FilmPart, PartsAreTheWholeInOrderAndOfOneSize) {
     }
 }
 
-TEST(FilmPart, IsReadAsPeopleWriteIt) {
-  EXPECT_EQ(parseFilmPart("3/16"), (FilmPart{3, 16}));
+TEST(Part, IsReadAsPeopleWriteIt) {
+  EXPECT_EQ(parsePart("3/16"), (Part{3, 16}));
   for (const char* text : {"", "3", "0/4", "5/4", "a/b", "1/0", "1.5/3", "-1/2", "1/2/3", "/"})
-    EXPECT_THROW(parseFilmPart(text), ArgumentError) << text;
+    EXPECT_THROW(parsePart(text), ArgumentError) << text;
 }
 
 TEST(FrameNames, AFolderHasFramesAPictureHasNumbers) {

@@ -12,6 +12,7 @@
 #include "gui/kit/Preferences.h"
 #include "gui/kit/Text.h"
 #include "gui/service/RecentFiles.h"
+#include "gui/service/Thumbnail.h"
 #include "gui/window/RawDialog.h"
 #include "gui/window/SeriesDialog.h"
 #include "scene/VisibleFrame.h"
@@ -281,10 +282,12 @@ void FileLoads::rememberFile(const QString& path) {
 void FileLoads::rememberPicture() {
   const session::WorkFile& open = mParts.session.file();
   if (open.isModified()) return;  // the file does not have what is seen
-  mWantsPicture = false;
+  Viewport& view = mParts.views.viewport();
   QFileInfo file(toText(open.path()));
+  mWantsPicture = mWantsPicture && open.isOpen() && !view.isConverged();
   if (!open.isOpen() || open.path().empty() || !file.exists()) return;
-  saveRecentPicture(file.absoluteFilePath().toStdString(), mParts.views.viewport().picture());
+  saveRecentPicture(file.absoluteFilePath().toStdString(), view.picture());
+  if (view.isConverged()) keepThumbnail(file.absoluteFilePath().toStdString(), view.picture());
 }
 
 }  // namespace velum::gui

@@ -8,6 +8,7 @@
 #include <map>
 #include <set>
 
+#include "core/SayCount.h"
 #include "io/Plugins.h"
 #include "io/labels/DicomColor.h"
 #include "io/labels/LabelTables.h"
@@ -227,9 +228,11 @@ LabelVolume plugin::readDicomSeg(const scene::Source& source, Progress& progress
   if (mask.isFractional)
     warnings.push_back("the segmentation says how much of a voxel is inside; what is over half is taken as inside");
   if (std::size_t repeats = repeatsOf(*file, planes))
-    warnings.push_back(fmt::format("{} frames repeat a segment at its place; they are joined", repeats));
+    warnings.push_back(sayCount(repeats, "1 frame repeats a segment at its place; it is joined",
+                                "{} frames repeat a segment at its place; they are joined"));
   if (overlaps > 0)
-    warnings.push_back(fmt::format("{} voxels belong to several segments; the last one has them", overlaps));
+    warnings.push_back(sayCount(overlaps, "1 voxel belongs to several segments; the last one has it",
+                                "{} voxels belong to several segments; the last one has them"));
   labels.name = file->description.empty() ? path.stem().string() : file->description;
   labels.table = completeTable(segmentTable(set, ids), labels.idsInUse());
   labels.warnings = std::move(warnings);

@@ -10,6 +10,7 @@
 #include <limits>
 #include <sstream>
 
+#include "core/SayCount.h"
 #include "io/Plugins.h"
 #include "io/labels/DicomCodes.h"
 #include "io/labels/DicomColor.h"
@@ -277,8 +278,10 @@ std::vector<std::string> plugin::writeDicomSeg(const LabelVolume& labels, Replac
   if (!writer.Write()) refuse(path, "the DICOM segmentation cannot be written");
   file.write(stream.view());
   Losses losses;
-  losses.say(cut > 0, "{} names of structures are changed: DICOM has {} characters for them, and no backslash", cut,
-             kLongestLabel);
+  losses.say(cut > 0, "{}",
+             sayCount(cut, "{} name of a structure is changed: DICOM has {} characters for it, and no backslash",
+                      "{} names of structures are changed: DICOM has {} characters for them, and no backslash",
+                      kLongestLabel));
   losses.say(transparent > 0, "opacities are left out: DICOM has no place for them");
   return losses.take();
 }

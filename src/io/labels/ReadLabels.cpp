@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/SayCount.h"
 #include "io/labels/LabelGuess.h"
 #include "io/labels/LabelTables.h"
 #include "io/labels/LargeLabels.h"
@@ -164,11 +165,11 @@ LabelVolume labelsFrom(const Volume& v, const scene::Source& source, Progress& p
   if (v.timeSteps > 1)
     labels.warnings.push_back(fmt::format("the file has {} time frames; the first was taken", v.timeSteps));
   if (overlay.overlaps > 0)
-    labels.warnings.push_back(
-        fmt::format("{} voxels belong to several segments; the last one has them", overlay.overlaps));
+    labels.warnings.push_back(sayCount(overlay.overlaps, "1 voxel belongs to several segments; the last one has it",
+                                       "{} voxels belong to several segments; the last one has them"));
   if (overlay.strays > 0)
-    labels.warnings.push_back(
-        fmt::format("{} voxels of the layers are of no segment; they are left out", overlay.strays));
+    labels.warnings.push_back(sayCount(overlay.strays, "1 voxel of the layers is of no segment; it is left out",
+                                       "{} voxels of the layers are of no segment; they are left out"));
   std::vector<LabelInfo> table;
   std::size_t renumbered = 0;
   for (const SlicerSegment& segment : segments) {
@@ -176,8 +177,9 @@ LabelVolume labelsFrom(const Volume& v, const scene::Source& source, Progress& p
     table.push_back(segment.label);
   }
   if (renumbered > 0)
-    labels.warnings.push_back(fmt::format(
-        "{} segments have numbers of their own here: in the file they share values of other layers", renumbered));
+    labels.warnings.push_back(
+        sayCount(renumbered, "1 segment has a number of its own here: in the file its value is another layer's, too",
+                 "{} segments have numbers of their own here: in the file they share values of other layers"));
   if (table.empty()) table = tableOf(source, labels.warnings);
   labels.table = completeTable(std::move(table), labels.idsInUse());
   return labels;

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "core/Parallel.h"
+#include "core/SayCount.h"
 #include "io/Plugins.h"
 #include "io/labels/LabelTables.h"
 #include "io/read/Refuse.h"
@@ -284,11 +285,14 @@ LabelVolume plugin::readRtStruct(const scene::Source& source, Progress& progress
   labels.name = file->description.empty() ? path.stem().string() : file->description;
   labels.table = completeTable(std::move(table), labels.idsInUse());
   if (others > 0)
-    labels.warnings.push_back(fmt::format("{} points and open lines of the structure set are left out", others));
-  if (across > 0) labels.warnings.push_back(fmt::format("{} contours lie across the others and are left out", across));
+    labels.warnings.push_back(sayCount(others, "1 point or open line of the structure set is left out",
+                                       "{} points and open lines of the structure set are left out"));
+  if (across > 0)
+    labels.warnings.push_back(sayCount(across, "1 contour lies across the others and is left out",
+                                       "{} contours lie across the others and are left out"));
   if (overlaps > 0)
-    labels.warnings.push_back(
-        fmt::format("{} voxels belong to several structures; the smaller one has them", overlaps));
+    labels.warnings.push_back(sayCount(overlaps, "1 voxel belongs to several structures; the smaller one has it",
+                                       "{} voxels belong to several structures; the smaller one has them"));
   return labels;
 }
 

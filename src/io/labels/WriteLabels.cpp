@@ -8,6 +8,7 @@
 
 #include "core/Memory.h"
 #include "core/ReplaceFile.h"
+#include "core/SayCount.h"
 #include "core/VoxelSource.h"
 #include "io/labels/DicomSegWriter.h"
 #include "io/labels/LabelStore.h"
@@ -102,10 +103,13 @@ std::vector<std::string> writeAsVolume(const LabelVolume& labels, ReplaceFile& f
   Losses more;
   auto wide =
       std::count_if(labels.table.begin(), labels.table.end(), [](const auto& info) { return info.fileId != 0; });
-  more.say(wide > 0, "{} structures have other ids than in the file that they come from; a store keeps those", wide);
-  more.say(extras.changedNames > 0,
-           "{} names of structures are changed: line ends, or what ends a name in XML, cannot stand in them",
-           extras.changedNames);
+  more.say(wide > 0, "{}",
+           sayCount(wide, "1 structure has another id than in the file that it comes from; a store keeps that",
+                    "{} structures have other ids than in the file that they come from; a store keeps those"));
+  more.say(extras.changedNames > 0, "{}",
+           sayCount(extras.changedNames,
+                    "1 name of a structure is changed: line ends, or what ends a name in XML, cannot stand in it",
+                    "{} names of structures are changed: line ends, or what ends a name in XML, cannot stand in them"));
   for (std::string& line : more.take()) losses.push_back(std::move(line));
   return losses;
 }

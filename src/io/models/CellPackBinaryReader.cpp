@@ -10,12 +10,13 @@
 
 #include "core/FileName.h"
 #include "core/Parallel.h"
+#include "core/SayCount.h"
 #include "io/models/Completion.h"
-#include "io/read/JsonParts.h"
 #include "io/models/ModelReaders.h"
 #include "io/models/Recipe.h"
 #include "io/models/StructureFiles.h"
 #include "io/read/FileNames.h"
+#include "io/read/JsonParts.h"
 
 /// Packings of cellPACKgpu and cellVIEW: places and rotations as bare 32-bit numbers, and beside them a recipe in JSON
 /// that names the types. They are left-handed: x is mirrored here, and so are the rotations.
@@ -112,7 +113,8 @@ class BinaryReader {
       for (const Pose& pose : mPoses[i]) place(mBuilder, mPath, molecule, pose);
     }
     if (missing > 0)
-      mBuilder.sayAdded(fmt::format("balls stand for {} types whose structures are not to be found", missing));
+      mBuilder.sayAdded(sayCount(missing, "balls stand for 1 type whose structure is not to be found",
+                                 "balls stand for {} types whose structures are not to be found"));
   }
 
   static std::string withoutEnd(const std::string& name, std::string_view end) {

@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -7,13 +5,14 @@
 
 #include "core/FileName.h"
 #include "core/Parallel.h"
+#include "core/SayCount.h"
 #include "io/models/Completion.h"
-#include "io/read/JsonParts.h"
 #include "io/models/ModelReaders.h"
 #include "io/models/RotationSense.h"
 #include "io/models/Strands.h"
 #include "io/models/StructureFiles.h"
 #include "io/read/FileNames.h"
+#include "io/read/JsonParts.h"
 
 /// Results of cellPACK, as autoPACK and its successors to 2016 wrote them: JSON with a recipe and, for each ingredient,
 /// where its copies stand and how they are turned. Positions are in angstrom and right-handed, quaternions w, x, y, z.
@@ -115,8 +114,9 @@ class ResultsReader {
     mProgress.report(0.6, "reading model");
     for (Ingredient& ingredient : mIngredients) add(ingredient);
     if (!mMissing.empty())
-      mBuilder.sayAdded(fmt::format("balls stand for {} types whose structures are not to be found, such as {}",
-                                    mMissing.size(), mMissing.front()));
+      mBuilder.sayAdded(sayCount(mMissing.size(), "balls stand for {} type whose structure is not to be found, {}",
+                                 "balls stand for {} types whose structures are not to be found, such as {}",
+                                 mMissing.front()));
     if (mReading.completes) completeVirus(mBuilder, mPath);
     Model model = mBuilder.build();
     if (model.instances.empty()) refuse(mPath, "has a recipe but no instances");
@@ -285,8 +285,7 @@ class ResultsReader {
       float radius = isSugar ? 8.0f : isNucleic ? 10.0f : 3.0f;
       unit = {radius, 0.0f};
       beads.push_back({glm::vec4(0, 0, 0, radius)});
-      if (isNucleic) type.kind = MoleculeKind::NucleicAcid;
-      if (isSugar) type.kind = MoleculeKind::Other;
+      if (isNucleic || isSugar) type.kind = isSugar ? MoleculeKind::Other : MoleculeKind::NucleicAcid;
     }
     type.origin = Origin::Curves;
     std::uint32_t index = mBuilder.addType(std::move(type));

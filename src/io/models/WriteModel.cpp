@@ -9,6 +9,7 @@
 
 #include "core/Assert.h"
 #include "core/FileName.h"
+#include "core/SayCount.h"
 #include "io/models/ModelWriters.h"
 #include "io/read/Losses.h"
 #include "io/read/Refuse.h"
@@ -74,12 +75,14 @@ std::vector<std::string> lossesOf(const Model& model, const ModelWriting& how, c
     if (molecule.atoms.empty()) ++ofBeads;
     levels = std::max(levels, molecule.beads.size());
   }
-  losses.say(row.keepsAtoms && ofBeads > 0, "the balls of {} molecules become atoms without an element and a radius",
-             ofBeads);
+  losses.say(row.keepsAtoms && ofBeads > 0, "{}",
+             sayCount(ofBeads, "the balls of 1 molecule become atoms without an element and a radius",
+                      "the balls of {} molecules become atoms without an element and a radius"));
   losses.say(row.keepsAtoms && levels > (ofBeads > 0 ? 1u : 0u), "coarser balls of molecules are left out");
   losses.say(row.keepsAtoms && hasOtherElements(model), "atoms of rarer elements are written as carbon");
-  losses.say(!model.fibres.empty(), "{} strands are written as their instances, without their curves",
-             model.fibres.size());
+  losses.say(!model.fibres.empty(), "{}",
+             sayCount(model.fibres.size(), "1 strand is written as its instances, without its curve",
+                      "{} strands are written as their instances, without their curves"));
   return losses.take();
 }
 

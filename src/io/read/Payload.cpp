@@ -11,6 +11,7 @@
 #include <string>
 #include <utility>
 
+#include "core/SayCount.h"
 #include "core/Text.h"
 #include "io/read/ByteSource.h"
 #include "io/read/FileBytes.h"
@@ -136,8 +137,8 @@ SampleType narrow(Bytes& bytes, std::vector<std::string>& warnings) {
     }
   }
   if (rounded > 0)
-    warnings.push_back(
-        fmt::format("{} of {} integers of 64 bits have more digits than a double and are rounded", rounded, count));
+    warnings.push_back(sayCount(rounded, "{} of {} integers of 64 bits has more digits than a double and is rounded",
+                                "{} of {} integers of 64 bits have more digits than a double and are rounded", count));
   if (!fits) return SampleType::Float64;
   bytes.resize(count * 4);
   return SampleType::Int32;

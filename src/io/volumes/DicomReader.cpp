@@ -7,6 +7,7 @@
 #include <set>
 
 #include "core/Parallel.h"
+#include "core/SayCount.h"
 #include "io/Plugins.h"
 #include "io/read/ByteSource.h"
 #include "io/volumes/DicomDecoder.h"
@@ -130,7 +131,9 @@ std::vector<DicomFrame> framesOf(Series& series) {
   });
   std::size_t others = 0;
   for (const auto& stack : stacks) others += &stack == &*largest ? 0 : stack.size();
-  if (others > 0) series.warnings.push_back(fmt::format("{} images of another orientation were left out", others));
+  if (others > 0)
+    series.warnings.push_back(sayCount(others, "1 image of another orientation was left out",
+                                       "{} images of another orientation were left out"));
   return *largest;
 }
 

@@ -7,6 +7,7 @@
 #include <map>
 #include <numeric>
 
+#include "core/SayCount.h"
 #include "io/read/Refuse.h"
 
 namespace velum::io {
@@ -206,7 +207,8 @@ DicomStack stackFrames(const std::vector<DicomFrame>& frames, int preferred, con
     if (stack.timeSteps == 1) dropped += groups[g].size() - 1;
   }
   if (dropped > 0)
-    stack.warnings.push_back(fmt::format("{} images repeat the place of another and were left out", dropped));
+    stack.warnings.push_back(sayCount(dropped, "1 image repeats the place of another and was left out",
+                                      "{} images repeat the place of another and were left out"));
   // One frame without a place spoils the order by place for all; then none of them has one.
   std::vector<DicomFrame> placeless;
   if (!havePlaces) {

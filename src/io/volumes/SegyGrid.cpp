@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "core/Error.h"
+#include "core/SayCount.h"
 
 namespace velum::io {
 
@@ -141,20 +142,20 @@ SegyGrid arrangeTraces(const std::vector<SegyTrace>& traces, int sorting, const 
     auto x = std::size_t((traces[i].lines[pair].inlineNumber - inlines.first) / inlines.step);
     auto y = std::size_t((traces[i].lines[pair].crosslineNumber - crosslines.first) / crosslines.step);
     auto& cell = grid.traceAt[y * std::size_t(inlines.count) + x];
-    if (cell < 0)
-      cell = std::int64_t(i);
-    else
-      ++extra;
+    extra += cell >= 0;
+    if (cell < 0) cell = std::int64_t(i);
   }
   // What the user ought to know.
   auto missing = std::count(grid.traceAt.begin(), grid.traceAt.end(), std::int64_t(-1));
   if (pair > 0 && 2 * extra > traces.size()) refuseGathers(traces, name);
   if (extra > 0)
-    grid.warnings.push_back(fmt::format("{}{} of {} traces share a place with an earlier one; {}",
-                                        hasOffsets ? "the file is prestack: " : "", extra, traces.size(),
-                                        hasOffsets ? "the first offset is shown" : "that one is shown"));
+    grid.warnings.push_back(sayCount(extra, "{1}{0} of {2} traces has the place of an earlier one; {3}",
+                                     "{1}{0} of {2} traces share a place with an earlier one; {3}",
+                                     hasOffsets ? "the file is prestack: " : "", traces.size(),
+                                     hasOffsets ? "the first offset is shown" : "that one is shown"));
   if (missing > 0)
-    grid.warnings.push_back(fmt::format("{} of {} traces are missing and shown as 0", missing, grid.traceAt.size()));
+    grid.warnings.push_back(sayCount(missing, "{} of {} traces is missing and shown as 0",
+                                     "{} of {} traces are missing and shown as 0", grid.traceAt.size()));
   if (grid.size.x == 1 || grid.size.y == 1)
     grid.warnings.push_back("the file holds a single line; it is shown as one plane");
   grid.spacing = spacingOf(traces, grid);

@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "core/Error.h"
+#include "core/SayCount.h"
 #include "io/read/FileBytes.h"
 #include "io/read/Placement.h"
 #include "io/read/SampleBytes.h"
@@ -52,8 +53,10 @@ std::vector<SegyTrace> readHeaders(const FileBytes& file, const SegyLayout& layo
     ++others;
   }
   if (others > 0)
-    warnings.push_back(fmt::format("{} of {} traces claim another length than the file's {} samples, which was taken",
-                                   others, layout.traces, layout.samples));
+    warnings.push_back(sayCount(others,
+                                "{} of {} traces claims another length than the file's {} samples, which was taken",
+                                "{} of {} traces claim another length than the file's {} samples, which was taken",
+                                layout.traces, layout.samples));
   return traces;
 }
 

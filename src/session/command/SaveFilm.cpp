@@ -47,7 +47,7 @@ FilmOutput outputOf(const SaveFilm& asked) {
   output.quality = asked.quality;
   output.blur = asked.blur;
   output.shutter = asked.shutter;
-  output.part = parseFilmPart(asked.part);
+  output.part = parsePart(asked.part);
   output.old = {asked.resume, asked.overwrite};
   return output;
 }

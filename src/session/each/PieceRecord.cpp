@@ -2,7 +2,6 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
 #include <unistd.h>
 
 #include <fstream>
@@ -37,7 +36,6 @@ bool areWhole(const PieceJson& files, const std::vector<fs::path>& outputs) {
     FrameFile told{outputs[i].filename().string(), files[i].at("bytes").get<std::uint64_t>(),
                    files[i].at("crc32c").get<std::uint32_t>()};
     std::error_code error;
-    if (files[i].at("file") != outputs[i].string()) return false;
     if (fs::file_size(outputs[i], error) != told.bytes || frameFileAt(outputs[i]) != told) return false;
   }
   return true;
@@ -79,23 +77,15 @@ std::vector<fs::path> filesOf(const fs::path& path) {
 
 }  // namespace
 
-std::optional<PieceRecord> PieceRecord::take(const fs::path& file) {
+PieceRecord::PieceRecord(fs::path file) : mPath(std::move(file)) {
   std::error_code error;
-  fs::create_directories(file.parent_path(), error);
-  int descriptor = ::open(file.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC, 0666);
-  if (descriptor < 0)
-    throw InputError(fmt::format("{}: cannot be written ({})", file.string(), std::generic_category().message(errno)));
-  if (::flock(descriptor, LOCK_EX | LOCK_NB) == 0) return PieceRecord(file, descriptor);
-  bool isBusy = errno == EWOULDBLOCK;
-  std::string why = std::generic_category().message(errno);
-  ::close(descriptor);
-  if (!isBusy) throw InputError(fmt::format("{}: cannot be locked ({})", file.string(), why));
-  return std::nullopt;
+  fs::create_directories(mPath.parent_path(), error);
+  mFile = ::open(mPath.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC, 0666);
+  if (mFile < 0)
+    throw InputError(fmt::format("{}: cannot be written ({})", mPath.string(), std::generic_category().message(errno)));
 }
 
-PieceRecord::~PieceRecord() {
-  if (mFile >= 0) ::close(mFile);
-}
+PieceRecord::~PieceRecord() { ::close(mFile); }
 
 void PieceRecord::append(const std::string& line) {
   if (!writeAll(mFile, std::as_bytes(std::span(line))))

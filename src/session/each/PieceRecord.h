@@ -1,6 +1,5 @@
 #pragma once
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,13 +18,13 @@ struct PieceState {
 
 /// The record of a piece: a file of lines of JSON that only ever grows. Each attempt is a line that says what is
 /// wanted, with the data's size and time, and one that says how it ended, written when the outputs are whole on the
-/// disk. While a process works at a piece it has the record locked; the lock ends with the process.
+/// disk. Whoever writes to it has the piece's OutputLocks.
 class PieceRecord {
  public:
-  /// Takes a piece. @return nothing while another process has it  @throw InputError when the disk refuses
-  static std::optional<PieceRecord> take(const std::filesystem::path& file);
-  PieceRecord(PieceRecord&& other) noexcept : mPath(std::move(other.mPath)), mFile(std::exchange(other.mFile, -1)) {}
-  PieceRecord& operator=(PieceRecord&&) = delete;
+  /// Begins the file, and the folder, where there is none. @throw InputError when the disk refuses
+  explicit PieceRecord(std::filesystem::path file);
+  PieceRecord(const PieceRecord&) = delete;
+  PieceRecord& operator=(const PieceRecord&) = delete;
   ~PieceRecord();
 
   /// @throw InputError when the disk refuses
@@ -36,7 +35,6 @@ class PieceRecord {
   void stopped();
 
  private:
-  PieceRecord(std::filesystem::path path, int file) : mPath(std::move(path)), mFile(file) {}
   void append(const std::string& line);
 
   std::filesystem::path mPath;
@@ -44,7 +42,8 @@ class PieceRecord {
 };
 
 /// What a record tells of the piece that is wanted; all else in it is passed over: attempts at other data or with other
-/// options, and lines that are none. Reads the outputs: one that is not there, or not as it was written, is missing.
+/// options, and lines that are none. Reads the outputs, however they are spelled: one that is not there, or not as it
+/// was written, is missing.
 PieceState stateOf(const std::filesystem::path& record, const FilmIdentity& wanted,
                    const std::vector<std::filesystem::path>& outputs);
 

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "core/Error.h"
+#include "session/each/OutputLocks.h"
 
 namespace velum::session {
 
@@ -84,8 +85,8 @@ void addPieces(std::map<std::string, Piece>& byPath, const std::string& pattern)
     byPath.try_emplace(path, Piece{isItself ? ownName(path) : nameIn(path, groups), path, {}, {}, {}});
 }
 
-/// Tells whether files lie in folders. A thousand tasks ask for each of a thousand pieces: the disk is asked only where
-/// the names say yes.
+/// Where files lie. A thousand tasks ask for each of a thousand pieces: the disk is asked only where the names say yes,
+/// and for the real way to a folder once.
 class Whereabouts {
  public:
   fs::path whole(const fs::path& path) const { return (mHere / path).lexically_normal(); }
@@ -94,9 +95,23 @@ class Whereabouts {
     std::string way = whole(file).lexically_relative(whole(folder)).string();
     return !way.empty() && !way.starts_with("..") && fs::is_directory(folder);
   }
+  /// A file lies in one of these folders, or is one. @param folders  whole
+  bool isWithin(const fs::path& file, const std::set<fs::path>& folders) const {
+    for (fs::path place = whole(file); place.has_relative_path(); place = place.parent_path())
+      if (folders.contains(place) && fs::is_directory(place)) return true;
+    return false;
+  }
+  /// A file by the real folder in which it lies, whichever way leads there.
+  fs::path real(const fs::path& file) {
+    auto [folder, isNew] = mReal.try_emplace(whole(file).parent_path());
+    std::error_code error;
+    if (isNew) folder->second = fs::weakly_canonical(folder->first, error);
+    return (error || folder->second.empty() ? folder->first : folder->second) / file.filename();
+  }
 
  private:
   fs::path mHere = fs::current_path();
+  std::map<fs::path, fs::path> mReal;
 };
 
 std::string filled(std::string text, const Piece& piece, const Whereabouts& places) {
@@ -107,53 +122,56 @@ std::string filled(std::string text, const Piece& piece, const Whereabouts& plac
   return text;
 }
 
-bool hasName(const std::string& text) { return text.find("{name}") != text.npos || text.find("{dir}") != text.npos; }
-
-/// The folder of an output's pattern in which all of the outputs lie.
-fs::path folderOfAll(const std::string& output) {
-  fs::path folder;
-  for (const fs::path& part : fs::path(output).parent_path()) {
-    if (hasName(part.string())) break;
-    folder /= part;
-  }
-  return folder;
+/// The record of an output: beside it, or in a folder for all.
+fs::path recordOf(const fs::path& realOutput, const std::string& records) {
+  if (records.empty()) return realOutput.parent_path() / kDefaultRecords / (realOutput.filename().string() + ".jsonl");
+  return fs::path(records) / (nameOfWholePath(realOutput) + ".jsonl");
 }
 
-}  // namespace
-
-std::vector<Piece> findPieces(const PiecePatterns& patterns) {
-  fs::path records =
-      patterns.records.empty() ? folderOfAll(patterns.outputs.at(0)) / kDefaultRecords : fs::path(patterns.records);
-  const Whereabouts places;
-  std::map<std::string, Piece> byPath;
-  for (const std::string& pattern : patterns.data) addPieces(byPath, pattern);
-  std::erase_if(byPath, [&](const auto& entry) { return places.isWithin(entry.first, records); });
-  std::vector<Piece> pieces;
-  std::map<fs::path, std::string> makers;
+/// Outputs and labels of all pieces. @return the folders of their records, as they are spelled
+std::set<fs::path> nameFiles(std::map<std::string, Piece>& byPath, const PiecePatterns& patterns, Whereabouts& places) {
+  std::set<fs::path> records;
   for (auto& [path, piece] : byPath) {
     if (!patterns.labels.empty()) piece.labels = filled(patterns.labels, piece, places);
-    for (const std::string& output : patterns.outputs) {
-      fs::path file = fs::path(filled(output, piece, places)).lexically_normal();
-      if (places.isWithin(file, path))
+    for (const std::string& output : patterns.outputs)
+      piece.outputs.push_back(fs::path(filled(output, piece, places)).lexically_normal());
+    fs::path beside = piece.outputs.front().parent_path() / kDefaultRecords;
+    records.insert(places.whole(patterns.records.empty() ? beside : fs::path(patterns.records)));
+    piece.record = recordOf(places.real(piece.outputs.front()), patterns.records);
+  }
+  return records;
+}
+
+/// @throw ArgumentError where two pieces would write one file, or one its data's folder
+void expectOwnOutputs(const std::vector<Piece>& pieces, Whereabouts& places) {
+  std::map<fs::path, std::string> makers;
+  for (const Piece& piece : pieces)
+    for (const fs::path& file : piece.outputs) {
+      if (places.isWithin(file, fs::path(piece.data)))
         throw ArgumentError(
             fmt::format("{} lies in the data's folder {}; have it elsewhere, as it would be data the next time",
-                        file.string(), path));
-      auto [maker, isNew] = makers.try_emplace(file, path);
+                        file.string(), piece.data));
+      auto [maker, isNew] = makers.try_emplace(places.real(file), piece.data);
       if (!isNew)
         throw ArgumentError(
             fmt::format("{} and {} would both become {}; let the pattern's * stand for what differs, as in "
                         "'studies/*/ct.nrrd', and "
                         "have {{name}} or {{dir}} in the output's name",
-                        maker->second, path, file.string()));
-      piece.outputs.push_back(std::move(file));
+                        maker->second, piece.data, file.string()));
     }
-    // Of the output's whole path, as names may be alike in several folders.
-    std::string record = piece.outputs.front().lexically_relative(records.parent_path()).string();
-    if (record.empty() || record.starts_with("..")) record = piece.outputs.front().string();
-    std::ranges::replace(record, '/', '-');
-    piece.record = records / (record + ".jsonl");
-    pieces.push_back(std::move(piece));
-  }
+}
+
+}  // namespace
+
+std::vector<Piece> findPieces(const PiecePatterns& patterns) {
+  Whereabouts places;
+  std::map<std::string, Piece> byPath;
+  for (const std::string& pattern : patterns.data) addPieces(byPath, pattern);
+  const std::set<fs::path> records = nameFiles(byPath, patterns, places);
+  std::vector<Piece> pieces;
+  for (auto& [path, piece] : byPath)
+    if (!places.isWithin(path, records)) pieces.push_back(std::move(piece));
+  expectOwnOutputs(pieces, places);
   return pieces;
 }
 

@@ -12,8 +12,7 @@ struct PiecePatterns {
   std::vector<std::string> data;     ///< paths, or patterns with *, ? and [a-z] in parts of a path, as of a shell
   std::string labels;                ///< of each data set; empty: none
   std::vector<std::string> outputs;  ///< files that are made of each
-  std::string records;               ///< folder for what became of each; empty: "pieces" beside the first output's
-                                     ///< part without names
+  std::string records;               ///< folder for what became of each; empty: "pieces" beside each first output
 };
 
 /// A data set, and what is made of it.
@@ -22,7 +21,7 @@ struct Piece {
                      ///< without endings
   std::string data, labels;  ///< paths; no labels: empty
   std::vector<std::filesystem::path> outputs;
-  std::filesystem::path record;  ///< see PieceRecord
+  std::filesystem::path record;  ///< see PieceRecord; the same for the same first output, however that is spelled
 };
 
 /// All pieces, by their paths in alphabetical order, each once: the same list in each process that sees the same

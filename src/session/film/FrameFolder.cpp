@@ -55,7 +55,7 @@ void clearOtherFilm(const fs::path& path, const FilmManifest& film, bool overwri
 
 }  // namespace
 
-std::optional<FramesThere> findFrames(const FrameNames& names, FilmPart part, Progress& progress) {
+std::optional<FramesThere> findFrames(const FrameNames& names, Part part, Progress& progress) {
   FramesThere there;
   std::vector<std::vector<FrameRecord>> told;  // by frame: several processes may have drawn it
   for (const fs::path& path : names.manifests()) {
@@ -104,7 +104,7 @@ std::string rangesOf(const std::vector<int>& numbers) {
   return fmt::format("{} and {}", fmt::join(ranges, ", "), last);
 }
 
-FrameFolder::FrameFolder(const FrameNames& names, FilmPart part, const FilmManifest& film, Old old, Progress& progress)
+FrameFolder::FrameFolder(const FrameNames& names, Part part, const FilmManifest& film, Old old, Progress& progress)
     : mNames(names), mManifest(names.manifest(part)), mKept(std::size_t(film.frames)) {
   std::error_code error;
   if (names.isFolder() && !fs::exists(names.folder()) && !fs::create_directory(names.folder(), error))

@@ -19,7 +19,7 @@ struct FramesThere {
 /// Looks for the frames of a film among its files: those whose files have the size and sum that a manifest tells. Reads
 /// all files of the frames of the part; others count as missing. @return nothing where there is no manifest  @throw
 /// InputError where manifests tell of several films, or one is damaged
-std::optional<FramesThere> findFrames(const FrameNames& names, FilmPart part, Progress& progress);
+std::optional<FramesThere> findFrames(const FrameNames& names, Part part, Progress& progress);
 
 /// "3, 7-9 and 240", of numbers in order; no more than some of them are named.
 std::string rangesOf(const std::vector<int>& numbers);
@@ -35,7 +35,7 @@ class FrameFolder {
   /// Begins the manifest of a part; makes the folder where a user names one that is not there.
   /// @param film  its records are not read  @throw InputError where the files are another film's, and when the disk
   /// refuses
-  FrameFolder(const FrameNames& names, FilmPart part, const FilmManifest& film, Old old, Progress& progress);
+  FrameFolder(const FrameNames& names, Part part, const FilmManifest& film, Old old, Progress& progress);
   ~FrameFolder();
   FrameFolder(const FrameFolder&) = delete;
   FrameFolder& operator=(const FrameFolder&) = delete;

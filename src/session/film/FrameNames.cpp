@@ -53,7 +53,7 @@ fs::path FrameNames::frame(int frame) const {
   return mFolder / fmt::format("{}-{:0{}}{}", mStem, frame, mDigits, mExtension);
 }
 
-fs::path FrameNames::manifest(FilmPart part) const {
+fs::path FrameNames::manifest(Part part) const {
   if (part.parts == 1) return mFolder / (mManifestStem + kEnding);
   return mFolder / fmt::format("{}-{}-of-{}{}", mManifestStem, part.number, part.parts, kEnding);
 }

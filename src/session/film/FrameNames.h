@@ -9,9 +9,6 @@
 
 namespace velum::session {
 
-using FilmPart = Part;
-inline FilmPart parseFilmPart(std::string_view text) { return parsePart(text); }
-
 /// The names of a film's files, by what a user calls the film: a folder FOLDER has FOLDER/frame-00000.png ... and
 /// FOLDER/film.jsonl; a picture turn.exr stands for turn-0000.exr ... and turn.jsonl beside it.
 class FrameNames {
@@ -22,7 +19,7 @@ class FrameNames {
   bool isFolder() const { return mIsFolder; }
   const std::filesystem::path& folder() const { return mFolder; }
   std::filesystem::path frame(int frame) const;
-  std::filesystem::path manifest(FilmPart part) const;
+  std::filesystem::path manifest(Part part) const;
   /// The manifests that are there, of all parts, in order of their names.
   std::vector<std::filesystem::path> manifests() const;
 

@@ -135,6 +135,7 @@ std::string filmCommand(const std::filesystem::path& scene, const FilmOutput& ou
 
 std::string failedFrames(const FilmReport& report) {
   if (report.failed.empty()) return {};
+  if (report.frames == 1) return fmt::format("the only frame could not be drawn ({})", report.failed.front().second);
   std::vector<int> frames;
   for (const auto& [frame, why] : report.failed) frames.push_back(frame);
   return fmt::format("{} of {} frames could not be drawn: {} ({})", frames.size(), report.frames, rangesOf(frames),

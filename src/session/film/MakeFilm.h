@@ -38,7 +38,7 @@ struct FilmOutput {
   int quality = 75;      ///< of a video, see io::VideoOptions
   int blur = 1;          ///< pictures of which a frame is the mean, 1: none is blurred
   double shutter = 0.5;  ///< see subFrameShare()
-  FilmPart part;
+  Part part;
   FrameFolder::Old old;
 };
 

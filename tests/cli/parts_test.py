@@ -61,6 +61,8 @@ class Parts(CliTest):
         made = (self.folder / "x.png").stat().st_mtime_ns
         self.assertIn("it is there", draw(1))
         self.assertEqual((self.folder / "x.png").stat().st_mtime_ns, made)
+        self.run_batch("render", path, "--view", "left", *SIZE, "-o", "x.png")
+        self.assertIn("1 of 3 parts are there", draw(1), "another picture has its name")
 
     def test_parts_of_another_picture_are_not_put_in(self):
         path = self.sample()

@@ -60,6 +60,16 @@ TEST_F(BesideTheWindow, AnotherSizeIsDrawnAnew) {
   takeShot(*mWindow, "beside-the-window");
 }
 
+TEST_F(BesideTheWindow, WhatWasHiddenMeanwhileHasTheNewSize) {
+  openPhantom();
+  ASSERT_TRUE(settle());
+  viewport().hide();
+  mWindow->resize(620, 500);
+  viewport().setVisible(true);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return viewport().picture().size() == viewport().size(); }, kPatience));
+  EXPECT_TRUE(settle());
+}
+
 TEST_F(BesideTheWindow, TheMouseTurnsIt) {
   openPhantom();
   ASSERT_TRUE(settle());

@@ -43,7 +43,7 @@ class WindowSurface : public QOpenGLWidget, public ViewSurface {
     layBelow(*this);
   }
   ~WindowSurface() override {
-    if (QOpenGLWidget::context()) disconnect(mLeaving);  // it ends with the widget
+    disconnect(mLeaving);  // the context ends with the widget
   }
 
   QWidget& widget() override { return *this; }
@@ -177,13 +177,13 @@ class ImageSurface : public QWidget, public ViewSurface {
   }
   void resizeEvent(QResizeEvent* event) override {
     QWidget::resizeEvent(event);
-    if (mContext && isVisible()) mListener.resized();
+    if (mContext) mListener.resized();
   }
   void paintEvent(QPaintEvent*) override {
     QPainter painter(this);
     if (mShown.isNull()) return painter.fillRect(rect(), Qt::black);
     painter.drawImage(rect(), mShown);
-    mListener.painted();
+    if (mListener.paints()) mListener.painted();
   }
 
  private:

@@ -126,12 +126,11 @@ scene::Scene drawnScene(const scene::Scene& scene, const PictureOptions& options
   return drawn;
 }
 
-}  // namespace
-
-Image drawPixels(render::Renderer& renderer, const scene::Scene& scene, const PictureOptions& options,
-                 const gpu::Limits& limits, Progress& progress) {
+/// @param drawn  as drawnScene() gives it
+Image pixelsOf(render::Renderer& renderer, const scene::Scene& drawn, const PictureOptions& options,
+               const gpu::Limits& limits, Progress& progress) {
   render::Frame frame;
-  frame.scene = drawnScene(scene, options, progress);
+  frame.scene = drawn;
   frame.pictureSize = options.size;
   frame.brickBytes = memoryBudget().gpuBrickBytes;
   int first = options.part.firstOf(options.size.y), end = options.part.endOf(options.size.y);
@@ -139,9 +138,9 @@ Image drawPixels(render::Renderer& renderer, const scene::Scene& scene, const Pi
     frame.windowOrigin = {0, first};
     frame.windowSize = {options.size.x, end - first};
   }
-  render::Layers layers = layersOf(options, scene);
+  render::Layers layers = layersOf(options, drawn);
   int window = std::min(4096, limits.texture2d);
-  Image image = render::renderPicture(renderer, frame, withLetteringLayers(layers, scene), window, progress);
+  Image image = render::renderPicture(renderer, frame, withLetteringLayers(layers, drawn), window, progress);
   if (!options.layers || !hasInlayLayers(frame.scene)) return image;
   // As they were drawn: what is put together elsewhere is finished there.
   frame.scene.background.transparent = true;
@@ -154,11 +153,10 @@ Image drawPixels(render::Renderer& renderer, const scene::Scene& scene, const Pi
   return image;
 }
 
-Image withLettering(Image image, const scene::Scene& scene, const PictureOptions& options, Progress& progress,
-                    const Seen* known) {
-  scene::Scene drawn = drawnScene(scene, options, progress);
+Image lettered(Image image, const scene::Scene& drawn, const PictureOptions& options, Progress& progress,
+               const Seen* known) {
   layOver(letteringBlocks(drawn, options.size, seenIn(image, drawn, progress, known)), image);
-  render::Layers layers = layersOf(options, scene);
+  render::Layers layers = layersOf(options, drawn);
   std::vector<std::string> channels = image.channels;
   for (auto [isAsked, name] :
        {std::pair(layers.type, "type"), {layers.structure, "id"}, {layers.instance, "instance"}, {layers.depth, "Z"}})
@@ -166,9 +164,21 @@ Image withLettering(Image image, const scene::Scene& scene, const PictureOptions
   return channels == image.channels ? image : channelsOf(image, channels);
 }
 
+}  // namespace
+
+Image drawPixels(render::Renderer& renderer, const scene::Scene& scene, const PictureOptions& options,
+                 const gpu::Limits& limits, Progress& progress) {
+  return pixelsOf(renderer, drawnScene(scene, options, progress), options, limits, progress);
+}
+
+Image withLettering(Image pixels, const scene::Scene& scene, const PictureOptions& options, Progress& progress) {
+  return lettered(std::move(pixels), drawnScene(scene, options, progress), options, progress, nullptr);
+}
+
 Image drawPicture(render::Renderer& renderer, const scene::Scene& scene, const PictureOptions& options,
                   const gpu::Limits& limits, Progress& progress, const Seen* known) {
-  return withLettering(drawPixels(renderer, scene, options, limits, progress), scene, options, progress, known);
+  scene::Scene drawn = drawnScene(scene, options, progress);
+  return lettered(pixelsOf(renderer, drawn, options, limits, progress), drawn, options, progress, known);
 }
 
 Image imageOf(const render::SectionImage& section) {

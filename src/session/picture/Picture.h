@@ -57,8 +57,7 @@ Image drawPicture(render::Renderer& renderer, const scene::Scene& scene, const P
 /// that is laid over all rows.
 Image drawPixels(render::Renderer& renderer, const scene::Scene& scene, const PictureOptions& options,
                  const gpu::Limits& limits, Progress& progress);
-Image withLettering(Image pixels, const scene::Scene& scene, const PictureOptions& options, Progress& progress,
-                    const Seen* known = nullptr);
+Image withLettering(Image pixels, const scene::Scene& scene, const PictureOptions& options, Progress& progress);
 
 /// A section view as a picture: R, G, B, A. Without a graphics context. @throw Cancelled. Any thread.
 /// @param known  as of drawPicture()

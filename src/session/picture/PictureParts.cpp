@@ -66,19 +66,24 @@ class Parts {
     return whole;
   }
   /// The picture is written; who comes later has nothing to do.
-  void close() const {
-    replaceFile(mFolder / kMade, mOf);
+  void close(const fs::path& picture) const {
+    replaceFile(mFolder / kMade, stampOf(picture));
     std::error_code ignored;  // somebody else does the same
     for (int number = 1; number <= mOptions.part.parts; ++number) fs::remove(fileOf(number), ignored);
   }
-  bool isClosed() const {
+  /// That very file is still there.
+  bool isClosed(const fs::path& picture) const {
     std::ifstream file(mFolder / kMade, std::ios::binary);
-    return file && std::string(std::istreambuf_iterator<char>(file), {}) == mOf;
+    return file && fs::exists(picture) && std::string(std::istreambuf_iterator<char>(file), {}) == stampOf(picture);
   }
 
  private:
   static constexpr const char* kMade = "made";
 
+  std::string stampOf(const fs::path& picture) const {
+    return fmt::format("{}\n{} bytes, written {}\n", mOf, fs::file_size(picture),
+                       fs::last_write_time(picture).time_since_epoch().count());
+  }
   fs::path fileOf(int number) const { return mFolder / fmt::format("{}-of-{}.exr", number, mOptions.part.parts); }
 
   fs::path mFolder;
@@ -98,18 +103,19 @@ std::vector<std::string> savePicturePart(render::Renderer& renderer, const scene
   std::string of = fmt::format("{} in {} parts\n{}", pictureCommand({}, options, {}), count,
                                sceneTextFor(sceneForPicture(scene, options), path));
   Parts parts(path, options, std::move(of));
-  if (parts.isClosed() && fs::exists(path))
-    return {fmt::format("{}: it is there, of all {} parts", path.string(), count)};
+  const std::vector<std::string> isThere{fmt::format("{}: it is there, of all {} parts", path.string(), count)};
+  if (parts.isClosed(path)) return isThere;
   std::error_code error;
   fs::create_directories(parts.folder(), error);
   if (!parts.isThere(number)) parts.write(drawPixels(renderer, scene, options, limits, progress));
   int there = parts.countThere();
   std::optional<Image> whole = there == count ? parts.whole(progress) : std::nullopt;
+  if (!whole && parts.isClosed(path)) return isThere;  // another process was quicker
   if (!whole)
     return {fmt::format("{}: {} of {} parts are there; it is put together when all are", path.string(),
                         parts.countThere(), count)};
   savePicture(withLettering(std::move(*whole), scene, options, progress), kept, options, path);
-  parts.close();
+  parts.close(path);
   return {fmt::format("{}: put together of {} parts", path.string(), count)};
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "Lock.h"
 #include "core/Error.h"
 #include "core/ImageChannels.h"
 #include "core/Text.h"
@@ -87,7 +88,7 @@ void lock(const py::array& array) {
 /// Lets go of an array, in whatever thread its volume has ended. An interpreter that ends itself takes it along.
 void letGo(PyObject* array) {
   if (!Py_IsInitialized() || _Py_IsFinalizing()) return;
-  py::gil_scoped_acquire locked;
+  Locked locked;
   Py_DECREF(array);
 }
 
@@ -135,7 +136,7 @@ Volume volumeOf(const py::array& array, std::optional<bool> copy, const VolumeFa
     throw ArgumentError(fmt::format("copy=False: the array must be copied, as {}", reason));
   bool isShared = copy != true && reason.empty();
   volume.voxels = isShared ? bytesOf(array) : copiedBytesOf(array, volume, shape);
-  py::gil_scoped_release free;
+  Unlocked unlocked;
   computeRange(volume);
   return volume;
 }

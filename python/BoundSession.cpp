@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "Lock.h"
 #include "Texts.h"
 #include "core/Counts.h"
 #include "core/Error.h"
@@ -100,18 +101,18 @@ BoundSession::BoundSession(const std::string& context) : mThread(contextOf(conte
 BoundSession::~BoundSession() { close(); }
 
 void BoundSession::close() {
-  py::gil_scoped_release free;
+  Unlocked unlocked;
   mThread.close();
 }
 
 void BoundSession::in(const SessionThread::Work& work) {
   auto pulse = [this](const SessionThread::News* news) {
-    py::gil_scoped_acquire locked;
+    Locked locked;
     if (PyErr_CheckSignals() != 0) throw py::error_already_set();
     py::object told = listener;
     if (news && !told.is_none()) told(news->fraction, textOf(news->what));
   };
-  py::gil_scoped_release free;
+  Unlocked unlocked;
   mThread.run(work, pulse);
 }
 

@@ -4,6 +4,7 @@
 #include <pybind11/stl.h>
 
 #include "BoundSession.h"
+#include "Lock.h"
 #include "Texts.h"
 #include "core/Error.h"
 #include "gpu/GpuError.h"
@@ -107,7 +108,7 @@ void bindVolume(py::module_& module) {
       .def("save", [](const Held& held, const std::string& path) {
         std::vector<std::string> losses;
         {
-          py::gil_scoped_release free;
+          Unlocked unlocked;
           Progress progress;
           losses = io::writeVolume(*held, path, progress);
         }
@@ -139,7 +140,7 @@ void bindLabels(py::module_& module) {
       .def("save", [](const Held& held, const std::string& path) {
         std::vector<std::string> losses;
         {
-          py::gil_scoped_release free;
+          Unlocked unlocked;
           Progress progress;
           losses = io::writeLabels(*held, path, progress);
         }

@@ -142,6 +142,36 @@ class Stopping(Case):
             long_work(self.session)
 
 
+class Daemons(Case):
+    """Threads that are at work when Python ends."""
+
+    def test_the_program_ends_as_if_they_were_not(self):
+        for seconds in 0, 0.02, 0.05, 0.3:  # within a picture or between two
+            self.assertEqual(self.run_python(f"""
+import threading, time
+import numpy, velum
+
+array = numpy.arange(64 ** 3, dtype="uint32").astype("uint8").reshape(64, 64, 64)
+opened = threading.Barrier(4)
+
+def work():
+    s = velum.open(array)
+    opened.wait()
+    while True:
+        try:
+            velum.Volume(array)
+            s.render(64, 48)
+        except velum.Error:  # closed
+            pass
+
+for _ in range(3):
+    threading.Thread(target=work, daemon=True).start()
+opened.wait()
+time.sleep({seconds})
+print("ended")
+"""), "ended\n")
+
+
 class Memory(Case):
     def test_it_does_not_grow_with_what_was_opened(self):
         array = ball(side=64)  # half a megabyte, and its labels

@@ -41,7 +41,7 @@ inline constexpr const char* kCoreWords[] = {
     QT_TRANSLATE_NOOP("Core", "EGL: the context cannot be made current"),
     QT_TRANSLATE_NOOP("Core", "OSMesa: the context cannot be made current"),
     QT_TRANSLATE_NOOP("Core", "OSMesa: libOSMesa.so.8 is not installed (Debian package libosmesa6)"),
-    QT_TRANSLATE_NOOP("Core", "OSMesa: it offers no OpenGL 4.5 core context"),
+    QT_TRANSLATE_NOOP("Core", "OSMesa: it offers no OpenGL 4.5 core context; update it (Debian package libosmesa6), or draw without it (--context egl)"),
     QT_TRANSLATE_NOOP("Core", "the plane to grow from has a number that is not finite"),
     QT_TRANSLATE_NOOP("Core", "the distance to grow is not a number"),
     QT_TRANSLATE_NOOP("Core", "channel %1 to grow in: the volume has %2"),

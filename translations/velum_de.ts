@@ -188,10 +188,6 @@
         <translation>OSMesa: libOSMesa.so.8 ist nicht installiert (Debian-Paket libosmesa6)</translation>
     </message>
     <message>
-        <source>OSMesa: it offers no OpenGL 4.5 core context</source>
-        <translation>OSMesa: es bietet keinen OpenGL-4.5-Core-Kontext</translation>
-    </message>
-    <message>
         <source>OSMesa: the context cannot be made current</source>
         <translation>OSMesa: der Kontext lässt sich nicht aktivieren</translation>
     </message>
@@ -5262,6 +5258,10 @@
     <message>
         <source>%1: put together of %2 parts</source>
         <translation>%1: aus %2 Teilen zusammengesetzt</translation>
+    </message>
+    <message>
+        <source>OSMesa: it offers no OpenGL 4.5 core context; update it (Debian package libosmesa6), or draw without it (--context egl)</source>
+        <translation>OSMesa: es bietet keinen OpenGL-4.5-Core-Kontext; aktualisieren Sie es (Debian-Paket libosmesa6), oder zeichnen Sie ohne es (--context egl)</translation>
     </message>
 </context>
 <context>

@@ -33,7 +33,7 @@ class Environments(Case):
         if "llvmpipe" not in self.run_program(PROGRAM, "render", self.sample(), "-o", "a.png", "--size", "32x24", "--samples", "1", "--json"):
             self.skipTest("the machine's driver is not the one that stands in")
         done = subprocess.run([sys.executable, "-c", DRAW], capture_output=True, text=True, timeout=300, cwd=self.folder,
-                              env={**os.environ, "GALLIUM_DRIVER": "softpipe"})
+                              env={**os.environ, "GALLIUM_DRIVER": "softpipe", "VELUM_CONTEXT": "auto"})
         self.assertEqual((done.returncode, done.stdout), (0, usual), done.stderr)
         self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
         for word in ("warning: softpipe offers OpenGL 3.3", "4.5 is needed", "software driver draws instead"):

@@ -4,6 +4,7 @@
 #include <QPlainTextEdit>
 
 #include "Shots.h"
+#include "ShownPictures.h"
 #include "WindowFixture.h"
 #include "gui/kit/Widgets.h"
 
@@ -25,7 +26,7 @@ class CaptionWindow : public Window {
 TEST_F(CaptionWindow, OneActionAddsACaptionAndTypingSaysItsWords) {
   openPhantom();
   ASSERT_TRUE(settle());
-  int pictures = viewport().shownCount();
+  int pictures = shownPictures(viewport());
   QImage without = viewport().grab().toImage();
   add("The two spheres");
   ASSERT_EQ(captions().size(), 1u);

@@ -6,6 +6,7 @@
 #include <QToolButton>
 
 #include "Shots.h"
+#include "ShownPictures.h"
 #include "WindowFixture.h"
 #include "gui/kit/Points.h"
 #include "gui/mark/MarkTool.h"
@@ -70,7 +71,7 @@ TEST_F(MarkWindow, TwoClicksInThePictureMakeADistanceOnWhatIsSeen) {
   std::vector<glm::dvec3> wanted;
   for (QPoint place : places) wanted.push_back(viewport().pickAt(place)->world);
   std::size_t before = steps();
-  int pictures = viewport().shownCount();
+  int pictures = shownPictures(viewport());
   takeUp("mark.distance");
   click(viewport(), places[0]);
   EXPECT_TRUE(marks().empty());

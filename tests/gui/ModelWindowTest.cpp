@@ -6,6 +6,7 @@
 
 #include "ModelFixture.h"
 #include "Shots.h"
+#include "ShownPictures.h"
 #include "core/ModelBuilder.h"
 #include "gui/cut/TypeSpareList.h"
 #include "patience.h"
@@ -207,7 +208,7 @@ TEST_F(ModelWindow, LegendAndScaleBarOverTheViewAreTheScenesAndNoNewPicture) {
   openModel();
   ASSERT_TRUE(settle());
   QImage without = mWindow->grab().toImage();
-  int pictures = viewport().shownCount();
+  int pictures = shownPictures(viewport());
   mWindow->actions().find("model.legend")->trigger();
   mWindow->actions().find("view.scaleBar")->trigger();
   EXPECT_TRUE(scene().lettering.legend && scene().lettering.scaleBar);

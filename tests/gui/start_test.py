@@ -53,7 +53,15 @@ class WindowTest(unittest.TestCase):
         return json.loads(self.batch("recover", "--list", "--json"))["work"]
 
 
-class WithoutOpenGl(WindowTest):
+class ContextTest(WindowTest):
+    """The program chooses how to draw."""
+
+    def setUp(self):
+        super().setUp()
+        self.environment.pop("VELUM_CONTEXT", None)
+
+
+class WithoutOpenGl(ContextTest):
     def refused(self, without, words, **changes):
         """Whatever it is started for: one line, exit code 3."""
         self.batch("sample", "two-spheres", "-o", "a.nrrd", "--voxels", 16)
@@ -105,7 +113,7 @@ class WithoutOpenGl(WindowTest):
         self.assertIsNone(window.poll(), "it waits until the dialog is closed")
 
 
-class BesideTheWindowSystem(WindowTest):
+class BesideTheWindowSystem(ContextTest):
     """Where the window system has no OpenGL 4.5 the 3D view is drawn by a context of its own, and all else is as always."""
 
     def started(self, words, **changes):
@@ -145,7 +153,6 @@ class BesideTheWindowSystem(WindowTest):
         # What the bar above the views shows is said as well.
         self.assertEqual(said.count("softpipe offers OpenGL 3.3, and OpenGL 4.5 is needed"), 2, said)
         self.assertTrue((self.folder / "window.png").exists())
-
 
     def test_the_bare_window_does_so_too(self):
         self.batch("sample", "two-spheres", "-o", "a b.nrrd", "--voxels", 16)

@@ -5261,7 +5261,7 @@
     </message>
     <message>
         <source>OSMesa: it offers no OpenGL 4.5 core context; update it (Debian package libosmesa6), or draw without it (--context egl)</source>
-        <translation>OSMesa: es bietet keinen OpenGL-4.5-Core-Kontext; aktualisieren Sie es (Debian-Paket libosmesa6), oder zeichnen Sie ohne es (--context egl)</translation>
+        <translation>OSMesa: es bietet keinen OpenGL-4.5-Core-Kontext; es aktualisieren (Debian-Paket libosmesa6) oder ohne es zeichnen (--context egl)</translation>
     </message>
 </context>
 <context>

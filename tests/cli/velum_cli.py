@@ -18,9 +18,9 @@ class CliTest(unittest.TestCase):
         self.addCleanup(shutil.rmtree, self.folder, ignore_errors=True)
 
     def run_batch(self, *arguments, code=0, cwd=None, env=None):
-        """Runs and checks the exit code; bytes of stdout and stderr in the result."""
+        """Runs and checks the exit code; bytes of stdout and stderr in the result. What is None in env is not set."""
         done = subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, cwd=cwd or self.folder, timeout=120,
-                              env={**os.environ, **(env or {})})
+                              env={k: v for k, v in {**os.environ, **(env or {})}.items() if v is not None})
         said = done.stderr.decode(errors="replace")
         self.assertEqual(done.returncode, code, f"{' '.join(map(str, arguments))}\n{said}")
         return done

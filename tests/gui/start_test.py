@@ -54,11 +54,12 @@ class WindowTest(unittest.TestCase):
 
 
 class ContextTest(WindowTest):
-    """The program chooses how to draw."""
+    """The program chooses how to draw, whatever draws in other tests."""
 
     def setUp(self):
         super().setUp()
-        self.environment.pop("VELUM_CONTEXT", None)
+        for name in ("VELUM_CONTEXT", "MESA_LOADER_DRIVER_OVERRIDE"):
+            self.environment.pop(name, None)
 
 
 class WithoutOpenGl(ContextTest):

@@ -34,8 +34,7 @@ class OnePicture : public ModelWindow {
     mWindow->resize(900, 700);
     mWindow->openPaths({path("virion.cif")});
     EXPECT_TRUE(waitForJob());
-    for (const char* field : {"lighting.shadow", "lighting.occlusion"})
-      session::edit(mWindow->document(), session::SetField{field, "0"});
+    drawSoon();
     session::edit(mWindow->document(), session::AddCut{scene::CutShape::Plane, "Plane"});
     EXPECT_TRUE(settle());
     std::vector<std::size_t> order(model().types.size());

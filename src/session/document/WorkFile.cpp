@@ -47,6 +47,7 @@ std::vector<std::string> openingOf(const scene::Scene& scene, bool isRecovered) 
     fresh = scene;
     fresh.camera = {};
     fresh.sections = {};
+    scene::placeSections(fresh);
   }
   for (const auto& [path, value] : scene::fieldChanges(fresh, scene))
     if (path.find("source.") == std::string::npos) lines.push_back("set " + path + " " + value);

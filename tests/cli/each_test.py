@@ -1,4 +1,6 @@
 """velum-batch each."""
+import contextlib
+import fcntl
 import json
 import os
 import signal
@@ -138,6 +140,14 @@ class Each(CliTest):
         states = self.each("-o", "out/{dir}/{name}.png", code=2)
         self.assertEqual(states, {f"p{i}": "failed" if i == 3 else "done" for i in range(6)})
 
+    def is_locked(self, path):
+        with contextlib.suppress(FileNotFoundError), open(path, "rb") as file:
+            try:
+                fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            except BlockingIOError:
+                return True
+        return False
+
     def stopped_in_a_piece(self, *more):
         """A process that was stopped while it makes a piece, and the piece's name."""
         running = subprocess.Popen([PROGRAM, "each", PATTERN, *SLOW, *more], cwd=self.folder)
@@ -148,8 +158,9 @@ class Each(CliTest):
             if any(self.folder.glob("*/.velum-lock-*")):
                 running.send_signal(signal.SIGSTOP)
                 os.waitid(os.P_PID, running.pid, os.WSTOPPED)
-                held = {path.name.split("-")[-1].split(".")[0] for path in self.folder.glob("*/.velum-lock-*")}
-                if held:
+                held = [path.name.split("-")[-1].split(".")[0] for path in self.folder.glob("*/.velum-lock-*") if self.is_locked(path)]
+                # All outputs, and not those of a piece that it begins or ends.
+                if held and len(held) == more.count("-o"):
                     return running, held.pop()
                 running.send_signal(signal.SIGCONT)
             time.sleep(0.001)

@@ -15,8 +15,11 @@ HEAD = """// Written by .ci/core_words.py --write, read by lupdate and by the wi
 inline constexpr const char* kCoreWords[] = {
 """
 TOKEN = re.compile(r'//[^\n]*|/\*.*?\*/|R"([^(\s]*)\(.*?\)\1"|"((?:[^"\\\n]|\\.)*)"|\'(?:[^\'\\]|\\.)+\'', re.S)
+# What is thrown.
+KINDS = r"\w*Error|TooOld|NoMemory|ContextLost"
+THROWN = re.compile(rf"(?:{KINDS})$")
 # Calls that say to somebody what they are given, and those that do not.
-SAYS = re.compile(r"(?:fmt::format|\w*Error|[Rr]efuse\w*|refusal|report|push_back|say\w*|fail|warn\w*|need|blame|oneLine|whole|sizesOf|"
+SAYS = re.compile(rf"(?:{KINDS}|fmt::format|[Rr]efuse\w*|refusal|report|push_back|say\w*|fail|warn\w*|need|blame|oneLine|whole|sizesOf|"
                   r"forBricks|listText|checkRoom|edit|optional|written|setsOf)$")
 SAYS_NOTHING = re.compile(r"(?:structureLabel|typesLabel|\w*ASSERT|static_assert|fprintf|log::\w+|addLine|addImage|put|field|starts_with|find|has|Buffer|Texture|"
                           r"make\w+|bufferOf|write|visit|parse\w*|head\.add|lines\.add|setDescription|countOf|vectorOf)$")
@@ -140,7 +143,7 @@ def collected(root):
             plain = without_texts(text)
             for begin, literal in sums(text):
                 calls, before = around(plain, begin)
-                is_thrown = any(call.endswith("Error") for call in calls)
+                is_thrown = any(THROWN.search(call) for call in calls)
                 if is_message(literal) and (is_thrown if folder == "gui" else is_said(calls, before) or is_step(calls, literal)) and f'"{literal}"' not in of_tables:
                     found[pattern_of(literal)] = path.relative_to(root)
     return found

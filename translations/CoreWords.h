@@ -22,6 +22,8 @@ inline constexpr const char* kCoreWords[] = {
     QT_TRANSLATE_NOOP("Core", "the driver cannot map %1 (%2 bytes): make the picture smaller"),
     QT_TRANSLATE_NOOP("Core", "the driver's shaders reach %1 MiB of a buffer, and %2 MiB are needed: take fewer copies, or a smaller picture or volume"),
     QT_TRANSLATE_NOOP("Core", "the driver cannot draw into %1"),
+    QT_TRANSLATE_NOOP("Core", "the graphics driver was reset while it drew: draw again"),
+    QT_TRANSLATE_NOOP("Core", "the graphics driver is reset whenever it draws this: update it, or have Mesa's software driver draw, which is slower (LIBGL_ALWAYS_SOFTWARE=1)"),
     QT_TRANSLATE_NOOP("Core", "the shader %1 does not link: %2"),
     QT_TRANSLATE_NOOP("Core", "the driver does not answer: update it, or restart"),
     QT_TRANSLATE_NOOP("Core", "the shader %1/%2 is missing"),
@@ -30,6 +32,7 @@ inline constexpr const char* kCoreWords[] = {
     QT_TRANSLATE_NOOP("Core", "%1; OpenGL 4.5 is needed: install or update the graphics driver; Mesa's software driver will do, too%2"),
     QT_TRANSLATE_NOOP("Core", " (it was tried: %1)"),
     QT_TRANSLATE_NOOP("Core", "%1: %2 texels are more than the %3 that the driver takes in a buffer: use a smaller model, picture or volume"),
+    QT_TRANSLATE_NOOP("Core", "the graphics driver was reset: the window has to be drawn anew"),
     QT_TRANSLATE_NOOP("Core", "the graphics driver has no %1"),
     QT_TRANSLATE_NOOP("Core", "%1 offers OpenGL %2.%3"),
     QT_TRANSLATE_NOOP("Core", "%1 lacks %2 of OpenGL 4.5"),
@@ -41,7 +44,7 @@ inline constexpr const char* kCoreWords[] = {
     QT_TRANSLATE_NOOP("Core", "EGL: the context cannot be made current"),
     QT_TRANSLATE_NOOP("Core", "OSMesa: the context cannot be made current"),
     QT_TRANSLATE_NOOP("Core", "OSMesa: libOSMesa.so.8 is not installed (Debian package libosmesa6)"),
-    QT_TRANSLATE_NOOP("Core", "OSMesa: it offers no OpenGL 4.5 core context; update it (Debian package libosmesa6), or draw without it (--context egl)"),
+    QT_TRANSLATE_NOOP("Core", "OSMesa: it offers no OpenGL 4.5 core context"),
     QT_TRANSLATE_NOOP("Core", "the plane to grow from has a number that is not finite"),
     QT_TRANSLATE_NOOP("Core", "the distance to grow is not a number"),
     QT_TRANSLATE_NOOP("Core", "channel %1 to grow in: the volume has %2"),
@@ -1271,6 +1274,7 @@ inline constexpr const char* kCoreWords[] = {
     QT_TRANSLATE_NOOP("Core", "%1: cannot be done now"),
     QT_TRANSLATE_NOOP("Core", "no unsaved work was left behind"),
     QT_TRANSLATE_NOOP("Core", "this display (%1) gives windows no OpenGL"),
+    QT_TRANSLATE_NOOP("Core", "the graphics driver makes no OpenGL context"),
 };
 
 /// What memory on the GPU is for.

@@ -188,6 +188,10 @@
         <translation>OSMesa: libOSMesa.so.8 ist nicht installiert (Debian-Paket libosmesa6)</translation>
     </message>
     <message>
+        <source>OSMesa: it offers no OpenGL 4.5 core context</source>
+        <translation>OSMesa: es bietet keinen OpenGL-4.5-Core-Kontext</translation>
+    </message>
+    <message>
         <source>OSMesa: the context cannot be made current</source>
         <translation>OSMesa: der Kontext lässt sich nicht aktivieren</translation>
     </message>
@@ -5260,8 +5264,24 @@
         <translation>%1: aus %2 Teilen zusammengesetzt</translation>
     </message>
     <message>
-        <source>OSMesa: it offers no OpenGL 4.5 core context; update it (Debian package libosmesa6), or draw without it (--context egl)</source>
-        <translation>OSMesa: es bietet keinen OpenGL-4.5-Core-Kontext; es aktualisieren (Debian-Paket libosmesa6) oder ohne es zeichnen (--context egl)</translation>
+        <source>the graphics driver was reset while it drew: draw again</source>
+        <translation>der Grafiktreiber wurde beim Zeichnen zurückgesetzt: noch einmal zeichnen</translation>
+    </message>
+    <message>
+        <source>the graphics driver is reset whenever it draws this: update it, or have Mesa&apos;s software driver draw, which is slower (LIBGL_ALWAYS_SOFTWARE=1)</source>
+        <translation>der Grafiktreiber wird jedes Mal zurückgesetzt, wenn er dies zeichnet: ihn aktualisieren oder den Softwaretreiber von Mesa zeichnen lassen, der langsamer ist (LIBGL_ALWAYS_SOFTWARE=1)</translation>
+    </message>
+    <message>
+        <source>the graphics driver was reset: the window has to be drawn anew</source>
+        <translation>der Grafiktreiber wurde zurückgesetzt: das Fenster muss neu gezeichnet werden</translation>
+    </message>
+    <message>
+        <source>the graphics driver makes no OpenGL context</source>
+        <translation>der Grafiktreiber erzeugt keinen OpenGL-Kontext</translation>
+    </message>
+    <message>
+        <source>%1 (libraries say: %2)</source>
+        <translation>%1 (Bibliotheken melden: %2)</translation>
     </message>
 </context>
 <context>

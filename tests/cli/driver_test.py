@@ -47,6 +47,13 @@ class TooOld(CliTest):
                 self.assertIn(word, lines[0])
             self.assertFalse((self.folder / "none.png").exists())
 
+    def test_nothing_takes_the_place_of_what_was_asked_for_by_name(self):
+        done = self.run_batch("render", "two-spheres.nrrd", "-o", "none.png", *SMALL, "--context", "osmesa", env=self.OLD, code=3)
+        lines = done.stderr.decode().splitlines()
+        self.assertEqual(len(lines), 1, lines)
+        for word in ("velum-batch: OSMesa", "4.5 is needed", "install or update"):
+            self.assertIn(word, lines[0])
+
     def test_what_needs_no_driver_says_nothing(self):
         done = self.run_batch("info", "two-spheres.nrrd", env=self.OLD)
         self.assertEqual(done.stderr, b"")

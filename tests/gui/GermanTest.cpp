@@ -238,6 +238,8 @@ TEST_F(German, MessagesAreGermanWithTheirNamesAndACommaInNumbers) {
   expectSaid("Something that nobody knows", "Something that nobody knows");
   expectSaid("no finish 'nope' (is 'none' meant?); there are none, plate",
              "Ausführung „nope“ gibt es nicht (ist „none“ gemeint?); es gibt: none, plate");
+  expectSaid("this display (xcb) gives windows no OpenGL (libraries say: MESA: failed (see: log))",
+             "diese Anzeige (xcb) gibt Fenstern kein OpenGL (Bibliotheken melden: MESA: failed (see: log))");
   // Two of a line.
   expectSaid("Reading voxels\nReading labels", "Voxel werden gelesen\nLabels werden gelesen");
 }

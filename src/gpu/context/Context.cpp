@@ -175,7 +175,13 @@ ContextKind Context::kindOfEnvironment() {
 
 std::unique_ptr<Context> Context::create(ContextKind kind) {
   if (kind == ContextKind::Auto) kind = kindOfEnvironment();
-  if (kind == ContextKind::OsMesa) return createOsMesa();
+  if (kind == ContextKind::OsMesa) {
+    try {
+      return createOsMesa();
+    } catch (const TooOld& error) {
+      throw GpuError(nothingInstead(error.what(), {}));
+    }
+  }
   std::string eglSays, tooOld;
   try {
     return createEgl();

@@ -61,10 +61,7 @@ class OsMesaContext : public Context {
                               5,
                               0};
     mContext = create(attributes, nullptr);
-    if (!mContext)
-      throw GpuError(
-          "OSMesa: it offers no OpenGL 4.5 core context; update it (Debian package libosmesa6), or draw without it "
-          "(--context egl)");
+    if (!mContext) throw TooOld("OSMesa: it offers no OpenGL 4.5 core context");
     OsMesaContext::makeCurrent();
     load(procAddress);
   }

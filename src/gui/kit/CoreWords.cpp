@@ -16,6 +16,7 @@ namespace {
 
 /// What is too short to be told from code where it is written: words that are put into messages, and numbers of things.
 constexpr const char* kPutIn[] = {
+    QT_TRANSLATE_NOOP("Core", "%1 (libraries say: %2)"),
     QT_TRANSLATE_NOOP("Core", "%1 structures"),
     QT_TRANSLATE_NOOP("Core", "%1 types"),
     QT_TRANSLATE_NOOP("Core", "%1 marks"),

@@ -124,7 +124,7 @@ class StderrAside {
 /// An error's words, with what libraries have said meanwhile.
 std::string wordsOf(const gpu::GpuError& error, StderrAside& aside) {
   QString said = aside.take();
-  return error.what() + (said.isEmpty() ? std::string() : " (" + said.toStdString() + ")");
+  return said.isEmpty() ? error.what() : fmt::format("{} (libraries say: {})", error.what(), said.toStdString());
 }
 
 /// Tries to draw beside the window system. @param why  not in it @throw gpu::GpuError that says both
